@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace wr {
+
+/// @brief Check sum of the bytes of a frame.
+/// @function Computes the number by which a damaged frame is found.
+/// @secret The algorithm of the check sum: CRC-16/CCITT-FALSE, computed bit by bit.
+class Crc16 final {
+ public:
+  /// @brief Begins a check sum of no bytes.
+  Crc16() = default;
+
+  /// @brief Adds bytes to the check sum.
+  /// @param bytes the bytes, in the order of the line
+  /// @isr{yes}
+  /// @satisfies FR-40
+  void add(std::span<const std::uint8_t> bytes);
+
+  /// @brief Tells the check sum of all bytes that were added.
+  /// @return the check sum
+  /// @isr{yes}
+  [[nodiscard]] std::uint16_t value() const { return value_; }
+
+ private:
+  std::uint16_t value_ = 0xFFFF;
+};
+
+}  // namespace wr

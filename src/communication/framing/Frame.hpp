@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace wr {
+
+/// @brief What the payload of a frame is.
+/// @datatype
+enum class FrameType : std::uint8_t {
+  Hello = 0x01,      ///< the PC asks for a connection
+  Confirm = 0x02,    ///< the PC accepts a session
+  KeepAlive = 0x03,  ///< the PC keeps the connection
+  Order = 0x04,      ///< the PC orders
+  Welcome = 0x81,    ///< the system answers a Hello
+  Report = 0x82      ///< the system reports one cycle
+};
+
+/// @brief A frame without what the line needs to carry it.
+/// @datatype
+struct Frame {
+  FrameType type{};                         ///< what the payload is; may be a type without a name
+  std::uint8_t sequence = 0;                ///< number that the sender gave to the frame
+  std::span<const std::uint8_t> payload{};  ///< the bytes that the frame carries
+};
+
+/// @brief Version of the protocol.
+inline constexpr std::uint8_t kProtocolVersion = 1;
+
+/// @brief Fewest bytes of a body.
+inline constexpr std::size_t kMinBody = 5;
+
+/// @brief Most bytes of a body.
+inline constexpr std::size_t kMaxBody = 128;
+
+/// @brief Most bytes of a payload.
+inline constexpr std::size_t kMaxPayload = kMaxBody - kMinBody;
+
+/// @brief Most bytes of a frame on the line, with the zero that ends it.
+inline constexpr std::size_t kMaxCoded = kMaxBody + 2;
+
+}  // namespace wr

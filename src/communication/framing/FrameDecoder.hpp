@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "communication/framing/Frame.hpp"
+
+namespace wr {
+
+/// @brief What a byte from the line brought to an end.
+/// @datatype
+enum class Decoded : std::uint8_t {
+  Nothing,        ///< no frame has ended
+  Whole,          ///< a frame that is in order
+  Damaged,        ///< a frame with bad COBS or CRC or less than 5 bytes
+  TooLong,        ///< a frame with a body of more than 128 bytes
+  UnknownVersion  ///< a frame of another protocol version
+};
+
+/// @brief Finds frames in the bytes from the line.
+/// @function Collects bytes until a frame ends, and tells whether the frame is in order. After any
+/// damage it finds the next frame.
+/// @secret How a frame is collected and checked, and how its place is found again after damage.
+class FrameDecoder final {
+ public:
+  /// @brief Makes a decoder that waits for the first byte of a frame.
+  FrameDecoder() = default;
+
+  /// @brief Takes one byte from the line.
+  /// @param byte the byte
+  /// @return what the byte brought to an end
+  /// @isr{no}
+  /// @satisfies FR-40
+  /// @satisfies FR-41
+  /// @satisfies FR-42
+  /// @satisfies FR-43
+  Decoded push(std::uint8_t byte);
+
+  /// @brief Tells the frame that was found.
+  /// @return the frame, valid until the next push
+  /// @pre The last push returned Whole.
+  /// @isr{no}
+  [[nodiscard]] Frame frame() const;
+
+ private:
+  Decoded end();
+  bool removeStuffing();
+  [[nodiscard]] bool crcIsRight() const;
+
+  std::array<std::uint8_t, kMaxBody + 1> bytes_{};  // coded, and after the end the body
+  std::size_t count_ = 0;                           // coded bytes since the last zero
+  std::size_t length_ = 0;                          // of the body that ended last
+};
+
+}  // namespace wr

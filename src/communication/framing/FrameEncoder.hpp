@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "communication/framing/Frame.hpp"
+
+namespace wr {
+
+/// @brief Makes frames for the line.
+/// @function Turns type, sequence number and payload into the bytes to send.
+/// @secret How the bytes to send are made in one piece of storage.
+class FrameEncoder final {
+ public:
+  /// @brief Makes an encoder without a frame.
+  FrameEncoder() = default;
+
+  /// @brief Makes one frame.
+  /// @param frame type, sequence number and payload of at most 123 bytes
+  /// @return the bytes for the line, with the zero that ends them; valid until the next call
+  /// @errors Assertion FrameTooLarge when the payload has more than 123 bytes.
+  /// @isr{no}
+  /// @satisfies FR-40
+  [[nodiscard]] std::span<const std::uint8_t> encode(const Frame& frame);
+
+ private:
+  std::array<std::uint8_t, kMaxCoded> coded_{};
+};
+
+}  // namespace wr

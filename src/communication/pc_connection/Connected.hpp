@@ -1,0 +1,58 @@
+#pragma once
+
+#include "communication/pc_connection/ConnectionState.hpp"
+
+namespace wr {
+
+/// @brief The PC is connected.
+/// @function Takes orders, and ends the connection when the PC is silent or begins anew.
+/// @secret What keeps a connection, and what is dropped when it ends.
+/// @role{pc-mcu-connection, Concrete State}
+class Connected final : public ConnectionState {
+ public:
+  /// @brief Makes the state.
+  /// @param handshaking state that follows a Hello
+  /// @param disconnected state that follows when the PC is silent
+  Connected(ConnectionState& handshaking, ConnectionState& disconnected);
+
+  /// @brief Ends the connection, drops the newest order, sends a Welcome and begins a new handshake.
+  /// @param connection the connection that received the Hello
+  /// @isr{no}
+  /// @satisfies FR-30
+  /// @satisfies FR-34
+  void hello(PcConnection& connection) override;
+
+  /// @brief Accepts that the PC is alive.
+  /// @param connection the connection that received the KeepAlive
+  /// @return true
+  /// @isr{no}
+  /// @satisfies FR-33
+  bool keepAlive(PcConnection& connection) override;
+
+  /// @brief Takes the order as the newest one.
+  /// @param connection the connection that received it
+  /// @param payload the bytes of the order
+  /// @return false when the order was dropped because a field is out of range
+  /// @isr{no}
+  /// @satisfies FR-36
+  bool order(PcConnection& connection,
+             std::span<const std::uint8_t, SerialReader::kOrderLength> payload) override;
+
+  /// @brief Ends the connection and drops the newest order when the PC was silent for too long.
+  /// @param connection the connection whose time is looked at
+  /// @isr{no}
+  /// @satisfies FR-33
+  void checkTime(PcConnection& connection) override;
+
+  /// @brief Tells that the PC is connected.
+  /// @return true
+  /// @isr{no}
+  /// @satisfies FR-36
+  [[nodiscard]] bool connected() const override;
+
+ private:
+  ConnectionState& handshaking_;
+  ConnectionState& disconnected_;
+};
+
+}  // namespace wr

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "communication/serialization/SerialReader.hpp"
+
+namespace wr {
+
+class PcConnection;
+
+/// @brief What the connection with the PC does in one of its states.
+/// @function Answers each frame of the PC, and looks at the time, in the way of one state.
+/// @secret What differs between the states of the connection. A frame is unexpected unless a state
+/// says otherwise.
+/// @role{pc-mcu-connection, State}
+///
+/// @patternapp{pc-mcu-connection, State, PC-MCU connection}
+/// @why How the PC and the MCU communicate depends on the state of the connection between them. Each
+/// state is a module, so the rules of one state are read and changed in one place.
+/// @changes A new state of the connection. Another behaviour of a state.
+class ConnectionState {
+ public:
+  ConnectionState(const ConnectionState&) = delete;
+  ConnectionState& operator=(const ConnectionState&) = delete;
+
+  /// @brief Answers a Hello. It is answered in every state.
+  /// @param connection the connection that received it
+  /// @isr{no}
+  virtual void hello(PcConnection& connection) = 0;
+
+  /// @brief Takes a Confirm. Unless a state says otherwise it is counted as unexpected.
+  /// @param connection the connection that received it
+  /// @param session number of the session that the PC accepts
+  /// @return false when the frame was dropped
+  /// @isr{no}
+  /// @satisfies FR-47
+  virtual bool confirm(PcConnection& connection, std::uint8_t session);
+
+  /// @brief Takes a KeepAlive. Unless a state says otherwise it is counted as unexpected.
+  /// @param connection the connection that received it
+  /// @return false when the frame was dropped
+  /// @isr{no}
+  /// @satisfies FR-47
+  virtual bool keepAlive(PcConnection& connection);
+
+  /// @brief Takes an order. Unless a state says otherwise it is counted as unexpected.
+  /// @param connection the connection that received it
+  /// @param payload the bytes of the order
+  /// @return false when the frame was dropped
+  /// @isr{no}
+  /// @satisfies FR-47
+  virtual bool order(PcConnection& connection,
+                     std::span<const std::uint8_t, SerialReader::kOrderLength> payload);
+
+  /// @brief Looks at the time once in each cycle, after all frames. Unless a state says otherwise
+  /// nothing happens.
+  /// @param connection the connection whose time is looked at
+  /// @isr{no}
+  virtual void checkTime(PcConnection& connection);
+
+  /// @brief Tells whether the PC is connected. Unless a state says otherwise it is not.
+  /// @return true when the PC is connected
+  /// @isr{no}
+  [[nodiscard]] virtual bool connected() const;
+
+ protected:
+  ConnectionState() = default;
+  ~ConnectionState() = default;
+};
+
+}  // namespace wr

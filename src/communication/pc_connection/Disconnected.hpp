@@ -1,0 +1,27 @@
+#pragma once
+
+#include "communication/pc_connection/ConnectionState.hpp"
+
+namespace wr {
+
+/// @brief No PC is connected.
+/// @function Waits for a Hello.
+/// @secret That a Hello is all that is needed to begin a handshake.
+/// @role{pc-mcu-connection, Concrete State}
+class Disconnected final : public ConnectionState {
+ public:
+  /// @brief Makes the state.
+  /// @param handshaking state that follows a Hello
+  explicit Disconnected(ConnectionState& handshaking);
+
+  /// @brief Sends a Welcome and begins the handshake.
+  /// @param connection the connection that received the Hello
+  /// @isr{no}
+  /// @satisfies FR-30
+  void hello(PcConnection& connection) override;
+
+ private:
+  ConnectionState& handshaking_;
+};
+
+}  // namespace wr

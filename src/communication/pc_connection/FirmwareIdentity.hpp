@@ -1,0 +1,20 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace wr {
+
+/// @brief What names a firmware: its version, and which sources it was built from.
+/// @datatype
+struct FirmwareIdentity {
+  std::uint8_t major;           ///< major number of the version
+  std::uint8_t minor;           ///< minor number of the version
+  std::uint8_t patch;           ///< patch number of the version
+  std::array<char, 8> buildId;  ///< first 8 hexadecimal digits of the SHA-256 of the sources
+};
+
+/// @brief The identity of this firmware. The build writes it.
+extern const FirmwareIdentity firmwareIdentity;
+
+}  // namespace wr

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "communication/pc_connection/ConnectionState.hpp"
+
+namespace wr {
+
+/// @brief A Welcome was sent, and its Confirm has not come.
+/// @function Waits for the Confirm of the session that was offered.
+/// @secret What makes a Confirm right, and how long it is waited for.
+/// @role{pc-mcu-connection, Concrete State}
+class Handshaking final : public ConnectionState {
+ public:
+  /// @brief Makes the state.
+  /// @param connected state that follows a right Confirm
+  /// @param disconnected state that follows when no right Confirm comes
+  Handshaking(ConnectionState& connected, ConnectionState& disconnected);
+
+  /// @brief Sends a Welcome with a new session. The handshake begins again.
+  /// @param connection the connection that received the Hello
+  /// @isr{no}
+  /// @satisfies FR-30
+  void hello(PcConnection& connection) override;
+
+  /// @brief Connects the PC when it accepts the session that was offered last, in time.
+  /// @param connection the connection that received the Confirm
+  /// @param session number of the session that the PC accepts
+  /// @return false when the frame was dropped
+  /// @isr{no}
+  /// @satisfies FR-31
+  /// @satisfies FR-47
+  bool confirm(PcConnection& connection, std::uint8_t session) override;
+
+  /// @brief Ends the handshake when it has lasted too long.
+  /// @param connection the connection whose time is looked at
+  /// @isr{no}
+  /// @satisfies FR-32
+  void checkTime(PcConnection& connection) override;
+
+ private:
+  ConnectionState& connected_;
+  ConnectionState& disconnected_;
+};
+
+}  // namespace wr

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "communication/serialization/Serializable.hpp"
+#include "units/SetPoints.hpp"
+
+namespace wr {
+
+/// @brief One order: the set-points of the robot, and whether it is to stop.
+/// @function Holds a complete order, and tells whether the robot can do what it orders.
+/// @secret The fields of an order, and the range of each.
+/// @role{serializer, Concrete Element}
+class OrderMessage final : public Serializable {
+ public:
+  /// @brief Makes an order with all set-points zero, without stop.
+  OrderMessage() = default;
+
+  /// @brief Makes an order.
+  /// @param setPoints what the order sets
+  /// @param stop whether the robot is to stop
+  OrderMessage(const SetPoints& setPoints, bool stop);
+
+  /// @brief Tells what the order sets.
+  /// @return the set-points
+  [[nodiscard]] const SetPoints& setPoints() const { return setPoints_; }
+
+  /// @brief Tells whether the robot is to stop.
+  /// @return true for a stop
+  [[nodiscard]] bool stop() const { return stop_ == kStop; }
+
+  /// @brief Tells whether each field is in its range. The fields beside the stop count in a stop
+  /// order too.
+  /// @return true when the order can be carried out
+  /// @satisfies FR-46
+  [[nodiscard]] bool inRange() const;
+
+  [[nodiscard]] bool readFrom(Reader& reader) override;
+  [[nodiscard]] bool writeTo(Writer& writer) const override;
+
+ private:
+  static constexpr std::uint8_t kGo = 0;
+  static constexpr std::uint8_t kStop = 1;
+
+  SetPoints setPoints_{};
+  std::uint8_t stop_ = kGo;
+};
+
+}  // namespace wr

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+
+#include "communication/serialization/Field.hpp"
+
+namespace wr {
+
+/// @brief A source of orders.
+/// @function Tells whether its source has an order that can be read, and gives the fields of that
+/// order by their names.
+/// @secret From which source an order comes, and in what form.
+/// @role{serializer, Reader}
+class Reader {
+ public:
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  /// @brief Tells whether an order can be read: complete, the newest of its source, not older than
+  /// the lifetime of an order, and not read before.
+  /// @return true when there is such an order
+  /// @isr{no}
+  [[nodiscard]] virtual bool available() const = 0;
+
+  /// @brief Tells whether the newest order ever accepted from this source is a stop. Neither age nor
+  /// the end of a connection releases a stop.
+  /// @return true until the source orders without stop
+  /// @isr{no}
+  [[nodiscard]] virtual bool stopOrdered() const = 0;
+
+  /// @brief Reads a field of 8 bits without sign.
+  /// @param field name of the field
+  /// @return value of the field; 0 when the order has no such field
+  /// @isr{no}
+  virtual std::uint8_t readU8(Field field) = 0;
+
+  /// @brief Reads a field of 16 bits without sign.
+  /// @param field name of the field
+  /// @return value of the field; 0 when the order has no such field
+  /// @isr{no}
+  virtual std::uint16_t readU16(Field field) = 0;
+
+  /// @brief Reads a field of 16 bits with sign.
+  /// @param field name of the field
+  /// @return value of the field; 0 when the order has no such field
+  /// @isr{no}
+  virtual std::int16_t readI16(Field field) = 0;
+
+  /// @brief Reads a field of 32 bits without sign.
+  /// @param field name of the field
+  /// @return value of the field; 0 when the order has no such field
+  /// @isr{no}
+  virtual std::uint32_t readU32(Field field) = 0;
+
+  /// @brief Reads a field of 32 bits with sign.
+  /// @param field name of the field
+  /// @return value of the field; 0 when the order has no such field
+  /// @isr{no}
+  virtual std::int32_t readI32(Field field) = 0;
+
+  /// @brief Ends the read of one object. The object is consumed: it is not available any more.
+  /// @return false when a field was read that the object does not have
+  /// @isr{no}
+  virtual bool finish() = 0;
+
+ protected:
+  Reader() = default;
+  ~Reader() = default;
+};
+
+}  // namespace wr

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+
+#include "units/Measurements.hpp"
+#include "units/SetPoints.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief What went wrong on the PC link since start. Each count stops at 65535.
+/// @datatype
+struct LinkCounts {
+  std::uint16_t lostBytes = 0;       ///< bytes that the serial port could not store
+  std::uint16_t damaged = 0;         ///< frames with bad COBS or CRC or less than 5 bytes
+  std::uint16_t tooLong = 0;         ///< frames with a body of more than 128 bytes
+  std::uint16_t unknownVersion = 0;  ///< frames of another protocol version
+  std::uint16_t unknownType = 0;     ///< frames of a type that is not received
+  std::uint16_t wrongLength = 0;     ///< frames with a payload of wrong length
+  std::uint16_t outOfRange = 0;      ///< orders with a field out of range
+  std::uint16_t unexpected = 0;      ///< frames that the connection did not expect
+  std::uint16_t sequenceGaps = 0;    ///< accepted frames that do not follow the one before
+  std::uint16_t reportsNotSent = 0;  ///< reports for which the port had no room
+
+  /// @brief Tells whether two sets of counts are the same.
+  friend constexpr bool operator==(const LinkCounts&, const LinkCounts&) = default;
+};
+
+/// @brief What a report tells about one control cycle.
+/// @datatype
+struct ReportData {
+  /// @brief Source of the set-points before the first order was read.
+  static constexpr std::uint8_t kNoSource = 255;
+
+  std::uint32_t cycle = 0;          ///< number of the cycle since start, the first is 1
+  Instant time{};                   ///< time of the clock pulse, sent in ms
+  std::uint8_t operationState = 0;  ///< 0 Working, 1 Waiting, 2 WaitingN, 3 Reconnecting
+  std::uint8_t readingMode = 0;     ///< 0 RC, 1 PC
+  std::uint8_t source = kNoSource;  ///< source of the set-points: 0 RC, 1 PC, 255 none
+  bool stop = false;                ///< a stop is in force
+  bool orderRead = false;           ///< an order was read in this cycle
+  bool held = false;                ///< wheels halted and steering held
+  bool overran = false;             ///< this cycle overran
+  SetPoints setPoints{};            ///< set-points in force
+  Measurements measurements{};      ///< what was measured
+  Outputs outputs{};                ///< what was applied
+  std::uint16_t overruns = 0;       ///< cycles that overran
+  LinkCounts link{};                ///< what went wrong on the PC link
+
+  /// @brief Tells whether two reports tell the same.
+  friend constexpr bool operator==(const ReportData&, const ReportData&) = default;
+};
+
+}  // namespace wr

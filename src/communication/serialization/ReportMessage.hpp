@@ -1,0 +1,41 @@
+#pragma once
+
+#include "communication/serialization/ReportData.hpp"
+#include "communication/serialization/Serializable.hpp"
+
+namespace wr {
+
+/// @brief One report: what happened in one control cycle.
+/// @function Holds a report for the PC and marks the values that are missing.
+/// @secret The fields of a report, and how a missing value is marked.
+/// @role{serializer, Concrete Element}
+class ReportMessage final : public Serializable {
+ public:
+  /// @brief Makes a report in which everything is zero or missing.
+  ReportMessage() = default;
+
+  /// @brief Makes a report.
+  /// @param data what the report tells
+  explicit ReportMessage(const ReportData& data);
+
+  /// @brief Tells what the report tells.
+  /// @return the data of the report
+  [[nodiscard]] const ReportData& data() const { return data_; }
+
+  [[nodiscard]] bool readFrom(Reader& reader) override;
+
+  /// @brief Writes the report. A missing value is written as 0 and its bit of validity is 0. A value
+  /// that its field cannot hold is written as the nearest one that it can.
+  /// @param writer the destination
+  /// @return false when the destination has no room for the whole report
+  /// @isr{no}
+  /// @satisfies FR-61
+  /// @satisfies FR-62
+  /// @satisfies FR-63
+  [[nodiscard]] bool writeTo(Writer& writer) const override;
+
+ private:
+  ReportData data_{};
+};
+
+}  // namespace wr

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "communication/serialization/Writer.hpp"
+
+namespace wr {
+
+/// @brief The bytes of one object for the serial line.
+/// @function Turns the fields of an object into the payload of a frame.
+/// @secret How a field becomes bytes on the serial line, and where they are stored.
+/// @role{serializer, Concrete Writer}
+class SerialWriter final : public Writer {
+ public:
+  /// @brief Most bytes that an object can have.
+  static constexpr std::size_t kCapacity = 123;
+
+  /// @brief Makes a writer without bytes.
+  SerialWriter() = default;
+
+  /// @brief Begins a new object: forgets all bytes.
+  /// @isr{no}
+  void clear();
+
+  /// @brief Tells the bytes that were written since the last clear.
+  /// @return the bytes, valid until the next write or clear
+  /// @isr{no}
+  [[nodiscard]] std::span<const std::uint8_t> bytes() const;
+
+  void writeU8(Field field, std::uint8_t value) override;
+  void writeU16(Field field, std::uint16_t value) override;
+  void writeI16(Field field, std::int16_t value) override;
+  void writeU32(Field field, std::uint32_t value) override;
+  void writeI32(Field field, std::int32_t value) override;
+  bool finish() override;
+
+ private:
+  void put(std::uint32_t value, std::size_t size);
+
+  std::array<std::uint8_t, kCapacity> bytes_{};
+  std::size_t length_ = 0;
+  bool overflow_ = false;
+};
+
+}  // namespace wr

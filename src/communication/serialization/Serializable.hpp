@@ -1,0 +1,38 @@
+#pragma once
+
+#include "communication/serialization/Reader.hpp"
+#include "communication/serialization/Writer.hpp"
+
+namespace wr {
+
+/// @brief An object that can be read from a source and written to a destination.
+/// @function Lets orders and reports travel without knowing through which source or destination.
+/// @secret Which fields an object has, of what size, and in which order.
+/// @role{serializer, Serializable}
+///
+/// @patternapp{serializer, Serializer, Receiving and sending information}
+/// @why The MCU takes data from the PC and from the RC and gives data to the PC. Each object names
+/// its fields once, and each source or destination gives them its own form.
+/// @changes The way to reach the data. The format of the data. A new source or a new destination.
+class Serializable {
+ public:
+  /// @brief Reads the object, and ends the read.
+  /// @param reader the source
+  /// @return false when the source does not hold the whole object or a field is out of its range
+  /// @isr{no}
+  [[nodiscard]] virtual bool readFrom(Reader& reader) = 0;
+
+  /// @brief Writes the object, and ends the write.
+  /// @param writer the destination
+  /// @return false when the destination has no room for the whole object
+  /// @isr{no}
+  [[nodiscard]] virtual bool writeTo(Writer& writer) const = 0;
+
+ protected:
+  Serializable() = default;
+  Serializable(const Serializable&) = default;
+  Serializable& operator=(const Serializable&) = default;
+  ~Serializable() = default;
+};
+
+}  // namespace wr

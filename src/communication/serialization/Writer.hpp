@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+
+#include "communication/serialization/Field.hpp"
+
+namespace wr {
+
+/// @brief A destination of objects.
+/// @function Takes the fields of an object by their names.
+/// @secret To which destination an object goes, and in what form.
+/// @role{serializer, Writer}
+class Writer {
+ public:
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  /// @brief Writes a field of 8 bits without sign.
+  /// @param field name of the field
+  /// @param value value of the field
+  /// @isr{no}
+  virtual void writeU8(Field field, std::uint8_t value) = 0;
+
+  /// @brief Writes a field of 16 bits without sign.
+  /// @param field name of the field
+  /// @param value value of the field
+  /// @isr{no}
+  virtual void writeU16(Field field, std::uint16_t value) = 0;
+
+  /// @brief Writes a field of 16 bits with sign.
+  /// @param field name of the field
+  /// @param value value of the field
+  /// @isr{no}
+  virtual void writeI16(Field field, std::int16_t value) = 0;
+
+  /// @brief Writes a field of 32 bits without sign.
+  /// @param field name of the field
+  /// @param value value of the field
+  /// @isr{no}
+  virtual void writeU32(Field field, std::uint32_t value) = 0;
+
+  /// @brief Writes a field of 32 bits with sign.
+  /// @param field name of the field
+  /// @param value value of the field
+  /// @isr{no}
+  virtual void writeI32(Field field, std::int32_t value) = 0;
+
+  /// @brief Ends the write of one object.
+  /// @return false when a field of the object found no room
+  /// @isr{no}
+  virtual bool finish() = 0;
+
+ protected:
+  Writer() = default;
+  ~Writer() = default;
+};
+
+}  // namespace wr

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "devices/PeriodicTimer.hpp"
+#include "services/Command.hpp"
+
+namespace wr {
+
+/// @brief The clock of the control cycle.
+/// @function Makes a clock pulse in each control cycle, and executes the command that it was given.
+/// @secret What is done with the timer around each clock pulse.
+/// @role{cycle-timer-interrupt, Invoker}
+class FirstTimer final {
+ public:
+  /// @brief Binds a timer to a command.
+  /// @param timer makes the beat
+  /// @param command is executed at each clock pulse
+  FirstTimer(PeriodicTimer& timer, Command& command);
+
+  FirstTimer(const FirstTimer&) = delete;
+  FirstTimer& operator=(const FirstTimer&) = delete;
+
+  /// @brief Starts the clock pulses, one in each cycle period.
+  /// @isr{no}
+  /// @satisfies FR-1
+  void start();
+
+  /// @brief Makes one clock pulse: acknowledges the timer, then executes the command. The vector of
+  /// the timer's interrupt calls it.
+  /// @isr{yes}
+  /// @satisfies FR-1
+  void expired();
+
+ private:
+  PeriodicTimer& timer_;
+  Command& command_;
+};
+
+}  // namespace wr

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace wr {
+
+/// @brief Serial line in both directions.
+/// @function Stores received bytes until they are read, and written bytes until they are sent.
+/// @secret How bytes travel between the line and the storage of the port.
+class SerialPort {
+ public:
+  SerialPort(const SerialPort&) = delete;
+  SerialPort& operator=(const SerialPort&) = delete;
+
+  /// @brief Takes received bytes out of the port, oldest first. Never waits.
+  /// @param bytes where the bytes are put
+  /// @return how many bytes were put there; 0 when no byte was received
+  /// @isr{no}
+  virtual std::size_t read(std::span<std::uint8_t> bytes) = 0;
+
+  /// @brief Tells the room for bytes to send.
+  /// @return number of bytes that a write can take now
+  /// @isr{no}
+  [[nodiscard]] virtual std::size_t free() const = 0;
+
+  /// @brief Gives bytes to the port to send, all or none. Never waits.
+  /// @param bytes what is to be sent
+  /// @return false when there is no room for all bytes: none is sent
+  /// @isr{no}
+  virtual bool write(std::span<const std::uint8_t> bytes) = 0;
+
+  /// @brief Tells how many bytes were received and could not be stored.
+  /// @return number of lost bytes since start, at most 65535
+  /// @isr{no}
+  [[nodiscard]] virtual std::uint16_t lostBytes() const = 0;
+
+ protected:
+  SerialPort() = default;
+  ~SerialPort() = default;
+};
+
+}  // namespace wr

@@ -1,0 +1,23 @@
+#pragma once
+
+namespace wr {
+
+/// @brief One action that can be executed by who does not know it.
+/// @function Lets interrupts and threads start an action without naming the module that acts.
+/// @secret Which module acts when a command is executed.
+/// @role{cycle-timer-interrupt, Command}
+class Command {
+ public:
+  Command(const Command&) = delete;
+  Command& operator=(const Command&) = delete;
+
+  /// @brief Does the action.
+  /// @isr{depends on the command}
+  virtual void execute() = 0;
+
+ protected:
+  Command() = default;
+  ~Command() = default;
+};
+
+}  // namespace wr

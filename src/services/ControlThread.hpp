@@ -1,0 +1,58 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "services/Command.hpp"
+
+namespace wr {
+
+/// @brief A body that runs to its end each time the thread is posted.
+/// @function Moves work out of interrupts: an interrupt posts the thread, and the platform runs the
+/// body at the priority of the thread. Keeps count of activations that came too early.
+/// @secret How an activation is remembered until the body has run, and how activations that overlap
+/// are counted.
+class ControlThread {
+ public:
+  ControlThread(const ControlThread&) = delete;
+  ControlThread& operator=(const ControlThread&) = delete;
+
+  /// @brief Gives the thread its body. From now on the thread can be posted.
+  /// @param body what each activation executes
+  /// @pre The thread has no body yet.
+  /// @errors Assertion ThreadStartedTwice when the thread has a body.
+  /// @isr{no}
+  void start(Command& body);
+
+  /// @brief Asks for one activation of the body. When the activation before has not ended, an
+  /// overrun is counted; the new activation follows, unless one is kept already.
+  /// @return false when the thread has no body: nothing happens
+  /// @isr{yes}
+  /// @satisfies FR-4
+  bool post();
+
+  /// @brief Tells how often the thread was posted before the last activation had ended.
+  /// @return number of overruns since start, at most 65535
+  /// @isr{yes}
+  [[nodiscard]] std::uint16_t overruns() const;
+
+ protected:
+  ControlThread() = default;
+  ~ControlThread() = default;
+
+  /// @brief Runs one activation, and pends the thread again when another one is kept. The
+  /// platform calls it at the priority of the thread, as its answer to pend(). Without an activation
+  /// that waits nothing happens.
+  void run();
+
+ private:
+  /// @brief Makes the platform call run() as soon as the priority of the thread permits.
+  /// @isr{yes}
+  virtual void pend() = 0;
+
+  std::atomic<Command*> body_{nullptr};
+  std::atomic<std::uint32_t> activations_{0};  // waiting or running
+  std::atomic<std::uint32_t> overruns_{0};
+};
+
+}  // namespace wr

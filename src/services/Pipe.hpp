@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <optional>
+
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief A value, and when it was written.
+/// @datatype
+template <class T>
+struct Stamped {
+  T value{};     ///< the value
+  Instant at{};  ///< when it was written
+};
+
+/// @brief Carries the newest value from one writer to one reader.
+/// @function Connects a writer and a reader that run at different priorities and do not know each
+/// other. Neither ever waits. A value tells when it was written, so that a stale one can be
+/// found.
+/// @secret That three slots change hands by one atomic exchange.
+template <class T>
+class Pipe {
+ public:
+  /// @brief Makes a pipe that holds no value.
+  Pipe() = default;
+
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+
+  /// @brief Puts a value in the pipe, in place of the one before.
+  /// @param value the value
+  /// @param at when the value was obtained
+  /// @pre No other write is under way.
+  /// @isr{yes}
+  void write(const T& value, Instant at) {
+    slots_[written_] = Stamped<T>{value, at};
+    written_ = shared_.exchange(written_ | kNew, std::memory_order_acq_rel) & kSlot;
+  }
+
+  /// @brief Tells the newest value. The value stays in the pipe.
+  /// @return the newest value and its time; nothing before the first write
+  /// @pre No other read is under way.
+  /// @isr{yes}
+  [[nodiscard]] std::optional<Stamped<T>> read() {
+    if ((shared_.load(std::memory_order_relaxed) & kNew) != 0U) {
+      read_ = shared_.exchange(read_, std::memory_order_acq_rel) & kSlot;
+      filled_ = true;
+    }
+    if (!filled_) {
+      return std::nullopt;
+    }
+    return slots_[read_];
+  }
+
+ private:
+  static constexpr std::uint32_t kSlot = 3;  // the bits that number a slot
+  static constexpr std::uint32_t kNew = 4;   // the shared slot was written and not yet taken
+
+  std::array<Stamped<T>, 3> slots_{};
+  std::uint32_t written_ = 0;             // slot of the writer
+  std::atomic<std::uint32_t> shared_{1};  // slot between the two
+  std::uint32_t read_ = 2;                // slot of the reader
+  bool filled_ = false;
+};
+
+}  // namespace wr

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief The constants that more than one module needs.
+/// @function Gives each constant of the system once, with its unit.
+/// @secret The values of the system's constants, and from what they are derived.
+/// @role{constant-values, Singleton}
+///
+/// @patternapp{constant-values, Singleton, Constant values}
+/// @why Some values are needed by more than one module. One instance holds them, so that no two
+/// modules can work with different values.
+/// @changes The value of a constant. A new constant that several modules share.
+class SystemConstants {
+ public:
+  SystemConstants(const SystemConstants&) = delete;
+  SystemConstants& operator=(const SystemConstants&) = delete;
+
+  /// @brief Gives access to the only instance.
+  /// @return the constants
+  /// @isr{yes}
+  [[nodiscard]] static constexpr const SystemConstants& instance() { return instance_; }
+
+  /// @brief Tells the time between two clock pulses.
+  /// @return period of the control cycle [us]
+  /// @satisfies FR-1
+  [[nodiscard]] constexpr Microseconds cyclePeriod() const { return milliseconds(100); }
+
+  /// @brief Tells N, the number of failed reads in a row that lead to the last waiting state.
+  /// @return number of cycles [2 to 255]
+  /// @satisfies FR-16
+  [[nodiscard]] constexpr std::uint8_t waitingCycles() const { return 4; }
+
+  /// @brief Tells how long an order can be read.
+  /// @return greatest age of an order [us]
+  /// @satisfies FR-20
+  /// @satisfies FR-50
+  [[nodiscard]] constexpr Microseconds orderLifetime() const { return milliseconds(200); }
+
+  /// @brief Tells how long the system waits for a Confirm after a Welcome.
+  /// @return greatest duration of a handshake [us]
+  /// @satisfies FR-32
+  [[nodiscard]] constexpr Microseconds handshakeTimeout() const { return milliseconds(1000); }
+
+  /// @brief Tells how long a connected PC may be silent.
+  /// @return greatest silence on the link [us]
+  /// @satisfies FR-33
+  [[nodiscard]] constexpr Microseconds linkTimeout() const { return milliseconds(1000); }
+
+  /// @brief Tells how far the steering can be set to each side. The least radius of a turn, 2.5 m,
+  /// needs about 32 degrees.
+  /// @return greatest angle [0.01 degree]
+  /// @satisfies FR-46
+  [[nodiscard]] constexpr Angle steeringLimit() const { return Angle(3200); }
+
+  /// @brief Tells how fast a wheel can be ordered to turn, forwards and backwards. Assumption: the
+  /// gear between motor shaft and wheel reduces 10 to 1. With a wheel radius of 0.272 m, 300 rpm
+  /// at the shaft are 0.85 m/s.
+  /// @return greatest velocity at the motor shaft [0.1 rpm]
+  /// @satisfies FR-46
+  [[nodiscard]] constexpr Velocity velocityLimit() const { return Velocity(3000); }
+
+  /// @brief Tells how much tension a wheel can be ordered to have, forwards and backwards.
+  /// @return greatest tension [mV]
+  /// @satisfies FR-46
+  [[nodiscard]] constexpr Tension tensionLimit() const { return Tension(24000); }
+
+  /// @brief Tells how much current a wheel can be ordered to have, forwards and backwards.
+  /// @return greatest current [mA]
+  /// @satisfies FR-46
+  [[nodiscard]] constexpr Current currentLimit() const { return Current(10000); }
+
+ private:
+  constexpr SystemConstants() = default;
+
+  static const SystemConstants instance_;
+};
+
+inline constexpr SystemConstants SystemConstants::instance_{};
+
+static_assert(SystemConstants::instance().waitingCycles() >= 2,
+              "there is at least one waiting state before the last");
+
+}  // namespace wr

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief Number of wheels: 0 front left, 1 front right, 2 rear left, 3 rear right.
+inline constexpr std::size_t kWheelCount = 4;
+
+/// @brief What a set-point of a wheel sets.
+/// @datatype
+enum class WheelQuantity : std::uint8_t {
+  Velocity = 0,  ///< value in 0.1 rpm at the motor shaft
+  Tension = 1,   ///< value in mV
+  Current = 2    ///< value in mA
+};
+
+/// @brief Set-point of one wheel.
+/// @datatype
+struct WheelSetPoint {
+  WheelQuantity quantity = WheelQuantity::Velocity;  ///< what is set
+  std::int16_t value = 0;                            ///< how much, in the unit of the quantity
+
+  /// @brief Tells whether two set-points are the same.
+  friend constexpr bool operator==(const WheelSetPoint&, const WheelSetPoint&) = default;
+};
+
+/// @brief What one order sets.
+/// @datatype
+struct SetPoints {
+  std::uint16_t orderId = 0;                         ///< number that the sender gave to the order
+  Angle steering{};                                  ///< angle of the steering device
+  std::array<WheelSetPoint, kWheelCount> wheels{};   ///< one set-point for each wheel
+
+  /// @brief Tells whether two orders set the same.
+  friend constexpr bool operator==(const SetPoints&, const SetPoints&) = default;
+};
+
+}  // namespace wr

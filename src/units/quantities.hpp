@@ -1,0 +1,73 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+#include "units/Quantity.hpp"
+
+namespace wr {
+
+/// @brief Speed of rotation of a motor shaft [0.1 rpm], positive forwards.
+/// @datatype
+using Velocity = Quantity<struct VelocityTag, std::int32_t>;
+
+/// @brief Voltage of a wheel motor [mV], positive forwards.
+/// @datatype
+using Tension = Quantity<struct TensionTag, std::int32_t>;
+
+/// @brief Current of a wheel motor [mA], positive forwards.
+/// @datatype
+using Current = Quantity<struct CurrentTag, std::int32_t>;
+
+/// @brief Angle of the steering device [0.01 degree], positive to the left.
+/// @datatype
+using Angle = Quantity<struct AngleTag, std::int32_t>;
+
+/// @brief Position of a wheel [Hall edges since start], rising forwards.
+/// @datatype
+using HallCount = Quantity<struct HallCountTag, std::int32_t>;
+
+/// @brief Duration [us].
+/// @datatype
+using Microseconds = Quantity<struct MicrosecondsTag, std::int64_t>;
+
+/// @brief Makes a duration of milliseconds.
+/// @param count duration [ms]
+/// @return the duration
+[[nodiscard]] constexpr Microseconds milliseconds(std::int64_t count) {
+  return Microseconds(count * 1000);
+}
+
+/// @brief Point in time [us since start]. It does not wrap in the life of a robot.
+/// @datatype
+class Instant {
+ public:
+  /// @brief Makes the instant of the start.
+  constexpr Instant() = default;
+
+  /// @brief Makes an instant.
+  /// @param sinceStart time since start [us]
+  explicit constexpr Instant(std::uint64_t sinceStart) : sinceStart_(sinceStart) {}
+
+  /// @brief Tells the time since start.
+  /// @return time since start [us]
+  [[nodiscard]] constexpr std::uint64_t sinceStart() const { return sinceStart_; }
+
+  /// @brief Compares two instants: the later one is greater.
+  friend constexpr auto operator<=>(Instant, Instant) = default;
+
+  /// @brief Tells the duration from the second instant to the first.
+  friend constexpr Microseconds operator-(Instant later, Instant earlier) {
+    return Microseconds(static_cast<std::int64_t>(later.sinceStart_ - earlier.sinceStart_));
+  }
+
+  /// @brief Tells the instant that is a duration away.
+  friend constexpr Instant operator+(Instant instant, Microseconds duration) {
+    return Instant(instant.sinceStart_ + static_cast<std::uint64_t>(duration.count()));
+  }
+
+ private:
+  std::uint64_t sinceStart_ = 0;
+};
+
+}  // namespace wr
