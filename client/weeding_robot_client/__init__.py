@@ -1,0 +1,1 @@
+"""Client of the PC protocol (docs/protocol.rst)."""

@@ -1,0 +1,112 @@
+"""Shows what the robot reports, live."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+
+from weeding_robot_client.link import Link
+from weeding_robot_client.messages import WHEELS, Report
+from weeding_robot_client.options import add_link, open_link
+from weeding_robot_client.recording import Recording
+
+DESCRIPTION = """\
+Connects to the robot and shows its reports: a table that is renewed in a terminal, one line for
+each report elsewhere. A value that is missing or stale is shown as '-'. Ctrl-C ends it.
+Only one program can use the line at a time; ./wr drive shows the reports too."""
+EPILOG = ""
+MISSING = "-"
+CLEAR = "\x1b[H\x1b[J"
+PATIENCE_S = 0.1
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    add_link(parser)
+    parser.add_argument("--lines", action="store_true", help="one line for each report")
+    parser.add_argument("--reports", type=int, metavar="N", help="end after this number of reports")
+
+
+def run(options: argparse.Namespace) -> int:
+    link = open_link(options.link)
+    if link is None:
+        return 1
+    table = sys.stdout.isatty() and not options.lines
+    count = 0
+    connected: bool | None = None
+    with link, Recording(options.csv) as recording:
+        while options.reports is None or count < options.reports:
+            reports = link.service(PATIENCE_S)
+            if connected is not link.connected:
+                connected = link.connected
+                print(status(link), file=sys.stderr)
+            for report in reports:
+                recording.add(report)
+                print(CLEAR + as_table(report, link) if table else as_line(report), flush=True)
+                count += 1
+                if count == options.reports:
+                    break
+    return 0
+
+
+def status(link: Link) -> str:
+    """The state of the connection, with the time of day."""
+    text = f"no connection on {link.path}, trying"
+    if link.connected and link.welcome:
+        text = f"connected to {firmware(link)}"
+    return f"{time.strftime('%H:%M:%S')} {text}"
+
+
+def firmware(link: Link) -> str:
+    if link.welcome is None:
+        return "an unknown firmware"
+    return f"firmware {'.'.join(map(str, link.welcome.version))} build {link.welcome.build_id}"
+
+
+def shown(value: float | None, form: str) -> str:
+    return MISSING if value is None else format(value, form)
+
+
+def flags(report: Report) -> str:
+    marks = [("stop", report.stop), ("held", report.held), ("overrun", report.overran)]
+    return " ".join(name for name, is_set in marks if is_set)
+
+
+def source(report: Report) -> str:
+    if report.source is None:
+        return "no order yet"
+    return f"order {report.order_id} of the PC" if report.source == "PC" else "order of the RC"
+
+
+def as_line(report: Report) -> str:
+    velocities = " ".join(shown(wheel.velocity_rpm, ".1f") for wheel in report.wheels)
+    return (
+        f"{report.cycle:7} {report.time_ms / 1000:9.1f} s  {report.state:12} {report.mode}  "
+        f"{source(report):22} steering {shown(report.steering_degrees, '.2f')} deg  "
+        f"wheels {velocities} rpm  {flags(report)}"
+    ).rstrip()
+
+
+def as_table(report: Report, link: Link) -> str:
+    lines = [
+        f"{firmware(link)}, session {link.welcome.session if link.welcome else MISSING}",
+        f"cycle {report.cycle}, {report.time_ms / 1000:.1f} s   state {report.state}   "
+        f"reading mode {report.mode}   {source(report)}   {flags(report)}".rstrip(),
+        "",
+        f"steering: set-point {report.steering_set_point_degrees:.2f} deg, measured "
+        f"{shown(report.steering_degrees, '.2f')} deg, turn {shown(report.turn, 'd')}",
+        "",
+        f"{'wheel':12} {'set-point':>12} {'rpm':>8} {'A':>8} {'counts':>9} {'V applied':>10}",
+    ]
+    for name, wheel in zip(WHEELS, report.wheels, strict=True):
+        set_point = f"{wheel.set_point.value:g} {wheel.set_point.quantity.unit}"
+        lines.append(
+            f"{name:12} {set_point:>12} {shown(wheel.velocity_rpm, '.1f'):>8} "
+            f"{shown(wheel.current_amperes, '.2f'):>8} {shown(wheel.position_counts, 'd'):>9} "
+            f"{shown(wheel.tension_volts, '.2f'):>10}"
+        )
+    raised = [f"{name} {count}" for name, count in report.counters.items() if count]
+    lines += ["", "counters: " + (", ".join(raised) or "all 0")]
+    if link.damaged:
+        lines.append(f"frames from the robot that were damaged: {link.damaged}")
+    return "\n".join(lines)

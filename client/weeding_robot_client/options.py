@@ -1,0 +1,32 @@
+"""Options that the commands of the client share."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from weeding_robot_client.link import Link
+
+DEFAULT_LINK = Path(__file__).resolve().parents[2] / "build" / "pc-link"
+
+
+def add_link(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--link",
+        type=Path,
+        default=DEFAULT_LINK,
+        metavar="PATH",
+        help="serial port, or what ./wr sim printed (default: build/pc-link)",
+    )
+    parser.add_argument("--csv", type=Path, metavar="FILE", help="write each report to this file")
+
+
+def open_link(path: Path) -> Link | None:
+    """The link, or None after a message that says why there is none."""
+    try:
+        return Link(path)
+    except OSError as error:
+        print(f"cannot open {path}: {error.strerror or error}", file=sys.stderr)
+        print("Run ./wr sim in another terminal, or name a port with --link.", file=sys.stderr)
+        return None

@@ -1,0 +1,71 @@
+"""Reports as lines of a CSV file. An empty cell is a value that is missing."""
+
+from __future__ import annotations
+
+import csv
+from contextlib import AbstractContextManager
+from pathlib import Path
+from types import TracebackType
+
+from weeding_robot_client.messages import COUNTERS, WHEELS, Report
+
+WHEEL_COLUMNS = (
+    "set_point",
+    "set_point_unit",
+    "velocity_rpm",
+    "current_amperes",
+    "position_counts",
+    "tension_volts",
+)
+PLAIN_COLUMNS = (
+    "cycle",
+    "time_ms",
+    "state",
+    "mode",
+    "source",
+    "stop",
+    "order_read",
+    "held",
+    "overran",
+    "order_id",
+    "steering_set_point_degrees",
+    "steering_degrees",
+    "turn",
+)
+COLUMNS = (
+    *PLAIN_COLUMNS,
+    *(f"{wheel.replace(' ', '_')}_{column}" for wheel in WHEELS for column in WHEEL_COLUMNS),
+    *COUNTERS,
+)
+
+
+def row(report: Report) -> list[object]:
+    cells: list[object] = [getattr(report, column) for column in PLAIN_COLUMNS]
+    for wheel in report.wheels:
+        cells += [wheel.set_point.value, wheel.set_point.quantity.unit]
+        cells += [getattr(wheel, column) for column in WHEEL_COLUMNS[2:]]
+    cells += [report.counters[counter] for counter in COUNTERS]
+    return [int(cell) if isinstance(cell, bool) else cell for cell in cells]
+
+
+class Recording(AbstractContextManager["Recording"]):
+    """Writes reports to a file as they come; without a path it writes nothing."""
+
+    def __init__(self, path: Path | None) -> None:
+        self._file = path.open("w", newline="") if path else None
+        self._writer = csv.writer(self._file) if self._file else None
+        if self._writer:
+            self._writer.writerow(COLUMNS)
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if self._file:
+            self._file.close()
+
+    def add(self, report: Report) -> None:
+        if self._writer:
+            self._writer.writerow(row(report))

@@ -1,0 +1,93 @@
+"""./wr check: the documents, checked against the code."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING, TextIO
+
+from traceability.commands.steps import FailureError, Steps
+
+if TYPE_CHECKING:
+    from traceability.model.schema import Finding, Model
+
+STEPS = 4
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "check",
+        help="rebuild the documents and check them against the code",
+        description="Builds the model and the site, and checks both against the code. Prints each "
+        "finding as 'file:line: [check] what is wrong; what would mend it'.",
+    )
+    parser.set_defaults(run=lambda root, _options: check(root))
+
+
+def check(root: Path) -> int:
+    steps = Steps(root, STEPS)
+    findings = make_documents(root, steps)
+    return report(findings, steps)
+
+
+def make_documents(root: Path, steps: Steps) -> list[Finding]:
+    """Model, checks, site and links: four steps. A failed step leaves out those that need it."""
+    from traceability.checks import run_checks, run_link_checks
+    from traceability.documents.build import build_site
+    from traceability.pipeline import build_model
+
+    model: Model | None = None
+    findings: list[Finding] = []
+
+    def make_model(_log: TextIO) -> str:
+        nonlocal model
+        model = build_model(root)
+        return f"{len(model.modules)} modules, {len(model.requirements)} requirements"
+
+    def run_all(_log: TextIO) -> str:
+        assert model is not None
+        findings.extend(run_checks(model))
+        return counted(findings)
+
+    def make_site(_log: TextIO) -> str:
+        assert model is not None
+        result = build_site(root, model, findings)
+        findings.extend(result.warnings)
+        return f"{result.pages} pages"
+
+    def check_links(_log: TextIO) -> str:
+        assert model is not None
+        found = run_link_checks(model, root / "build" / "site")
+        findings.extend(found)
+        return counted(found)
+
+    if not steps.run("model", make_model):
+        for title in ("checks", "site", "links"):
+            steps.skip(title, "there is no model")
+        return findings
+    steps.run("checks", run_all)
+    if steps.run("site", make_site):
+        steps.run("links", check_links)
+    else:
+        steps.skip("links", "the site was not built")
+    return findings
+
+
+def counted(findings: list[Finding]) -> str:
+    return "1 finding" if len(findings) == 1 else f"{len(findings)} findings"
+
+
+def report(findings: list[Finding], steps: Steps) -> int:
+    """Prints the findings and the failed steps; returns the exit code."""
+    for finding in sorted(findings, key=lambda one: (one.place.file, one.place.line, one.check)):
+        place = f"{finding.place.file}:{finding.place.line}"
+        print(f"{place}: [{finding.check}] {finding.text}; {finding.mend}")
+    if steps.failed:
+        print(f"failed: {', '.join(steps.failed)}")
+    print(counted(findings))
+    return 1 if findings or steps.failed else 0
+
+
+def require_none(findings: list[Finding]) -> None:
+    if findings:
+        raise FailureError(counted(findings))

@@ -1,0 +1,174 @@
+"""./wr lint: style, types and warnings."""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import json
+import os
+import re
+import subprocess
+from collections.abc import Callable, Iterable
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+from pathlib import Path
+from typing import TextIO
+
+from traceability.commands.builds import jobs
+from traceability.commands.steps import FailureError, Steps, run
+
+INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
+CODE = ("src", "sim", "tests")
+CHECKED = ("src", "sim")
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "lint",
+        help="check style, types and warnings",
+        description="Checks the format of all sources, compiles everything with clang without "
+        "warnings and each header alone, runs clang-tidy on src and sim, and checks the Python "
+        "sources with ruff and mypy.",
+    )
+    parser.set_defaults(run=lambda root, _options: lint(root))
+
+
+def lint(root: Path) -> int:
+    steps = Steps(root, 6)
+    tools = root / ".venv" / "bin"
+    python = ["traceability", "client", "tests/python"]
+    steps.run("clang-format", lambda log: check_format(root, log))
+    steps.run("clang without warnings", lambda log: build_with_clang(root, log))
+    steps.run("headers alone", lambda log: check_headers(root, log))
+    steps.run("clang-tidy", lambda log: check_tidy(root, log))
+
+    def ruff(log: TextIO) -> None:
+        config: list[str | Path] = ["--config", root / "pyproject.toml"]
+        paths = [root / name for name in python]
+        run(log, [tools / "ruff", "check", *config, *paths])
+        run(log, [tools / "ruff", "format", "--check", *config, *paths])
+
+    def mypy(log: TextIO) -> None:
+        config: list[str | Path] = ["--config-file", root / "pyproject.toml"]
+        packages = [root / "traceability", root / "client" / "weeding_robot_client"]
+        run(log, [tools / "mypy", "--strict", *config, *packages])
+
+    steps.run("ruff", ruff)
+    steps.run("mypy", mypy)
+    return 1 if steps.failed else 0
+
+
+def sources(root: Path, folders: Iterable[str], suffix: str) -> list[Path]:
+    skipped = root / "tests" / "python"
+    return sorted(
+        path
+        for folder in folders
+        for path in (root / folder).rglob(f"*{suffix}")
+        if skipped not in path.parents
+    )
+
+
+def check_format(root: Path, log: TextIO) -> str:
+    paths = sources(root, CODE, ".hpp") + sources(root, CODE, ".cpp")
+    if paths:
+        run(log, [root / ".venv/bin/clang-format", "--dry-run", "-Werror", *paths])
+    return f"{len(paths)} files"
+
+
+def build_with_clang(root: Path, log: TextIO) -> None:
+    directory = root / "build" / "clang"
+    if not (directory / "build.ninja").exists():
+        run(
+            log,
+            [
+                *("cmake", "-S", root, "-B", directory, "-G", "Ninja"),
+                *("-DCMAKE_CXX_COMPILER=clang++", "-DCMAKE_BUILD_TYPE=Debug", "-DWR_WERROR=ON"),
+                "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
+            ],
+        )
+    run(log, ["cmake", "--build", directory, "--parallel", jobs()])
+
+
+def check_headers(root: Path, log: TextIO) -> str:
+    flags = ["-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-x", "c++"]
+    paths = ["-I", str(root / "src"), "-I", str(root)]
+
+    def command(header: Path) -> list[str]:
+        return ["g++", *flags, *paths, "-include", str(header), os.devnull]
+
+    return check_changed(root, "headers", sources(root, CHECKED, ".hpp"), command, log)
+
+
+def check_tidy(root: Path, log: TextIO) -> str:
+    directory = root / "build" / "clang"
+    if not (directory / "compile_commands.json").exists():
+        raise FailureError("the build with clang is missing")
+
+    def command(source: Path) -> list[str]:
+        tidy = root / ".venv" / "bin" / "clang-tidy"
+        return [str(tidy), "--quiet", "-p", str(directory), str(source)]
+
+    return check_changed(root, "tidy", sources(root, CHECKED, ".cpp"), command, log)
+
+
+def check_changed(
+    root: Path,
+    name: str,
+    paths: list[Path],
+    command: Callable[[Path], list[str]],
+    log: TextIO,
+) -> str:
+    """Runs the command on each file that has not passed it with its present content.
+
+    The content of a file is its own, that of the files of the project that it includes, the
+    settings of clang-tidy, and the command.
+    """
+    store = root / "build" / "lint" / f"{name}.json"
+    passed = json.loads(store.read_text()) if store.exists() else {}
+    keys = {}
+    for path in paths:
+        total = hashlib.sha256(" ".join(command(path)).encode())
+        for part in (root / ".clang-tidy", *sorted(included(root, path))):
+            total.update(part.read_bytes())
+        keys[str(path.relative_to(root))] = total.hexdigest()
+    changed = [file for file, key in keys.items() if passed.get(file) != key]
+
+    def check(file: str) -> tuple[str, bool, str]:
+        words = command(root / file)
+        ended = subprocess.run(words, capture_output=True, text=True, check=False)
+        return file, ended.returncode == 0, ended.stdout + ended.stderr
+
+    failed = []
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        for file, good, output in pool.map(check, changed):
+            if not good:
+                failed.append(file)
+                log.write(f"{file}:\n{output}\n")
+    store.parent.mkdir(parents=True, exist_ok=True)
+    store.write_text(json.dumps({f: key for f, key in keys.items() if f not in failed}, indent=1))
+    if failed:
+        raise FailureError(f"{len(failed)} of {len(paths)} files")
+    return f"{len(paths)} files, {len(changed)} of them changed"
+
+
+def included(root: Path, path: Path) -> set[Path]:
+    """The file and all files of the project that it includes, directly or not."""
+    found: set[Path] = set()
+    waiting = [path]
+    while waiting:
+        one = waiting.pop()
+        if one not in found:
+            found.add(one)
+            waiting += direct(root, one)
+    return found
+
+
+@cache
+def direct(root: Path, path: Path) -> tuple[Path, ...]:
+    names = INCLUDE.findall(path.read_text(errors="replace"))
+    places = (path.parent, root / "src", root)
+    return tuple(
+        next(place / name for place in places if (place / name).exists())
+        for name in names
+        if any((place / name).exists() for place in places)
+    )

@@ -1,0 +1,58 @@
+"""./wr portal: from the sources to the portal."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TextIO
+
+from traceability.commands.builds import measure_coverage, require_counts, run_tests
+from traceability.commands.check import STEPS as DOCUMENT_STEPS
+from traceability.commands.check import make_documents, report
+from traceability.commands.firmware import build_firmware
+from traceability.commands.serve import add_port, serve
+from traceability.commands.steps import Steps
+
+BUILD_STEPS = 4
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "portal",
+        help="build the firmware, test it, check it, build its portal and serve it",
+        description="Builds the firmware for this machine and for the K64, runs its tests with "
+        "traces and coverage, checks the documents against the code, builds the portal and serves "
+        "it on this machine. Findings and failed tests do not stop the portal from being built.",
+    )
+    add_port(parser)
+    parser.add_argument("--no-serve", action="store_true", help="end when the portal is built")
+    parser.add_argument(
+        "--docs-only",
+        action="store_true",
+        help="rebuild the documents; build and run no test",
+    )
+    parser.set_defaults(run=portal)
+
+
+def portal(root: Path, options: argparse.Namespace) -> int:
+    steps = Steps(root, DOCUMENT_STEPS + (0 if options.docs_only else BUILD_STEPS))
+    if not options.docs_only:
+        build_firmware(root, steps)
+        traced_tests(root, steps)
+        covered_tests(root, steps)
+    code = report(make_documents(root, steps), steps)
+    print(f"The portal is in {root / 'build' / 'site'}")
+    return code if options.no_serve else serve(root, options.port)
+
+
+def traced_tests(root: Path, steps: Steps) -> None:
+    steps.run("tests (trace)", lambda log: require_counts(*run_tests(root, "trace", log)))
+
+
+def covered_tests(root: Path, steps: Steps) -> None:
+    def action(log: TextIO) -> str:
+        note = require_counts(*run_tests(root, "coverage", log))
+        measure_coverage(root, log)
+        return note
+
+    steps.run("tests (coverage)", action)

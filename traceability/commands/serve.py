@@ -1,0 +1,66 @@
+"""./wr serve: serves the portal on this machine."""
+
+from __future__ import annotations
+
+import argparse
+import errno
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+from traceability.commands.steps import FailureError
+
+ADDRESS = "127.0.0.1"
+PORT = 8000
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "serve",
+        help="serve the portal that was built last",
+        description="Serves the portal that was built last, on this machine only.",
+    )
+    add_port(parser)
+    parser.set_defaults(run=lambda root, options: serve(root, options.port))
+
+
+def add_port(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--port", type=port_number, default=PORT, help=f"port of the server (default: {PORT})"
+    )
+
+
+def port_number(text: str) -> int:
+    number = int(text)
+    if not 1 <= number <= 65535:
+        raise argparse.ArgumentTypeError("must be from 1 to 65535")
+    return number
+
+
+class Handler(SimpleHTTPRequestHandler):
+    """Files of the site; asks the browser to look again, because the site is rebuilt."""
+
+    def end_headers(self) -> None:
+        self.send_header("Cache-Control", "no-cache")
+        super().end_headers()
+
+    def log_message(self, format: str, *args: object) -> None:  # noqa: A002
+        """Says nothing for each page."""
+
+
+def make_server(site: Path, port: int) -> ThreadingHTTPServer:
+    if not (site / "index.html").exists():
+        raise FailureError("there is no portal yet; ./wr portal builds it")
+    try:
+        return ThreadingHTTPServer((ADDRESS, port), partial(Handler, directory=str(site)))
+    except OSError as error:
+        if error.errno == errno.EADDRINUSE:
+            raise FailureError(f"port {port} is in use; choose another with --port") from error
+        raise FailureError(f"cannot open port {port}: {error.strerror}") from error
+
+
+def serve(root: Path, port: int) -> int:
+    with make_server(root / "build" / "site", port) as server:
+        print(f"The portal is at http://{ADDRESS}:{port}/ (Ctrl-C ends)", flush=True)
+        server.serve_forever()
+    return 0

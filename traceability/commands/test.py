@@ -1,0 +1,118 @@
+"""./wr test: every test and every check."""
+
+from __future__ import annotations
+
+import argparse
+import shutil
+import subprocess
+from pathlib import Path
+from typing import TextIO
+
+from traceability.commands.builds import (
+    Counts,
+    gtest_counts,
+    is_current,
+    junit_counts,
+    require_counts,
+    results_of,
+    run_tests,
+)
+from traceability.commands.check import STEPS as DOCUMENT_STEPS
+from traceability.commands.check import make_documents, report
+from traceability.commands.firmware import build_firmware
+from traceability.commands.portal import covered_tests, traced_tests
+from traceability.commands.steps import FailureError, Steps, run
+
+OTHER_STEPS = 7
+BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "test",
+        help="run every test and every check",
+        description="Runs the tests of the firmware (with traces, with coverage and with "
+        "sanitizers), those of the tools, every check, and those of the portal's pages in a "
+        "browser. The last line counts the tests of the firmware, of the tools and of the pages.",
+    )
+    parser.set_defaults(run=lambda root, _options: test(root))
+
+
+def test(root: Path) -> int:
+    steps = Steps(root, DOCUMENT_STEPS + OTHER_STEPS)
+    for name in ("tools", "pages"):
+        junit(root, name).unlink(missing_ok=True)
+    build_firmware(root, steps)
+    traced_tests(root, steps)
+    covered_tests(root, steps)
+    steps.run("tests (sanitize)", lambda log: require_counts(*run_tests(root, "sanitize", log)))
+    pages = root / "tests" / "python" / "site"
+    python = root / "tests" / "python"
+    run_pytest(root, steps, "tests (tools)", "tools", [python, f"--ignore={pages}"])
+    findings = make_documents(root, steps)
+    if works(find_browser()):
+        run_pytest(root, steps, "tests (pages)", "pages", [pages])
+    else:
+        steps.skip("tests (pages)", "no browser was found")
+    code = report(findings, steps)
+    counts = count(root)
+    print(counts)
+    return code if counts.passed else 1
+
+
+def run_pytest(root: Path, steps: Steps, title: str, name: str, paths: list[Path | str]) -> None:
+    results = junit(root, name)
+
+    def action(log: TextIO) -> str:
+        results.parent.mkdir(parents=True, exist_ok=True)
+        words: list[str | Path] = [
+            root / ".venv/bin/python",
+            "-m",
+            "pytest",
+            "-q",
+            "-ra",
+            f"--rootdir={root}",
+        ]
+        try:
+            run(log, [*words, "-c", root / "pyproject.toml", f"--junitxml={results}", *paths])
+        except FailureError as error:
+            if results.exists() and (counts := junit_counts(results)).failed:
+                raise FailureError(str(counts)) from error
+            raise
+        return require_counts(junit_counts(results), fresh=True)
+
+    steps.run(title, action)
+
+
+def junit(root: Path, name: str) -> Path:
+    return root / "build" / "results" / f"pytest_{name}.xml"
+
+
+def find_browser() -> str | None:
+    return next((path for name in BROWSERS if (path := shutil.which(name))), None)
+
+
+def works(browser: str | None) -> bool:
+    """Whether the browser starts: where it is an empty package, its command only says so."""
+    if browser is None:
+        return False
+    try:
+        return (
+            subprocess.run(
+                [browser, "--version"], capture_output=True, timeout=60, check=False
+            ).returncode
+            == 0
+        )
+    except (OSError, subprocess.TimeoutExpired):
+        return False
+
+
+def count(root: Path) -> Counts:
+    """Sum of the results of this run: the traced tests of the firmware, and those in Python."""
+    counts = Counts()
+    if is_current(root, "trace"):
+        counts += gtest_counts(results_of(root, "trace"))
+    for name in ("tools", "pages"):
+        if junit(root, name).exists():
+            counts += junit_counts(junit(root, name))
+    return counts
