@@ -1,0 +1,71 @@
+#pragma once
+
+#include "construction/ControlSystemPoolBuilder.hpp"
+#include "construction/MainControllerBuilder.hpp"
+#include "construction/RobotDirector.hpp"
+#include "devices/SerialPort.hpp"
+#include "devices/Timebase.hpp"
+#include "services/Pipe.hpp"
+#include "sim/host/HostScheduler.hpp"
+#include "sim/host/HostThread.hpp"
+#include "sim/host/HostTimer.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief The firmware with the devices of the host.
+class HostRobot {
+ public:
+  /// @brief Priority of the thread of the main controller.
+  static constexpr int kMainPriority = 1;
+
+  /// @brief Constructs the robot and binds it to its devices.
+  /// @param timebase gives the time
+  /// @param pcPort line to the PC
+  HostRobot(const Timebase& timebase, SerialPort& pcPort);
+  HostRobot(const HostRobot&) = delete;
+  HostRobot& operator=(const HostRobot&) = delete;
+
+  /// @brief Starts the control cycles.
+  void start();
+
+  /// @brief Puts a clock pulse to the firmware; the cycle has run when this returns.
+  void clockPulse();
+
+  /// @brief Puts a value on the velocity signal of the remote control, now.
+  /// @param velocity the value
+  void rcVelocity(Velocity velocity);
+
+  /// @brief Puts a value on the direction signal of the remote control, now.
+  /// @param direction the value
+  void rcDirection(Angle direction);
+
+  /// @brief The period of the clock pulses.
+  /// @return the period; 0 before start().
+  [[nodiscard]] Microseconds period() const;
+
+  /// @brief The main controller.
+  /// @return the main controller.
+  [[nodiscard]] MainController& controller();
+
+  /// @brief The pool of control systems.
+  /// @return the pool.
+  [[nodiscard]] ControlSystemPool& systems();
+
+  /// @brief The scheduler.
+  /// @return the scheduler that runs the threads of the robot.
+  [[nodiscard]] HostScheduler& scheduler();
+
+ private:
+  const Timebase& timebase_;
+  HostScheduler scheduler_;
+  HostThread mainThread_;
+  HostTimer cycleTimer_;
+  Pipe<Velocity> rcVelocity_;
+  Pipe<Angle> rcDirection_;
+  ControlSystemPoolBuilder poolBuilder_;
+  MainControllerBuilder controllerBuilder_;
+  RobotDirector director_;
+};
+
+}  // namespace wr

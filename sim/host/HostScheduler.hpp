@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace wr {
+
+class HostThread;
+
+/// @brief Runs threads on the host in the order in which the interrupt controller would run them.
+///
+/// A thread of higher priority than the running one runs at once, before pend() returns. The others
+/// run when the running one ends. While an interrupt is served no thread begins.
+class HostScheduler {
+ public:
+  HostScheduler() = default;
+  HostScheduler(const HostScheduler&) = delete;
+  HostScheduler& operator=(const HostScheduler&) = delete;
+
+  /// @brief Makes a thread known.
+  /// @param thread thread that lives as long as the scheduler
+  void add(HostThread& thread);
+
+  /// @brief Runs every pended thread whose turn it is.
+  void dispatch();
+
+  /// @brief Serves an interrupt, then runs every thread whose turn it is.
+  /// @param vector what the interrupt executes
+  void interrupt(const std::function<void()>& vector);
+
+ private:
+  [[nodiscard]] HostThread* next() const;
+
+  std::vector<HostThread*> threads_;
+  int runningPriority_ = 0;
+  int interrupts_ = 0;
+};
+
+}  // namespace wr

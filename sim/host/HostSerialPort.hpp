@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "devices/SerialPort.hpp"
+
+namespace wr {
+
+/// @brief A serial port in memory, with as much storage as a real one.
+class HostSerialPort final : public SerialPort {
+ public:
+  /// @brief Bytes that each direction can store.
+  static constexpr std::size_t kCapacity = 512;
+
+  /// @brief Lets bytes come in over the line. What finds no room is lost and counted.
+  /// @param bytes the bytes
+  void arrive(std::span<const std::uint8_t> bytes);
+
+  /// @brief Lets the line take everything that was written.
+  /// @return the bytes, oldest first
+  [[nodiscard]] std::vector<std::uint8_t> takeSent();
+
+  std::size_t read(std::span<std::uint8_t> bytes) override;
+  [[nodiscard]] std::size_t free() const override;
+  bool write(std::span<const std::uint8_t> bytes) override;
+  [[nodiscard]] std::uint16_t lostBytes() const override;
+
+ private:
+  std::deque<std::uint8_t> received_;
+  std::vector<std::uint8_t> sent_;
+  std::uint16_t lostBytes_ = 0;
+};
+
+}  // namespace wr

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "services/ControlThread.hpp"
+
+namespace wr {
+
+class HostScheduler;
+
+/// @brief A control thread on the host.
+class HostThread final : public ControlThread {
+ public:
+  /// @brief Makes a thread and adds it to the scheduler.
+  /// @param scheduler runs the thread
+  /// @param priority 1 is the lowest
+  HostThread(HostScheduler& scheduler, int priority);
+
+  /// @brief Tells whether an activation waits to be run.
+  /// @return true from post() to runPended().
+  [[nodiscard]] bool pended() const;
+
+  /// @brief The priority of the thread.
+  /// @return priority, 1 is the lowest.
+  [[nodiscard]] int priority() const;
+
+  /// @brief Runs one activation. Called by the scheduler.
+  void runPended();
+
+ private:
+  void pend() override;
+
+  HostScheduler& scheduler_;
+  int priority_;
+  bool pended_ = false;
+};
+
+}  // namespace wr

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+
+#include "devices/PeriodicTimer.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+class HostScheduler;
+
+/// @brief A periodic timer on the host; whoever drives the host tells it when a period has passed.
+class HostTimer final : public PeriodicTimer {
+ public:
+  /// @brief Binds the timer to the scheduler that serves its interrupt.
+  /// @param scheduler serves the interrupt
+  explicit HostTimer(HostScheduler& scheduler);
+
+  /// @brief Sets what the interrupt executes.
+  /// @param vector what to execute
+  void connect(std::function<void()> vector);
+
+  /// @brief Raises the interrupt. A timer that is stopped raises none.
+  void periodPassed();
+
+  /// @brief The period that was set.
+  /// @return period of the running timer, 0 if it is stopped.
+  [[nodiscard]] Microseconds period() const;
+
+  /// @brief Tells whether the interrupt was raised and not acknowledged.
+  /// @return true while the interrupt flag is set.
+  [[nodiscard]] bool pending() const;
+
+  void start(Microseconds period) override;
+  void stop() override;
+  void acknowledge() override;
+
+ private:
+  HostScheduler& scheduler_;
+  std::function<void()> vector_;
+  Microseconds period_{0};
+  bool pending_ = false;
+};
+
+}  // namespace wr

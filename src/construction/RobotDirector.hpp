@@ -1,0 +1,42 @@
+#pragma once
+
+#include "construction/ControlSystemPoolBuilder.hpp"
+#include "construction/MainControllerBuilder.hpp"
+
+namespace wr {
+
+/// @brief Has the whole robot made, and starts it.
+///
+/// @function Calls the steps of the builders in the right sequence, then starts the controller and its
+/// clock.
+///
+/// @secret The sequence in which the parts of the robot are made and started.
+///
+/// @role{pool-construction, Director}
+/// @role{main-controller-construction, Director}
+class RobotDirector {
+ public:
+  /// @brief Binds the director to the builders.
+  /// @param poolBuilder makes the control systems
+  /// @param controllerBuilder makes the main controller
+  RobotDirector(ControlSystemPoolBuilder& poolBuilder, MainControllerBuilder& controllerBuilder);
+
+  /// @brief Makes all parts of the robot.
+  /// @post start() can be called.
+  /// @isr{no}
+  void construct();
+
+  /// @brief Starts the control cycles.
+  /// @pre construct() was called.
+  /// @errors A robot that is not made ends the program with the assertion PartMissing.
+  /// @satisfies FR-1
+  /// @satisfies FR-10
+  /// @isr{no}
+  void start();
+
+ private:
+  ControlSystemPoolBuilder& poolBuilder_;
+  MainControllerBuilder& controllerBuilder_;
+};
+
+}  // namespace wr

@@ -1,0 +1,81 @@
+#include "main_control/ControlData.hpp"
+
+#include <limits>
+
+namespace wr {
+
+void ControlData::beginCycle(Instant clockPulse) {
+  ++cycle_;
+  clockPulse_ = clockPulse;
+  stopped_ = false;
+  orderRead_ = false;
+  held_ = false;
+  overran_ = false;
+  measurements_ = {};
+  outputs_ = {};
+}
+
+void ControlData::saveModeId(ModeId source) {
+  readSource_ = source;
+}
+
+void ControlData::saveSetPoints(const SetPoints& setPoints) {
+  setPoints_ = setPoints;
+  source_ = readSource_;
+  orderRead_ = true;
+}
+
+void ControlData::saveStop(bool stop) {
+  stopped_ = stop;
+}
+
+void ControlData::saveHeld(bool held) {
+  held_ = held;
+}
+
+void ControlData::saveOverrun() {
+  overran_ = true;
+  if (overruns_ < std::numeric_limits<std::uint16_t>::max()) {
+    ++overruns_;
+  }
+}
+
+const std::optional<SetPoints>& ControlData::setPoints() const {
+  return setPoints_;
+}
+
+bool ControlData::stopped() const {
+  return stopped_;
+}
+
+std::uint32_t ControlData::cycle() const {
+  return cycle_;
+}
+
+Measurements& ControlData::measurements() {
+  return measurements_;
+}
+
+Outputs& ControlData::outputs() {
+  return outputs_;
+}
+
+ReportData ControlData::report(OperationStateId state, ModeId mode,
+                               const LinkCounts& counts) const {
+  return {.cycle = cycle_,
+          .time = clockPulse_,
+          .operationState = static_cast<std::uint8_t>(state),
+          .readingMode = static_cast<std::uint8_t>(mode),
+          .source = static_cast<std::uint8_t>(source_),
+          .stop = stopped_,
+          .orderRead = orderRead_,
+          .held = held_,
+          .overran = overran_,
+          .setPoints = setPoints_.value_or(SetPoints{}),
+          .measurements = measurements_,
+          .outputs = outputs_,
+          .overruns = overruns_,
+          .link = counts};
+}
+
+}  // namespace wr

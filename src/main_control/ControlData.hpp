@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "communication/serialization/ReportData.hpp"
+#include "main_control/operation_modes/Mode.hpp"
+#include "main_control/operation_states/OperationState.hpp"
+#include "units/Measurements.hpp"
+#include "units/SetPoints.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief What is known in a control cycle: orders, measurements, outputs.
+///
+/// @function Keeps the set-points that are in force with their source, and what happened in the present
+/// cycle, and gives the content of the report from it.
+///
+/// @secret What is kept from one cycle to the next, and what is forgotten when a cycle begins.
+class ControlData {
+ public:
+  /// @brief Makes data without set-points, before the first cycle.
+  ControlData() = default;
+  ControlData(const ControlData&) = delete;
+  ControlData& operator=(const ControlData&) = delete;
+
+  /// @brief Begins the next cycle; forgets what was noted, measured and applied in the cycle before.
+  /// @param clockPulse time of the clock pulse
+  /// @isr{no}
+  void beginCycle(Instant clockPulse);
+
+  /// @brief Notes which source is read now; it takes force with the next set-points.
+  /// @param source number of the reading mode
+  /// @satisfies FR-19
+  /// @isr{no}
+  void saveModeId(ModeId source);
+
+  /// @brief Puts set-points in force, with the source that was noted last.
+  /// @param setPoints what the control systems shall reach
+  /// @satisfies FR-19
+  /// @isr{no}
+  void saveSetPoints(const SetPoints& setPoints);
+
+  /// @brief Notes whether a stop is in force in this cycle.
+  /// @param stop true if any source ordered a stop
+  /// @isr{no}
+  void saveStop(bool stop);
+
+  /// @brief Notes whether the control systems are held in this cycle.
+  /// @param held true if the wheels are halted and the steering is held
+  /// @isr{no}
+  void saveHeld(bool held);
+
+  /// @brief Counts this cycle as an overrun.
+  /// @post The count stops at 65535.
+  /// @isr{no}
+  void saveOverrun();
+
+  /// @brief The set-points in force.
+  /// @return set-points that were read last; nothing before the first read.
+  /// @isr{no}
+  [[nodiscard]] const std::optional<SetPoints>& setPoints() const;
+
+  /// @brief Tells whether a stop is in force in this cycle.
+  /// @return true if any source ordered a stop.
+  /// @isr{no}
+  [[nodiscard]] bool stopped() const;
+
+  /// @brief The number of the present cycle.
+  /// @return number from 1; 0 before the first cycle.
+  /// @isr{no}
+  [[nodiscard]] std::uint32_t cycle() const;
+
+  /// @brief The measured values of this cycle, to be filled in.
+  /// @return values, all missing when a cycle begins.
+  /// @isr{no}
+  [[nodiscard]] Measurements& measurements();
+
+  /// @brief The applied values of this cycle, to be filled in.
+  /// @return values, all missing when a cycle begins.
+  /// @isr{no}
+  [[nodiscard]] Outputs& outputs();
+
+  /// @brief The content of the report of this cycle.
+  /// @param state operation state to report
+  /// @param mode reading mode to report
+  /// @param counts what the link counted
+  /// @return content of the report.
+  /// @satisfies FR-61
+  /// @isr{no}
+  [[nodiscard]] ReportData report(OperationStateId state, ModeId mode,
+                                  const LinkCounts& counts) const;
+
+ private:
+  std::optional<SetPoints> setPoints_;
+  ModeId source_ = ModeId::None;
+  ModeId readSource_ = ModeId::None;
+  std::uint16_t overruns_ = 0;
+  std::uint32_t cycle_ = 0;
+  Instant clockPulse_{0};
+  bool stopped_ = false;
+  bool orderRead_ = false;
+  bool held_ = false;
+  bool overran_ = false;
+  Measurements measurements_;
+  Outputs outputs_;
+};
+
+}  // namespace wr

@@ -1,0 +1,112 @@
+#include "main_control/MainController.hpp"
+
+#include "communication/serialization/ReportMessage.hpp"
+
+namespace wr {
+
+MainController::Body::Body(MainController& mCtrl) : mCtrl_(mCtrl) {}
+
+void MainController::Body::execute() {
+  mCtrl_.cycle();
+}
+
+MainController::MainController(const Parts& parts)
+    : body_(*this),
+      thread_(parts.thread),
+      timebase_(parts.timebase),
+      data_(parts.data),
+      systems_(parts.systems),
+      connection_(parts.connection),
+      opSt_(parts.initialState),
+      mode_(parts.initialMode),
+      modes_(parts.modes) {}
+
+void MainController::start() {
+  thread_.start(body_);
+}
+
+void MainController::clockPulse() {
+  ++pulseCount_;
+  pulses_.write(pulseCount_, timebase_.now());
+  thread_.post();
+}
+
+void MainController::cycle() {
+  data_.beginCycle(pulses_.read()->at);
+  connection_.service();
+  noteStop();
+  read();
+  control();
+  write();
+}
+
+void MainController::read() {
+  opSt_.get().read(*this);
+}
+
+void MainController::control() {
+  if (data_.stopped()) {
+    holdSystems();
+  } else {
+    opSt_.get().control(*this);
+  }
+}
+
+void MainController::write() {
+  opSt_.get().write(*this);
+}
+
+void MainController::changeOpState(OperationState& state) {
+  opSt_ = state;
+}
+
+void MainController::changeMode(Mode& mode) {
+  mode_ = mode;
+}
+
+Mode& MainController::getMode() {
+  return mode_;
+}
+
+ControlData& MainController::getData() {
+  return data_;
+}
+
+void MainController::applyControl() {
+  if (data_.setPoints().has_value()) {
+    systems_.control(*data_.setPoints(), data_.cycle());
+    data_.saveHeld(false);
+  } else {
+    holdSystems();
+  }
+}
+
+void MainController::holdSystems() {
+  systems_.hold(data_.cycle());
+  data_.saveHeld(true);
+}
+
+void MainController::sendReport(OperationStateId state) {
+  noteOverrun();
+  systems_.collect(data_.measurements(), data_.outputs());
+  const ReportMessage report(data_.report(state, mode_.get().id(), connection_.counts()));
+  connection_.sendReport(report);
+}
+
+void MainController::noteStop() {
+  bool ordered = false;
+  for (const Mode* mode : modes_) {
+    ordered = ordered || mode->stopOrdered();
+  }
+  data_.saveStop(ordered);
+}
+
+void MainController::noteOverrun() {
+  const std::uint16_t overruns = thread_.overruns();
+  if (overruns != seenOverruns_ || !systems_.completed(data_.cycle())) {
+    data_.saveOverrun();
+  }
+  seenOverruns_ = overruns;
+}
+
+}  // namespace wr

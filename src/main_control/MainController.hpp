@@ -1,0 +1,167 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "communication/pc_connection/PcConnection.hpp"
+#include "devices/Timebase.hpp"
+#include "main_control/ControlData.hpp"
+#include "main_control/control_systems/ControlSystemPool.hpp"
+#include "main_control/operation_modes/Mode.hpp"
+#include "main_control/operation_states/OperationState.hpp"
+#include "services/Command.hpp"
+#include "services/ControlThread.hpp"
+#include "services/Pipe.hpp"
+
+namespace wr {
+
+/// @brief Runs the control cycle: read, control, write.
+///
+/// @function Runs one cycle for each clock pulse. In each cycle it serves the PC link, lets the present
+/// operation state read one order, control and report, and keeps the present state and the present
+/// reading mode. It also does what the states order: apply control, hold, send a report.
+///
+/// @secret The sequence of steps in a control cycle, and that a stop goes before every state.
+///
+/// @role{operation-states, Context}
+/// @role{reading-modes, Context}
+/// @role{cycle-timer-interrupt, Receiver}
+/// @role{main-controller-construction, Product}
+class MainController {
+ public:
+  /// @brief What the controller is made of. Each part lives as long as the controller.
+  /// @datatype
+  struct Parts {
+    ControlThread& thread;         ///< runs the cycles
+    const Timebase& timebase;      ///< gives the time of a clock pulse
+    ControlData& data;             ///< data of the cycle
+    ControlSystemPool& systems;    ///< what is controlled
+    PcConnection& connection;      ///< link to the PC
+    OperationState& initialState;  ///< operation state at start
+    Mode& initialMode;             ///< reading mode at start
+    std::span<Mode* const> modes;  ///< every mode that can order a stop
+  };
+
+  /// @brief Binds the controller to its parts.
+  /// @param parts parts of the controller
+  /// @post The initial state and the initial mode are current; no cycle runs before start().
+  /// @satisfies FR-10
+  explicit MainController(const Parts& parts);
+  MainController(const MainController&) = delete;
+  MainController& operator=(const MainController&) = delete;
+
+  /// @brief Makes the thread run one cycle for each clock pulse from now on.
+  /// @isr{no}
+  void start();
+
+  /// @brief Takes the time of a clock pulse and has the thread run a cycle.
+  /// @errors Before start() the pulse has no effect. A pulse that comes before the last cycle has ended
+  /// is counted as an overrun; one cycle more is run at most.
+  /// @satisfies FR-1
+  /// @satisfies FR-4
+  /// @isr{yes}
+  void clockPulse();
+
+  /// @brief Reads one order, or finds that there is none, as the present state does it.
+  /// @post The state that follows from the read is current.
+  /// @satisfies FR-2
+  /// @isr{no}
+  void read();
+
+  /// @brief Orders the control systems, as the present state does it; a stop holds them in every state.
+  /// @satisfies FR-2
+  /// @satisfies FR-3
+  /// @satisfies FR-21
+  /// @isr{no}
+  void control();
+
+  /// @brief Reports, as the present state does it.
+  /// @satisfies FR-2
+  /// @satisfies FR-3
+  /// @isr{no}
+  void write();
+
+  /// @brief Sets the operation state.
+  /// @param state state of the steps that follow
+  /// @isr{no}
+  void changeOpState(OperationState& state);
+
+  /// @brief Sets the reading mode.
+  /// @param mode mode of the reads that follow
+  /// @satisfies FR-11
+  /// @satisfies FR-12
+  /// @isr{no}
+  void changeMode(Mode& mode);
+
+  /// @brief The present reading mode.
+  /// @return mode that orders are read from.
+  /// @isr{no}
+  [[nodiscard]] Mode& getMode();
+
+  /// @brief The data of the present cycle.
+  /// @return data that modes and states save to.
+  /// @isr{no}
+  [[nodiscard]] ControlData& getData();
+
+  /// @brief Orders the control systems to follow the set-points that were read last.
+  /// @post Without set-points the control systems are held.
+  /// @satisfies FR-14
+  /// @satisfies FR-22
+  /// @isr{no}
+  void applyControl();
+
+  /// @brief Orders the control systems to halt the wheels and to hold the steering.
+  /// @satisfies FR-18
+  /// @satisfies FR-21
+  /// @isr{no}
+  void holdSystems();
+
+  /// @brief Sends the report of this cycle to the PC.
+  /// @param state operation state to report
+  /// @errors A report that the link does not take is dropped; the link counts it.
+  /// @satisfies FR-4
+  /// @satisfies FR-5
+  /// @satisfies FR-60
+  /// @satisfies FR-61
+  /// @isr{no}
+  void sendReport(OperationStateId state);
+
+ private:
+  class Body final : public Command {
+   public:
+    explicit Body(MainController& mCtrl);
+    void execute() override;
+
+   private:
+    MainController& mCtrl_;
+  };
+
+  /// @brief Runs one control cycle: serve the link, note stops, read, control, write.
+  /// @satisfies FR-2
+  /// @satisfies FR-35
+  /// @satisfies FR-37
+  void cycle();
+  /// @brief Saves whether any source ordered a stop.
+  /// @satisfies FR-21
+  void noteStop();
+  /// @brief Saves whether the present cycle overran.
+  /// @satisfies FR-4
+  /// @satisfies FR-5
+  void noteOverrun();
+
+  Body body_;
+  ControlThread& thread_;
+  const Timebase& timebase_;
+  ControlData& data_;
+  ControlSystemPool& systems_;
+  PcConnection& connection_;
+  std::reference_wrapper<OperationState> opSt_;
+  std::reference_wrapper<Mode> mode_;
+  std::span<Mode* const> modes_;
+  Pipe<std::uint32_t> pulses_;  // number of the clock pulse, with its time
+  std::uint32_t pulseCount_ = 0;
+  std::uint16_t seenOverruns_ = 0;
+};
+
+}  // namespace wr

@@ -1,0 +1,17 @@
+#include "main_control/control_systems/ControlSystem.hpp"
+
+namespace wr {
+
+void ControlSystem::control(const SetPoints& setPoints, std::uint32_t cycle) {
+  measure();
+  apply(setPoints);
+  activate(cycle);
+}
+
+void ControlSystem::hold(std::uint32_t cycle) {
+  measure();
+  halt();
+  activate(cycle);
+}
+
+}  // namespace wr

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+
+#include "units/Measurements.hpp"
+#include "units/SetPoints.hpp"
+
+namespace wr {
+
+/// @brief A sub-system that measures, controls and actuates one part of the robot.
+///
+/// @function Gives every control system the same sequence of orders in each cycle. Heirs say how they
+/// carry out each order.
+///
+/// @secret The sequence of orders in one control cycle of a control system.
+class ControlSystem {
+ public:
+  ControlSystem(const ControlSystem&) = delete;
+  ControlSystem& operator=(const ControlSystem&) = delete;
+
+  /// @brief Orders to measure, to follow the set-points and to work.
+  /// @param setPoints what the system shall reach
+  /// @param cycle number of the control cycle, from 1
+  /// @isr{no}
+  void control(const SetPoints& setPoints, std::uint32_t cycle);
+
+  /// @brief Orders to measure, to stand still and to work.
+  /// @param cycle number of the control cycle, from 1
+  /// @isr{no}
+  void hold(std::uint32_t cycle);
+
+  /// @brief Tells whether the work that was ordered for a cycle is done.
+  /// @param cycle number of the control cycle, from 1
+  /// @return true if the last work that was done is the work of that cycle.
+  /// @isr{no}
+  [[nodiscard]] virtual bool completed(std::uint32_t cycle) const = 0;
+
+  /// @brief Adds what the system measured and applied.
+  /// @param measurements takes the measured values; values of other systems stay
+  /// @param outputs takes the applied values; values of other systems stay
+  /// @isr{no}
+  virtual void collect(Measurements& measurements, Outputs& outputs) const = 0;
+
+ protected:
+  ControlSystem() = default;
+  ~ControlSystem() = default;
+
+ private:
+  virtual void measure() = 0;
+  virtual void apply(const SetPoints& setPoints) = 0;
+  virtual void halt() = 0;
+  virtual void activate(std::uint32_t cycle) = 0;
+};
+
+}  // namespace wr

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "main_control/control_systems/ControlSystem.hpp"
+#include "units/Measurements.hpp"
+#include "units/SetPoints.hpp"
+
+namespace wr {
+
+/// @brief All control systems of the robot.
+///
+/// @function Passes each order of the main controller to every control system, in the order in which
+/// they were added, and gathers what they measured and applied.
+///
+/// @secret How the control systems are stored, and in which sequence they are ordered.
+///
+/// @role{pool-construction, Product}
+class ControlSystemPool {
+ public:
+  /// @brief Largest number of control systems: four wheels and the steering.
+  static constexpr std::size_t kCapacity = 5;
+
+  /// @brief Makes an empty pool.
+  ControlSystemPool() = default;
+  ControlSystemPool(const ControlSystemPool&) = delete;
+  ControlSystemPool& operator=(const ControlSystemPool&) = delete;
+
+  /// @brief Adds a control system.
+  /// @param system control system that lives as long as the pool
+  /// @errors A pool that is full ends the program with the assertion PoolFull.
+  /// @isr{no}
+  void add(ControlSystem& system);
+
+  /// @brief Orders all control systems to follow the set-points.
+  /// @param setPoints what the systems shall reach
+  /// @param cycle number of the control cycle, from 1
+  /// @isr{no}
+  void control(const SetPoints& setPoints, std::uint32_t cycle);
+
+  /// @brief Orders all control systems to stand still.
+  /// @param cycle number of the control cycle, from 1
+  /// @isr{no}
+  void hold(std::uint32_t cycle);
+
+  /// @brief Tells whether all control systems have done the work of a cycle.
+  /// @param cycle number of the control cycle, from 1
+  /// @return true if every control system has; true for an empty pool.
+  /// @satisfies FR-5
+  /// @isr{no}
+  [[nodiscard]] bool completed(std::uint32_t cycle) const;
+
+  /// @brief Gathers what the control systems measured and applied.
+  /// @param measurements takes the measured values; a value that no system gives stays missing
+  /// @param outputs takes the applied values; a value that no system gives stays missing
+  /// @satisfies FR-62
+  /// @isr{no}
+  void collect(Measurements& measurements, Outputs& outputs) const;
+
+ private:
+  [[nodiscard]] std::span<ControlSystem* const> systems() const;
+
+  std::array<ControlSystem*, kCapacity> systems_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace wr

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+
+namespace wr {
+
+class MainController;
+
+/// @brief The reading modes, as they are numbered in reports.
+/// @datatype
+enum class ModeId : std::uint8_t {
+  RC = 0,     ///< the remote control
+  PC = 1,     ///< the PC on the robot
+  None = 255  ///< no source
+};
+
+/// @brief A reading mode: the source that orders are read from.
+///
+/// @function Gives the operation states one way to ask for a message, to read it and to change to the
+/// other source. It also tells whether the source ordered a stop, in whatever mode the system is.
+///
+/// @secret Which source stands behind a reading mode.
+///
+/// @role{reading-modes, State}
+/// @role{mode-extensions, Component}
+///
+/// @patternapp{reading-modes, State, Reading modes}
+/// @why How an order is read depends on whether the system takes orders from the PC or from the remote
+/// control. Each mode is a state\, so no other module asks which mode it is.
+/// @changes The way a mode reads may change. A new source of orders\, such as a Bluetooth device\, is a
+/// new heir of this class and touches no other module of Main Control.
+class Mode {
+ public:
+  Mode(const Mode&) = delete;
+  Mode& operator=(const Mode&) = delete;
+
+  /// @brief Tells whether an order can be read now.
+  /// @return true if the source holds a fresh and complete order that was not read before.
+  /// @isr{no}
+  [[nodiscard]] virtual bool newMessage() const = 0;
+
+  /// @brief Reads the order into the data of the controller.
+  /// @param mCtrl controller whose data takes the set-points and the source
+  /// @pre newMessage() was true in this cycle.
+  /// @post The order is consumed.
+  /// @isr{no}
+  virtual void read(MainController& mCtrl) = 0;
+
+  /// @brief Makes the controller read from the mode that follows this one.
+  /// @param mCtrl controller whose mode changes
+  /// @isr{no}
+  virtual void changeMode(MainController& mCtrl) = 0;
+
+  /// @brief Tells whether the source ordered a stop and has not released it.
+  /// @return true from a stop order until the same source orders without stop.
+  /// @isr{no}
+  [[nodiscard]] virtual bool stopOrdered() const = 0;
+
+  /// @brief The number of this mode.
+  /// @return number of the mode, as in reports.
+  /// @isr{yes}
+  [[nodiscard]] ModeId id() const;
+
+ protected:
+  /// @brief Numbers the mode.
+  /// @param id number of the mode, as in reports
+  explicit Mode(ModeId id);
+  ~Mode() = default;
+
+ private:
+  ModeId id_;
+};
+
+}  // namespace wr

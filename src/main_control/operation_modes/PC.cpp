@@ -1,0 +1,23 @@
+#include "main_control/operation_modes/PC.hpp"
+
+#include "main_control/MainController.hpp"
+
+namespace wr {
+
+PC::PC(Mode& wrapped, Mode& other, const PcConnection& connection)
+    : ModeDecorator(ModeId::PC, wrapped), other_(other), connection_(connection) {}
+
+bool PC::newMessage() const {
+  return connection_.connected() && ModeDecorator::newMessage();
+}
+
+void PC::read(MainController& mCtrl) {
+  mCtrl.getData().saveModeId(ModeId::PC);
+  ModeDecorator::read(mCtrl);
+}
+
+void PC::changeMode(MainController& mCtrl) {
+  mCtrl.changeMode(other_);
+}
+
+}  // namespace wr

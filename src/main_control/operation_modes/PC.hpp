@@ -1,0 +1,52 @@
+#pragma once
+
+#include "communication/pc_connection/PcConnection.hpp"
+#include "main_control/operation_modes/ModeDecorator.hpp"
+
+namespace wr {
+
+/// @brief The reading mode in which the PC on the robot commands it.
+///
+/// @function Extends the basic mode: an order counts only while the PC is connected, and its set-points
+/// are marked as given by the PC. Changes to the other mode on demand.
+///
+/// @secret That an order of the PC is void without a connection, and how set-points are marked as given
+/// by the PC.
+///
+/// @role{reading-modes, Concrete State}
+/// @role{mode-extensions, Concrete Decorator}
+class PC final : public ModeDecorator {
+ public:
+  /// @brief Binds the mode to the mode that it extends, to the mode that follows it and to the PC link.
+  /// @param wrapped basic mode that reads the orders of the PC
+  /// @param other mode to change to; only its address is used before the first changeMode()
+  /// @param connection link to the PC
+  PC(Mode& wrapped, Mode& other, const PcConnection& connection);
+
+  /// @brief Tells whether the PC is connected and has an order that can be read now.
+  /// @return true if the PC is connected and the wrapped mode has a message.
+  /// @satisfies FR-36
+  /// @isr{no}
+  [[nodiscard]] bool newMessage() const override;
+
+  /// @brief Saves the mode id of the PC, then reads as the wrapped mode does.
+  /// @param mCtrl controller whose data takes the set-points and the source
+  /// @pre newMessage() was true in this cycle.
+  /// @post The order is consumed.
+  /// @satisfies FR-12
+  /// @satisfies FR-19
+  /// @isr{no}
+  void read(MainController& mCtrl) override;
+
+  /// @brief Makes the controller read from the other mode.
+  /// @param mCtrl controller whose mode changes
+  /// @satisfies FR-17
+  /// @isr{no}
+  void changeMode(MainController& mCtrl) override;
+
+ private:
+  Mode& other_;
+  const PcConnection& connection_;
+};
+
+}  // namespace wr

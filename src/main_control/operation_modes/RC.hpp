@@ -1,0 +1,42 @@
+#pragma once
+
+#include "main_control/operation_modes/ModeDecorator.hpp"
+
+namespace wr {
+
+/// @brief The reading mode in which a person commands the robot with the remote control.
+///
+/// @function Extends the basic mode: marks the set-points as given by the remote control, and changes to
+/// the other mode on demand.
+///
+/// @secret How set-points are marked as given by the remote control.
+///
+/// @role{reading-modes, Concrete State}
+/// @role{mode-extensions, Concrete Decorator}
+class RC final : public ModeDecorator {
+ public:
+  /// @brief Binds the mode to the mode that it extends and to the mode that follows it.
+  /// @param wrapped basic mode that reads the signals of the remote control
+  /// @param other mode to change to; only its address is used before the first changeMode()
+  RC(Mode& wrapped, Mode& other);
+
+  /// @brief Saves the mode id of the remote control, then reads as the wrapped mode does.
+  /// @param mCtrl controller whose data takes the set-points and the source
+  /// @pre newMessage() was true in this cycle.
+  /// @post The order is consumed.
+  /// @satisfies FR-11
+  /// @satisfies FR-19
+  /// @isr{no}
+  void read(MainController& mCtrl) override;
+
+  /// @brief Makes the controller read from the other mode.
+  /// @param mCtrl controller whose mode changes
+  /// @satisfies FR-17
+  /// @isr{no}
+  void changeMode(MainController& mCtrl) override;
+
+ private:
+  Mode& other_;
+};
+
+}  // namespace wr

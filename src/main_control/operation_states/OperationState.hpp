@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+
+namespace wr {
+
+class MainController;
+class Mode;
+
+/// @brief The operation states, as they are numbered in reports.
+/// @datatype
+enum class OperationStateId : std::uint8_t {
+  Working = 0,      ///< an order was read in this cycle
+  Waiting = 1,      ///< up to N - 1 reads in a row failed
+  WaitingN = 2,     ///< N reads in a row failed
+  Reconnecting = 3  ///< more than N reads in a row failed
+};
+
+/// @brief What the main controller does in a cycle: a state of Main Control.
+///
+/// @function Reads orders in the same steps in every state, and leaves to its heirs what is done with a
+/// message and without one. Orders the control systems and the report of the cycle.
+///
+/// @secret The steps of reading an order that all operation states share.
+///
+/// @role{operation-states, State}
+/// @role{read-orders, Abstract Class}
+///
+/// @patternapp{operation-states, State, Operation states of the main controller}
+/// @why What the main controller does\, and what it orders the control systems to do\, depends on its
+/// operation state.
+/// @changes The behaviour of a state may change. A new state\, such as one that warns after some failed
+/// reads\, is a new heir of this class and leaves the other states as they are.
+///
+/// @patternapp{read-orders, Template Method, Read orders in the operation states}
+/// @why Reading an order has the same steps in every state: ask for a message\, then act with it or
+/// without it. Only the two actions differ.
+/// @changes How one state acts with or without a message may change without change to the steps.
+class OperationState {
+ public:
+  OperationState(const OperationState&) = delete;
+  OperationState& operator=(const OperationState&) = delete;
+
+  /// @brief Asks the present mode for a message, then acts with it or without it.
+  /// @param mCtrl controller that reads
+  /// @post The state that this read leads to is current.
+  /// @satisfies FR-13
+  /// @satisfies FR-15
+  /// @isr{no}
+  void read(MainController& mCtrl);
+
+  /// @brief Orders the control systems to follow the set-points that were read last.
+  /// @param mCtrl controller whose control systems are ordered
+  /// @satisfies FR-14
+  /// @isr{no}
+  virtual void control(MainController& mCtrl);
+
+  /// @brief Sends the report of this cycle, with the number of this state.
+  /// @param mCtrl controller that sends
+  /// @satisfies FR-61
+  /// @isr{no}
+  virtual void write(MainController& mCtrl);
+
+  /// @brief The number of this state.
+  /// @return number of the state, as in reports.
+  /// @isr{yes}
+  [[nodiscard]] OperationStateId id() const;
+
+ protected:
+  /// @brief Numbers the state.
+  /// @param id number of the state, as in reports
+  explicit OperationState(OperationStateId id);
+  ~OperationState() = default;
+
+ private:
+  virtual void actionWithMsg(MainController& mCtrl, Mode& md) = 0;
+  virtual void actionNoMsg(MainController& mCtrl) = 0;
+
+  OperationStateId id_;
+};
+
+}  // namespace wr

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "main_control/operation_states/OperationState.hpp"
+
+namespace wr {
+
+/// @brief Nobody commands: the system stands still and looks for orders in turn at each source.
+///
+/// @function Holds the control systems. Each failed read changes the reading mode; a message ends the
+/// search.
+///
+/// @secret How the system looks for a source of orders, and what the robot does while nobody commands it.
+///
+/// @role{operation-states, Concrete State}
+/// @role{read-orders, Concrete Class}
+/// @role{reading-modes, Context}
+class Reconnecting final : public OperationState {
+ public:
+  /// @brief Binds the state to its successor.
+  /// @param working state after a message; only its address is used before the first read()
+  explicit Reconnecting(OperationState& working);
+
+  /// @brief Orders the control systems to halt the wheels and to hold the steering.
+  /// @param mCtrl controller whose control systems are ordered
+  /// @satisfies FR-18
+  /// @isr{no}
+  void control(MainController& mCtrl) override;
+
+ private:
+  /// @brief Reads the message and sets the working state.
+  /// @param mCtrl controller that reads
+  /// @param md present mode
+  /// @satisfies FR-13
+  void actionWithMsg(MainController& mCtrl, Mode& md) override;
+
+  /// @brief Changes the reading mode and stays.
+  /// @param mCtrl controller that reads
+  /// @satisfies FR-17
+  void actionNoMsg(MainController& mCtrl) override;
+
+  OperationState& working_;
+};
+
+}  // namespace wr

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "main_control/operation_states/OperationState.hpp"
+
+namespace wr {
+
+/// @brief Orders come: the last read found one.
+///
+/// @function Reads a message when there is one. Otherwise it hands over to the state that waits.
+///
+/// @secret What follows the first failed read.
+///
+/// @role{operation-states, Concrete State}
+/// @role{read-orders, Concrete Class}
+/// @role{reading-modes, Context}
+class Working final : public OperationState {
+ public:
+  /// @brief Binds the state to its successor.
+  /// @param waiting state after a failed read; only its address is used before the first read()
+  explicit Working(OperationState& waiting);
+
+ private:
+  /// @brief Reads the message and stays.
+  /// @param mCtrl controller that reads
+  /// @param md present mode
+  /// @satisfies FR-13
+  void actionWithMsg(MainController& mCtrl, Mode& md) override;
+
+  /// @brief Sets the state that waits.
+  /// @param mCtrl controller that reads
+  /// @satisfies FR-15
+  void actionNoMsg(MainController& mCtrl) override;
+
+  OperationState& waiting_;
+};
+
+}  // namespace wr
