@@ -16,7 +16,8 @@ class SerialPort {
 
   /// @brief Takes received bytes out of the port, oldest first. Never waits.
   /// @param bytes where the bytes are put
-  /// @return how many bytes were put there; 0 when no byte was received
+  /// @return how many bytes were put there; less than there is place for only when no more were
+  /// received
   /// @isr{no}
   virtual std::size_t read(std::span<std::uint8_t> bytes) = 0;
 

@@ -1,0 +1,72 @@
+#include "communication/framing/FrameDecoder.hpp"
+
+#include <span>
+
+#include "communication/framing/Crc16.hpp"
+
+namespace wr {
+
+namespace {
+
+constexpr std::size_t kVersionAt = 0;
+constexpr std::size_t kTypeAt = 1;
+constexpr std::size_t kSequenceAt = 2;
+constexpr std::size_t kPayloadAt = 3;
+
+}  // namespace
+
+Decoded FrameDecoder::push(std::uint8_t byte) {
+  if (byte == 0) {
+    const Decoded decoded = end();
+    count_ = 0;
+    return decoded;
+  }
+  if (count_ < bytes_.size()) {
+    bytes_[count_] = byte;
+  }
+  if (count_ <= bytes_.size()) {  // one more marks a frame that is too long
+    ++count_;
+  }
+  return Decoded::Nothing;
+}
+
+Frame FrameDecoder::frame() const {
+  return Frame{static_cast<FrameType>(bytes_[kTypeAt]), bytes_[kSequenceAt],
+               std::span(bytes_).subspan(kPayloadAt, length_ - kMinBody)};
+}
+
+Decoded FrameDecoder::end() {
+  if (count_ == 0) {
+    return Decoded::Nothing;
+  }
+  if (count_ > bytes_.size()) {
+    return Decoded::TooLong;
+  }
+  length_ = count_ - 1;
+  if (length_ < kMinBody || !removeStuffing() || !crcIsRight()) {
+    return Decoded::Damaged;
+  }
+  return bytes_[kVersionAt] == kProtocolVersion ? Decoded::Whole : Decoded::UnknownVersion;
+}
+
+bool FrameDecoder::removeStuffing() {
+  std::size_t distance = bytes_[0];
+  for (std::size_t i = 1; i < count_; ++i) {
+    const std::uint8_t byte = bytes_[i];
+    --distance;
+    bytes_[i - 1] = distance == 0 ? 0 : byte;
+    if (distance == 0) {
+      distance = byte;
+    }
+  }
+  return distance == 1;
+}
+
+bool FrameDecoder::crcIsRight() const {
+  const std::size_t checked = length_ - 2;
+  Crc16 crc;
+  crc.add(std::span(bytes_).first(checked));
+  return bytes_[checked] == (crc.value() & 0xFFU) && bytes_[checked + 1] == crc.value() >> 8U;
+}
+
+}  // namespace wr

@@ -1,0 +1,46 @@
+#include "communication/framing/FrameEncoder.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "communication/framing/Crc16.hpp"
+#include "services/assertion.hpp"
+
+namespace wr {
+
+namespace {
+
+constexpr std::size_t kHead = 3;  // version, type, sequence
+
+}  // namespace
+
+std::span<const std::uint8_t> FrameEncoder::encode(const Frame& frame) {
+  require(frame.payload.size() <= kMaxPayload, AssertId::FrameTooLarge);
+
+  // The body is put one byte behind the place of the first code.
+  const auto body = std::span(coded_).subspan(1);
+  body[0] = kProtocolVersion;
+  body[1] = static_cast<std::uint8_t>(frame.type);
+  body[2] = frame.sequence;
+  std::ranges::copy(frame.payload, body.subspan(kHead).begin());
+  const std::size_t checked = kHead + frame.payload.size();
+  Crc16 crc;
+  crc.add(body.first(checked));
+  body[checked] = static_cast<std::uint8_t>(crc.value() & 0xFFU);
+  body[checked + 1] = static_cast<std::uint8_t>(crc.value() >> 8U);
+  const std::size_t end = 1 + checked + 2;
+
+  // Each zero gives way to the distance to the next one.
+  std::size_t code = 0;
+  for (std::size_t i = 1; i < end; ++i) {
+    if (coded_[i] == 0) {
+      coded_[code] = static_cast<std::uint8_t>(i - code);
+      code = i;
+    }
+  }
+  coded_[code] = static_cast<std::uint8_t>(end - code);
+  coded_[end] = 0;
+  return std::span(coded_).first(end + 1);
+}
+
+}  // namespace wr

@@ -1,0 +1,30 @@
+#include "communication/pc_connection/Handshaking.hpp"
+
+#include "communication/pc_connection/PcConnection.hpp"
+#include "services/SystemConstants.hpp"
+
+namespace wr {
+
+Handshaking::Handshaking(ConnectionState& connected, ConnectionState& disconnected)
+    : connected_(connected), disconnected_(disconnected) {}
+
+void Handshaking::hello(PcConnection& connection) { connection.welcome(); }
+
+bool Handshaking::confirm(PcConnection& connection, std::uint8_t session) {
+  // Only a Hello is accepted in this state, so the silence began with the Welcome.
+  if (!connection.offered(session) ||
+      connection.silence() > SystemConstants::instance().handshakeTimeout()) {
+    connection.countUnexpected();
+    return false;
+  }
+  connection.changeState(connected_);
+  return true;
+}
+
+void Handshaking::checkTime(PcConnection& connection) {
+  if (connection.silence() >= SystemConstants::instance().handshakeTimeout()) {
+    connection.changeState(disconnected_);
+  }
+}
+
+}  // namespace wr

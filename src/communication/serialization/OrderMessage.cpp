@@ -1,0 +1,61 @@
+#include "communication/serialization/OrderMessage.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "services/SystemConstants.hpp"
+
+namespace wr {
+
+namespace {
+
+bool within(std::int32_t value, std::int32_t limit) { return -limit <= value && value <= limit; }
+
+bool wheelInRange(const WheelSetPoint& wheel) {
+  const SystemConstants& constants = SystemConstants::instance();
+  switch (wheel.quantity) {
+    case WheelQuantity::Velocity:
+      return within(wheel.value, constants.velocityLimit().count());
+    case WheelQuantity::Tension:
+      return within(wheel.value, constants.tensionLimit().count());
+    case WheelQuantity::Current:
+      return within(wheel.value, constants.currentLimit().count());
+  }
+  return false;
+}
+
+}  // namespace
+
+OrderMessage::OrderMessage(const SetPoints& setPoints, bool stop)
+    : setPoints_(setPoints), stop_(stop ? kStop : kGo) {}
+
+bool OrderMessage::inRange() const {
+  return within(setPoints_.steering.count(), SystemConstants::instance().steeringLimit().count()) &&
+         std::ranges::all_of(setPoints_.wheels, wheelInRange) && stop_ <= kStop;
+}
+
+bool OrderMessage::readFrom(Reader& reader) {
+  setPoints_.orderId = reader.readU16({FieldName::OrderId});
+  setPoints_.steering = Angle(reader.readI16({FieldName::Steering}));
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    setPoints_.wheels[wheel].quantity =
+        static_cast<WheelQuantity>(reader.readU8({FieldName::WheelQuantity, wheel}));
+    setPoints_.wheels[wheel].value = reader.readI16({FieldName::WheelValue, wheel});
+  }
+  stop_ = reader.readU8({FieldName::Stop});
+  return reader.finish() && inRange();
+}
+
+bool OrderMessage::writeTo(Writer& writer) const {
+  writer.writeU16({FieldName::OrderId}, setPoints_.orderId);
+  writer.writeI16({FieldName::Steering}, static_cast<std::int16_t>(setPoints_.steering.count()));
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    writer.writeU8({FieldName::WheelQuantity, wheel},
+                   static_cast<std::uint8_t>(setPoints_.wheels[wheel].quantity));
+    writer.writeI16({FieldName::WheelValue, wheel}, setPoints_.wheels[wheel].value);
+  }
+  writer.writeU8({FieldName::Stop}, stop_);
+  return writer.finish();
+}
+
+}  // namespace wr

@@ -1,0 +1,225 @@
+#include "communication/serialization/ReportMessage.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+namespace wr {
+
+namespace {
+
+constexpr std::uint8_t kStopFlag = 1;
+constexpr std::uint8_t kOrderReadFlag = 2;
+constexpr std::uint8_t kHeldFlag = 4;
+constexpr std::uint8_t kOverranFlag = 8;
+
+constexpr std::uint64_t kMicrosecondsPerMillisecond = 1000;
+
+// Bits of validity.
+constexpr std::uint32_t velocityBit(std::size_t wheel) { return 1U << (3 * wheel); }
+constexpr std::uint32_t currentBit(std::size_t wheel) { return 2U << (3 * wheel); }
+constexpr std::uint32_t positionBit(std::size_t wheel) { return 4U << (3 * wheel); }
+constexpr std::uint32_t kSteeringBit = 1U << 12U;
+constexpr std::uint32_t tensionBit(std::size_t wheel) { return 1U << wheel; }
+constexpr std::uint32_t kTurnBit = 1U << 4U;
+
+std::uint8_t bitIf(bool condition, std::uint8_t bit) {
+  return condition ? bit : std::uint8_t{0};
+}
+
+std::int16_t nearestI16(std::int32_t value) {
+  using Limits = std::numeric_limits<std::int16_t>;
+  return static_cast<std::int16_t>(
+      std::clamp<std::int32_t>(value, Limits::min(), Limits::max()));
+}
+
+template <class Value>
+std::int32_t countOrZero(const std::optional<Value>& value) {
+  return value.value_or(Value()).count();
+}
+
+template <class Value>
+std::optional<Value> validIf(bool valid, std::int32_t count) {
+  return valid ? std::optional<Value>(Value(count)) : std::nullopt;
+}
+
+std::uint16_t measuredBits(const Measurements& measurements) {
+  std::uint32_t bits = measurements.steering ? kSteeringBit : 0;
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    bits |= measurements.wheels[wheel].velocity ? velocityBit(wheel) : 0;
+    bits |= measurements.wheels[wheel].current ? currentBit(wheel) : 0;
+    bits |= measurements.wheels[wheel].position ? positionBit(wheel) : 0;
+  }
+  return static_cast<std::uint16_t>(bits);
+}
+
+std::uint8_t appliedBits(const Outputs& outputs) {
+  std::uint32_t bits = outputs.turn ? kTurnBit : 0;
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    bits |= outputs.tensions[wheel] ? tensionBit(wheel) : 0;
+  }
+  return static_cast<std::uint8_t>(bits);
+}
+
+std::uint8_t flags(const ReportData& data) {
+  return static_cast<std::uint8_t>(bitIf(data.stop, kStopFlag) |
+                                   bitIf(data.orderRead, kOrderReadFlag) |
+                                   bitIf(data.held, kHeldFlag) | bitIf(data.overran, kOverranFlag));
+}
+
+void writeCycle(Writer& writer, const ReportData& data) {
+  writer.writeU32({FieldName::Cycle}, data.cycle);
+  writer.writeU32({FieldName::Time}, static_cast<std::uint32_t>(data.time.sinceStart() /
+                                                                kMicrosecondsPerMillisecond));
+  writer.writeU8({FieldName::OperationState}, data.operationState);
+  writer.writeU8({FieldName::ReadingMode}, data.readingMode);
+  writer.writeU8({FieldName::Source}, data.source);
+  writer.writeU8({FieldName::Flags}, flags(data));
+}
+
+void readCycle(Reader& reader, ReportData& data) {
+  data.cycle = reader.readU32({FieldName::Cycle});
+  data.time = Instant(reader.readU32({FieldName::Time}) * kMicrosecondsPerMillisecond);
+  data.operationState = reader.readU8({FieldName::OperationState});
+  data.readingMode = reader.readU8({FieldName::ReadingMode});
+  data.source = reader.readU8({FieldName::Source});
+  const std::uint8_t bits = reader.readU8({FieldName::Flags});
+  data.stop = (bits & kStopFlag) != 0;
+  data.orderRead = (bits & kOrderReadFlag) != 0;
+  data.held = (bits & kHeldFlag) != 0;
+  data.overran = (bits & kOverranFlag) != 0;
+}
+
+void writeSetPoints(Writer& writer, const SetPoints& setPoints) {
+  writer.writeU16({FieldName::OrderId}, setPoints.orderId);
+  writer.writeI16({FieldName::Steering}, nearestI16(setPoints.steering.count()));
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    writer.writeU8({FieldName::WheelQuantity, wheel},
+                   static_cast<std::uint8_t>(setPoints.wheels[wheel].quantity));
+    writer.writeI16({FieldName::WheelValue, wheel}, setPoints.wheels[wheel].value);
+  }
+}
+
+void readSetPoints(Reader& reader, SetPoints& setPoints) {
+  setPoints.orderId = reader.readU16({FieldName::OrderId});
+  setPoints.steering = Angle(reader.readI16({FieldName::Steering}));
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    setPoints.wheels[wheel].quantity =
+        static_cast<WheelQuantity>(reader.readU8({FieldName::WheelQuantity, wheel}));
+    setPoints.wheels[wheel].value = reader.readI16({FieldName::WheelValue, wheel});
+  }
+}
+
+void writeMeasurements(Writer& writer, const Measurements& measurements) {
+  writer.writeI16({FieldName::SteeringPosition}, nearestI16(countOrZero(measurements.steering)));
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    const WheelMeasurements& measured = measurements.wheels[wheel];
+    writer.writeI16({FieldName::WheelVelocity, wheel}, nearestI16(countOrZero(measured.velocity)));
+    writer.writeI16({FieldName::WheelCurrent, wheel}, nearestI16(countOrZero(measured.current)));
+    writer.writeI32({FieldName::WheelPosition, wheel}, countOrZero(measured.position));
+  }
+  writer.writeU16({FieldName::Measured}, measuredBits(measurements));
+}
+
+void readMeasurements(Reader& reader, Measurements& measurements) {
+  struct Raw {
+    std::int16_t velocity;
+    std::int16_t current;
+    std::int32_t position;
+  };
+  std::array<Raw, kWheelCount> raw{};
+  const std::int16_t steering = reader.readI16({FieldName::SteeringPosition});
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    raw[wheel].velocity = reader.readI16({FieldName::WheelVelocity, wheel});
+    raw[wheel].current = reader.readI16({FieldName::WheelCurrent, wheel});
+    raw[wheel].position = reader.readI32({FieldName::WheelPosition, wheel});
+  }
+  const std::uint32_t bits = reader.readU16({FieldName::Measured});
+  measurements.steering = validIf<Angle>((bits & kSteeringBit) != 0, steering);
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    WheelMeasurements& measured = measurements.wheels[wheel];
+    measured.velocity = validIf<Velocity>((bits & velocityBit(wheel)) != 0, raw[wheel].velocity);
+    measured.current = validIf<Current>((bits & currentBit(wheel)) != 0, raw[wheel].current);
+    measured.position = validIf<HallCount>((bits & positionBit(wheel)) != 0, raw[wheel].position);
+  }
+}
+
+void writeOutputs(Writer& writer, const Outputs& outputs) {
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    writer.writeI16({FieldName::WheelTension, wheel},
+                    nearestI16(countOrZero(outputs.tensions[wheel])));
+  }
+  writer.writeU8({FieldName::Turn}, static_cast<std::uint8_t>(outputs.turn.value_or(0)));
+  writer.writeU8({FieldName::Applied}, appliedBits(outputs));
+}
+
+void readOutputs(Reader& reader, Outputs& outputs) {
+  std::array<std::int16_t, kWheelCount> tensions{};
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    tensions[wheel] = reader.readI16({FieldName::WheelTension, wheel});
+  }
+  const auto turn = static_cast<std::int8_t>(reader.readU8({FieldName::Turn}));
+  const std::uint32_t bits = reader.readU8({FieldName::Applied});
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    outputs.tensions[wheel] = validIf<Tension>((bits & tensionBit(wheel)) != 0, tensions[wheel]);
+  }
+  outputs.turn = (bits & kTurnBit) != 0 ? std::optional(turn) : std::nullopt;
+}
+
+struct CountField {
+  FieldName name;
+  std::uint16_t LinkCounts::* count;
+};
+
+constexpr std::array kCountFields{
+    CountField{FieldName::LostBytes, &LinkCounts::lostBytes},
+    CountField{FieldName::Damaged, &LinkCounts::damaged},
+    CountField{FieldName::TooLong, &LinkCounts::tooLong},
+    CountField{FieldName::UnknownVersion, &LinkCounts::unknownVersion},
+    CountField{FieldName::UnknownType, &LinkCounts::unknownType},
+    CountField{FieldName::WrongLength, &LinkCounts::wrongLength},
+    CountField{FieldName::OutOfRange, &LinkCounts::outOfRange},
+    CountField{FieldName::Unexpected, &LinkCounts::unexpected},
+    CountField{FieldName::SequenceGaps, &LinkCounts::sequenceGaps},
+    CountField{FieldName::ReportsNotSent, &LinkCounts::reportsNotSent},
+};
+
+void writeCounts(Writer& writer, const LinkCounts& counts) {
+  for (const CountField& field : kCountFields) {
+    writer.writeU16({field.name}, counts.*field.count);
+  }
+}
+
+void readCounts(Reader& reader, LinkCounts& counts) {
+  for (const CountField& field : kCountFields) {
+    counts.*field.count = reader.readU16({field.name});
+  }
+}
+
+}  // namespace
+
+ReportMessage::ReportMessage(const ReportData& data) : data_(data) {}
+
+bool ReportMessage::readFrom(Reader& reader) {
+  readCycle(reader, data_);
+  readSetPoints(reader, data_.setPoints);
+  readMeasurements(reader, data_.measurements);
+  readOutputs(reader, data_.outputs);
+  data_.overruns = reader.readU16({FieldName::Overruns});
+  readCounts(reader, data_.link);
+  return reader.finish();
+}
+
+bool ReportMessage::writeTo(Writer& writer) const {
+  writeCycle(writer, data_);
+  writeSetPoints(writer, data_.setPoints);
+  writeMeasurements(writer, data_.measurements);
+  writeOutputs(writer, data_.outputs);
+  writer.writeU16({FieldName::Overruns}, data_.overruns);
+  writeCounts(writer, data_.link);
+  return writer.finish();
+}
+
+}  // namespace wr
