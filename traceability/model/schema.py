@@ -9,6 +9,10 @@ A figure or result that this run did not produce is ``None``.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from traceability.model.build import Facts
 
 
 @dataclass
@@ -95,7 +99,9 @@ class Module:
     uses: list[str] = field(default_factory=list)  # modules named in its header or source
     used_by: list[str] = field(default_factory=list)
     requirements: list[str] = field(default_factory=list)
-    tests: list[str] = field(default_factory=list)  # tests that executed it, or lie in its folder and carry its name
+    tests: list[str] = field(
+        default_factory=list
+    )  # tests that executed it, or lie in its folder and carry its name
     lines_total: int | None = None
     lines_covered: int | None = None
     branches_total: int | None = None
@@ -287,6 +293,7 @@ class Model:
     architecture: list[ArchitectureElement] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     files: list[str] = field(default_factory=list)  # sources that get a source page
+    facts: Facts | None = field(default=None, repr=False)  # for the checks; no document reads it
 
     @property
     def results_stale(self) -> bool:

@@ -1,0 +1,311 @@
+"""Reads what the annotated sources say, from Doxygen's XML.
+
+Doxygen gives the texts. What the code is (bases, methods, calls) is read from the syntax tree.
+"""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from traceability.model.schema import Param, Place
+from traceability.sources import files_below, hash_of
+
+INPUTS = ("src", "tests", "requirements")
+DOXYFILE = Path("traceability/doxygen/Doxyfile")
+
+# Doxygen 1.18 reports the list of requirements that it makes itself as badly nested.
+FALSE_WARNING = re.compile(
+    r"found </div> at different nesting level|end of comment block while expecting command </div>"
+)
+
+
+@dataclass
+class Warning:
+    place: Place
+    text: str
+
+
+@dataclass
+class Text:
+    """One documentation comment, taken apart."""
+
+    brief: str = ""
+    details: str = ""
+    sections: list[tuple[str, str]] = field(default_factory=list)  # title of a paragraph, text
+    params: dict[str, str] = field(default_factory=dict)
+    returns: str = ""
+    pre: list[str] = field(default_factory=list)
+    post: list[str] = field(default_factory=list)
+    roles: list[tuple[str, str]] = field(default_factory=list)
+    datatype: bool = False
+
+    def all(self, title: str) -> list[str]:
+        return [text for name, text in self.sections if name == title]
+
+    def one(self, title: str) -> str:
+        return next(iter(self.all(title)), "")
+
+
+@dataclass
+class MemberText:
+    name: str
+    place: Place
+    text: Text
+    params: list[Param]
+    satisfies: list[str]
+    verifies: list[str]
+
+
+@dataclass
+class ClassText:
+    qualified: str
+    place: Place
+    text: Text
+    members: list[MemberText] = field(default_factory=list)
+
+
+@dataclass
+class FolderText:
+    path: str
+    place: Place
+    text: Text
+
+
+@dataclass
+class RequirementText:
+    id: str
+    title: str
+    place: Place
+    text: Text
+
+
+@dataclass
+class Annotations:
+    classes: dict[str, ClassText] = field(default_factory=dict)
+    folders: dict[str, FolderText] = field(default_factory=dict)
+    requirements: dict[str, RequirementText] = field(default_factory=dict)
+    tests: list[MemberText] = field(default_factory=list)
+    pages: dict[str, str] = field(default_factory=dict)  # file -> title of the page in it
+    warnings: list[Warning] = field(default_factory=list)
+
+
+def doxygen_executable() -> str:
+    """Doxygen beside the running Python, else the one on the path."""
+    beside = Path(sys.executable).parent / "doxygen"
+    return str(beside) if beside.exists() else (shutil.which("doxygen") or "doxygen")
+
+
+def run_doxygen(root: Path, build: Path) -> Path:
+    """Writes the XML when an input changed; the warnings lie beside it."""
+    xml = build / "xml"
+    warnings = build / "doxygen.json"
+    doxyfile = root / DOXYFILE
+    if not doxyfile.exists():
+        doxyfile = Path(__file__).parents[2] / DOXYFILE
+    settings = doxyfile.read_text(encoding="utf-8")
+    inputs = [
+        path
+        for path in files_below(root, INPUTS, (".hpp", ".cpp", ".dox"))
+        if root / "tests" / "python" not in path.parents
+    ]
+    state = hash_of(root, inputs) + settings
+    if xml.is_dir() and warnings.exists():
+        known = json.loads(warnings.read_text(encoding="utf-8"))
+        if known["state"] == state:
+            return xml
+    shutil.rmtree(xml, ignore_errors=True)
+    build.mkdir(parents=True, exist_ok=True)
+    folders = " ".join(name for name in INPUTS if (root / name).exists())
+    settings += f'\nINPUT = {folders}\nEXCLUDE = tests/python\nOUTPUT_DIRECTORY = "{build}"\n'
+    run = subprocess.run(
+        [doxygen_executable(), "-"],
+        input=settings,
+        cwd=root,
+        capture_output=True,
+        text=True,
+        env={**os.environ, "LC_ALL": "C.UTF-8"},
+        check=False,
+    )
+    if run.returncode != 0 or not xml.is_dir():
+        raise RuntimeError(f"Doxygen failed with exit code {run.returncode}:\n{run.stderr[-2000:]}")
+    record = {"state": state, "output": run.stderr.splitlines()}
+    warnings.write_text(json.dumps(record), encoding="utf-8")
+    return xml
+
+
+def read_annotations(root: Path, build: Path) -> Annotations:
+    xml = run_doxygen(root, build)
+    result = Annotations()
+    for path in sorted(xml.glob("*.xml")):
+        if path.name in ("index.xml", "Doxyfile.xml", "requirements.xml"):
+            continue
+        for compound in ElementTree.parse(path).getroot().iter("compounddef"):
+            _read_compound(compound, result)
+    record = json.loads((build / "doxygen.json").read_text(encoding="utf-8"))
+    result.warnings = _warnings(root, record["output"])
+    return result
+
+
+def _read_compound(compound: ElementTree.Element, result: Annotations) -> None:
+    kind = compound.get("kind")
+    name = compound.findtext("compoundname", "")
+    place = _place(compound)
+    if kind in ("class", "struct", "union"):
+        members = [_member(item) for item in compound.iter("memberdef") if _is_function(item)]
+        result.classes[name] = ClassText(name, place, _text(compound), members)
+    elif kind == "dir":
+        text = _text(compound)
+        dox = Place(name.rstrip("/") + "/module.dox", 1)
+        result.folders[name] = FolderText(name, dox, text)
+    elif kind == "requirement":
+        title = html.escape(_plain(compound.find("title")), quote=False)
+        result.requirements[name] = RequirementText(name, title, place, _text(compound))
+    elif kind == "page":
+        result.pages[place.file] = compound.findtext("title", "")
+    elif kind in ("file", "namespace"):
+        for item in compound.iter("memberdef"):
+            kind_of = item.get("kind")
+            if _place(item).file.startswith("tests/") and kind_of == "function":
+                result.tests.append(_member(item))
+            elif kind == "namespace" and kind_of in ("enum", "typedef"):
+                qualified = f"{name}::{item.findtext('name', '')}"
+                result.classes[qualified] = ClassText(qualified, _place(item), _text(item))
+
+
+def _is_function(item: ElementTree.Element) -> bool:
+    return item.get("kind") == "function"
+
+
+def _member(item: ElementTree.Element) -> MemberText:
+    params = [
+        Param(
+            name=param.findtext("declname", ""),
+            type=_plain(param.find("type")),
+            text="",
+        )
+        for param in item.findall("param")
+    ]
+    return MemberText(
+        name=item.findtext("name", ""),
+        place=_place(item),
+        text=_text(item),
+        params=params,
+        satisfies=_requirements(item, "satisfies"),
+        verifies=_requirements(item, "verifies"),
+    )
+
+
+def _requirements(item: ElementTree.Element, tag: str) -> list[str]:
+    ids = [
+        entry.get("refid", "").removeprefix("requirement_")
+        for entry in item.findall(f"{tag}/requirement")
+    ]
+    return list(dict.fromkeys(ids))
+
+
+def _place(element: ElementTree.Element) -> Place:
+    location = element.find("location")
+    if location is None:
+        return Place("", 1)
+    return Place(location.get("file", ""), int(location.get("line", "1")))
+
+
+def _text(element: ElementTree.Element) -> Text:
+    text = Text(brief=_flow(element.find("briefdescription")))
+    detailed = element.find("detaileddescription")
+    if detailed is None:
+        return text
+    for role in detailed.iter("wr-role"):
+        binding = (role.get("application", "").strip(), role.get("role", "").strip())
+        text.roles.append(binding)
+    text.datatype = detailed.find(".//wr-datatype") is not None
+    for section in detailed.iter("simplesect"):
+        words = _flow(section)
+        kind = section.get("kind")
+        if kind == "par":
+            title = section.findtext("title", "").strip().rstrip(":")
+            text.sections.append((title, words))
+        elif kind == "return":
+            text.returns = words
+        elif kind == "pre":
+            text.pre.append(words)
+        elif kind == "post":
+            text.post.append(words)
+    for group in detailed.iter("parameterlist"):
+        for entry in group.findall("parameteritem"):
+            words = _flow(entry.find("parameterdescription"))
+            for name in entry.iter("parametername"):
+                text.params[_plain(name)] = words
+    text.details = _flow(detailed)
+    return text
+
+
+_APART = {"simplesect", "parameterlist", "title", "wr-role", "wr-datatype", "xrefsect"}
+
+
+def _flow(element: ElementTree.Element | None) -> str:
+    """The paragraphs as HTML: one paragraph as bare text, several each in ``<p>``."""
+    if element is None:
+        return ""
+    paragraphs = [_clean(_inline(para)) for para in _paragraphs(element)]
+    paragraphs = [words for words in paragraphs if words]
+    if len(paragraphs) < 2:
+        return "".join(paragraphs)
+    return "".join(f"<p>{words}</p>" for words in paragraphs)
+
+
+def _paragraphs(element: ElementTree.Element) -> list[ElementTree.Element]:
+    found: list[ElementTree.Element] = []
+    for child in element:
+        if child.tag == "para":
+            found.append(child)
+            found += [
+                para
+                for group in child
+                if group.tag == "itemizedlist"
+                for para in group.iter("para")
+            ]
+    return found
+
+
+def _inline(element: ElementTree.Element) -> str:
+    words = html.escape(element.text or "", quote=False)
+    for child in element:
+        if child.tag == "computeroutput":
+            words += f"<code>{html.escape(_plain(child), quote=False)}</code>"
+        elif child.tag not in _APART and child.tag not in ("itemizedlist", "para"):
+            words += _inline(child)
+        words += html.escape(child.tail or "", quote=False)
+    return words
+
+
+def _plain(element: ElementTree.Element | None) -> str:
+    return "" if element is None else _clean("".join(element.itertext()))
+
+
+def _clean(words: str) -> str:
+    return " ".join(words.replace("\\,", ",").split())
+
+
+def _warnings(root: Path, lines: list[str]) -> list[Warning]:
+    found: list[Warning] = []
+    for line in lines:
+        match = re.match(r"(.+?):(\d+): (?:warning|error): (.*)", line)
+        if match is None:
+            if found and line.startswith(" "):
+                found[-1].text += " " + line.strip()
+            continue
+        if FALSE_WARNING.search(match[3]):
+            continue
+        file = match[1].removeprefix(f"{root}/")
+        found.append(Warning(Place(file, int(match[2])), match[3]))
+    return found

@@ -1,0 +1,657 @@
+"""Puts the model together from its sources."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+from traceability.model.annotations import Annotations, MemberText, Text, read_annotations
+from traceability.model.declared import Declared, read_declared
+from traceability.model.results import (
+    plain_name,
+    read_coverage,
+    read_results,
+    read_results_hash,
+    read_sizes,
+)
+from traceability.model.schema import (
+    Call,
+    Clause,
+    LogicModule,
+    Method,
+    Model,
+    Module,
+    Param,
+    PatternApplication,
+    Place,
+    Requirement,
+    RoleBinding,
+    Test,
+    TreeNode,
+    Use,
+)
+from traceability.model.syntax import BodyFact, ClassFact, MethodFact, Syntax, read_syntax
+from traceability.model.traces import Traces, embed, excerpt, nodes_of, read_traces
+from traceability.sources import files_below, source_hash
+
+TEST_MACRO = re.compile(r"^TEST(?:_F|_P)?\(\s*(\w+)\s*,\s*(\w+)\s*\)")
+
+
+@dataclass
+class Facts:
+    """What the model was made from. Checks that need more than the model read it here."""
+
+    root: Path
+    annotations: Annotations
+    syntax: Syntax
+    declared: Declared
+    heirs: dict[str, list[str]]  # class -> all classes below it
+    overriders: dict[str, list[str]]  # method -> all methods that override it
+    bodies: dict[str, list[BodyFact]]
+    classes: dict[str, ClassFact]
+
+    def targets(self, method: str, virtual: bool) -> list[str]:
+        """The methods that a call can reach."""
+        return [method, *self.overriders.get(method, [])] if virtual else [method]
+
+    def method(self, owner: str, name: str) -> MethodFact | None:
+        """The method that ``owner`` has or inherits."""
+        fact = self.classes.get(owner)
+        if fact is None:
+            return None
+        for method in fact.methods:
+            if method.name == name:
+                return method
+        for base in fact.bases:
+            found = self.method(base, name)
+            if found is not None:
+                return found
+        return None
+
+
+def build(root: Path) -> Model:
+    build_folder = root / "build" / "model"
+    annotations = read_annotations(root, build_folder)
+    syntax = read_syntax(root, build_folder / "cache")
+    facts = _facts(root, annotations, syntax, read_declared(root))
+    model = Model(
+        commit=_commit(root),
+        version=_version(root),
+        sources_hash=source_hash(root),
+        results_hash=read_results_hash(root),
+    )
+    _add_logic_modules(model, facts)
+    _add_modules(model, facts)
+    _add_calls(model, facts)
+    _add_patterns(model, facts)
+    _add_requirements(model, facts)
+    _add_uses(model, facts)
+    model.machines = facts.declared.machines
+    model.architecture = facts.declared.architecture
+    model.allowed_uses = facts.declared.allowed
+    traces = read_traces(root, build_folder / "symbols.json")
+    _add_tests(model, facts)
+    _add_executed_modules(model, traces)
+    _add_measures(model, root)
+    _add_trees(model, facts, traces)
+    _set_states(model)
+    model.files = source_files(root)
+    model.facts = facts
+    return model
+
+
+def source_files(root: Path) -> list[str]:
+    suffixes = (".hpp", ".cpp", ".h", ".dox", ".toml", ".tree", ".S", ".ld")
+    paths = files_below(root, ("src", "sim", "tests", "requirements", "design"), suffixes)
+    return [str(path.relative_to(root)) for path in paths]
+
+
+def _facts(root: Path, annotations: Annotations, syntax: Syntax, declared: Declared) -> Facts:
+    classes = {fact.name: fact for fact in syntax.classes}
+    heirs: dict[str, list[str]] = {}
+    overriders: dict[str, list[str]] = {}
+    methods = {method.id: method for fact in syntax.classes for method in fact.methods}
+    for fact in syntax.classes:
+        above, known = list(fact.bases), set()
+        while above:
+            base = above.pop()
+            if base in known:
+                continue
+            known.add(base)
+            heirs.setdefault(base, []).append(fact.name)
+            above += classes[base].bases if base in classes else []
+    for method in methods.values():
+        upper = method.overrides
+        while upper is not None:
+            overriders.setdefault(upper, []).append(method.id)
+            upper = methods[upper].overrides if upper in methods else None
+    bodies: dict[str, list[BodyFact]] = {}
+    for body in syntax.bodies:
+        bodies.setdefault(body.id, []).append(body)
+    return Facts(root, annotations, syntax, declared, heirs, overriders, bodies, classes)
+
+
+def _git(root: Path, *arguments: str) -> str:
+    run = subprocess.run(
+        ["git", "-C", str(root), *arguments], capture_output=True, text=True, check=False
+    )
+    return run.stdout.strip() if run.returncode == 0 else ""
+
+
+def _commit(root: Path) -> str:
+    return _git(root, "rev-parse", "--short=10", "HEAD") if (root / ".git").exists() else ""
+
+
+def _version(root: Path) -> str:
+    path = root / "CMakeLists.txt"
+    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    match = re.search(r"project\([^)]*VERSION\s+([\d.]+)", text)
+    return match[1] if match else ""
+
+
+def camel(folder: str) -> str:
+    return "".join(word.capitalize() for word in folder.split("/")[-1].split("_"))
+
+
+def _add_logic_modules(model: Model, facts: Facts) -> None:
+    folders = {str(Path(fact.place.file).parent) for fact in facts.syntax.classes}
+    for folder in sorted(folders):
+        while folder not in ("src", "."):
+            parent = str(Path(folder).parent)
+            logic = folder.removeprefix("src/")
+            if logic not in model.logic_modules:
+                model.logic_modules[logic] = _logic_module(facts, folder, parent)
+            folder = parent
+    model.logic_modules = dict(sorted(model.logic_modules.items()))
+    for logic_module in model.logic_modules.values():
+        if logic_module.parent:
+            model.logic_modules[logic_module.parent].children.append(logic_module.id)
+
+
+def _logic_module(facts: Facts, folder: str, parent: str) -> LogicModule:
+    described = facts.annotations.folders.get(folder)
+    text = described.text if described else Text()
+    place = Place(f"{folder}/module.dox", 1)
+    if not (facts.root / place.file).exists():
+        first = min(f.place.file for f in facts.syntax.classes if f.place.file.startswith(folder))
+        place = Place(first, 1)
+    return LogicModule(
+        id=folder.removeprefix("src/"),
+        name=camel(folder),
+        parent=None if parent == "src" else parent.removeprefix("src/"),
+        brief=text.brief,
+        function=text.one("Function"),
+        secret=text.one("Secret"),
+        place=place,
+    )
+
+
+def _add_modules(model: Model, facts: Facts) -> None:
+    sources = {str(path.relative_to(facts.root)) for path in files_below(facts.root, ("src",))}
+    for fact in facts.syntax.classes:
+        described = facts.annotations.classes.get(fact.qualified)
+        text = described.text if described else Text()
+        nested = "::" in fact.name
+        if not text.datatype and (nested or fact.kind in ("enum", "alias")):
+            continue
+        logic = str(Path(fact.place.file).parent).removeprefix("src/")
+        source = fact.place.file.removesuffix(".hpp") + ".cpp"
+        module = Module(
+            name=fact.name,
+            qualified=fact.qualified,
+            logic=logic,
+            abstract=fact.abstract,
+            datatype=text.datatype,
+            brief=text.brief,
+            function=text.one("Function"),
+            secret=text.one("Secret"),
+            place=Place(fact.place.file, fact.place.line, fact.end),
+            header=fact.place.file,
+            source=source if source in sources else None,
+            bases=fact.bases,
+            heirs=sorted(facts.heirs.get(fact.name, [])),
+        )
+        module.roles = [
+            RoleBinding(application, role, fact.name, place)
+            for (application, role), place in zip(
+                text.roles, comment_places(facts.root, fact.place, r"[@\\]role\{"), strict=False
+            )
+        ]
+        members = described.members if described else []
+        module.methods = [
+            _method(method, _member_text(method, members), facts)
+            for method in fact.methods
+            if not method.deleted
+            and not method.name.startswith("~")
+            and not (method.defaulted and method.kind == "constructor")
+        ]
+        model.modules[fact.name] = module
+        if logic in model.logic_modules and not module.datatype:
+            model.logic_modules[logic].modules.append(fact.name)
+    for module in model.modules.values():
+        for method in module.methods:
+            _inherit_specification(method, model)
+
+
+def comment_places(root: Path, place: Place, pattern: str) -> list[Place]:
+    """The lines of the comment above a declaration that match."""
+    lines = (root / place.file).read_text(encoding="utf-8").splitlines()
+    number = place.line - 1
+    while number > 0 and not lines[number - 1].lstrip().startswith(("///", "*", "/*")):
+        if lines[number - 1].rstrip().endswith((";", "}")):
+            return []
+        number -= 1
+    found: list[Place] = []
+    while number > 0 and lines[number - 1].lstrip().startswith(("///", "*", "/*")):
+        found += [Place(place.file, number) for _ in re.findall(pattern, lines[number - 1])]
+        number -= 1
+    return found[::-1]
+
+
+def _member_text(method: MethodFact, members: list[MemberText]) -> MemberText | None:
+    near = [
+        member
+        for member in members
+        if member.name == method.name
+        and member.place.file == method.place.file
+        and abs(member.place.line - method.place.line) <= 3
+    ]
+    return min(near, key=lambda item: abs(item.place.line - method.place.line), default=None)
+
+
+def _method(fact: MethodFact, member: MemberText | None, facts: Facts) -> Method:
+    text = member.text if member else Text()
+    bodies = facts.bodies.get(fact.id, [])
+    body = _body_of(fact, bodies)
+    return Method(
+        id=fact.id,
+        module=fact.owner,
+        name=fact.name,
+        signature=fact.signature,
+        access=fact.access,
+        kind=fact.kind,
+        place=fact.place,
+        body=Place(body.place.file, body.place.line, body.end) if body else None,
+        brief=text.brief,
+        details=text.details,
+        params=[Param(name, kind, text.params.get(name, "")) for name, kind in fact.params],
+        returns=text.returns,
+        pre=text.pre,
+        post=text.post,
+        errors=text.one("Errors"),
+        interrupt=text.one("Interrupt"),
+        satisfies=member.satisfies if member else [],
+        documented=bool(text.brief),
+        overrides=fact.overrides,
+    )
+
+
+def _body_of(fact: MethodFact, bodies: list[BodyFact]) -> BodyFact | None:
+    """The body of this very overload when it stands in the class, else the first one."""
+    for body in bodies:
+        if body.place.file == fact.place.file and body.place.line == fact.place.line:
+            return body
+    return bodies[0] if bodies else None
+
+
+def _inherit_specification(method: Method, model: Model) -> None:
+    if method.documented:
+        return
+    upper = method.overrides
+    while upper is not None:
+        owner = model.modules.get(upper.rsplit("::", 1)[0])
+        above = next((item for item in owner.methods if item.id == upper), None) if owner else None
+        if above is None:
+            return
+        if above.brief and above.inherited_from is None:
+            names = [item.name for item in method.params]
+            method.params = [
+                Param(names[i] or item.name, item.type, item.text)
+                for i, item in enumerate(above.params)
+                if i < len(names)
+            ]
+            method.brief, method.details = above.brief, above.details
+            method.returns, method.errors = above.returns, above.errors
+            method.pre, method.post = above.pre, above.post
+            method.interrupt = above.interrupt
+            method.documented = True
+            method.inherited_from = upper
+            return
+        upper = above.overrides
+
+
+def _add_calls(model: Model, facts: Facts) -> None:
+    methods: dict[str, list[Method]] = {}
+    for module in model.modules.values():
+        for method in module.methods:
+            methods.setdefault(method.id, []).append(method)
+    for body in facts.syntax.bodies:
+        calls = [
+            Call(call.target, call.virtual, call.place, facts.targets(call.target, call.virtual))
+            for call in body.calls
+        ]
+        for method in methods.get(body.id, []):
+            if method.body and (method.body.file, method.body.line) == (
+                body.place.file,
+                body.place.line,
+            ):
+                method.calls = calls
+        for target in {target for call in calls for target in call.targets}:
+            for method in methods.get(target, []):
+                if body.id not in method.called_by and body.id != target:
+                    method.called_by.append(body.id)
+    for fact in facts.syntax.names:
+        user, used = fact.by.split("::")[0], fact.target.split("::")[0]
+        if user not in model.modules or used not in model.modules or user == used:
+            continue
+        if model.modules[used].datatype or model.modules[user].datatype:
+            continue
+        if used not in model.modules[user].uses:
+            model.modules[user].uses.append(used)
+            model.modules[used].used_by.append(user)
+
+
+def _add_patterns(model: Model, facts: Facts) -> None:
+    for module in model.modules.values():
+        described = facts.annotations.classes.get(module.qualified)
+        text = described.text if described else Text()
+        ids = text.all("Application")
+        places = comment_places(facts.root, module.place, r"[@\\]patternapp\{")
+        for number, name in enumerate(ids):
+            after = _sections_after(text, number)
+            model.patterns[name] = PatternApplication(
+                id=name,
+                pattern=after.get("Pattern", ""),
+                title=after.get("Title", ""),
+                why=after.get("Why", ""),
+                changes=after.get("Changes", ""),
+                module=module.name,
+                place=places[number] if number < len(places) else module.place,
+            )
+    for module in model.modules.values():
+        for binding in module.roles:
+            if binding.application in model.patterns:
+                model.patterns[binding.application].roles.append(binding)
+    model.patterns = dict(sorted(model.patterns.items()))
+
+
+def _sections_after(text: Text, number: int) -> dict[str, str]:
+    """The paragraphs that belong to the n-th application in a comment."""
+    found: dict[str, str] = {}
+    seen = -1
+    for title, words in text.sections:
+        if title == "Application":
+            seen += 1
+        if seen == number:
+            found.setdefault(title, words)
+    return found
+
+
+def requirement_key(name: str) -> tuple[str, int]:
+    kind, _, number = name.partition("-")
+    return (kind, int(number) if number.isdigit() else 0)
+
+
+def _add_requirements(model: Model, facts: Facts) -> None:
+    for item in facts.annotations.requirements.values():
+        model.requirements[item.id] = Requirement(
+            id=item.id,
+            text=item.title,
+            section=facts.annotations.pages.get(item.place.file, ""),
+            place=item.place,
+            rationale=item.text.one("Rationale"),
+            source=item.text.one("Source"),
+            verification=item.text.one("Verification"),
+            priority=item.text.one("Priority"),
+        )
+    model.requirements = dict(
+        sorted(model.requirements.items(), key=lambda entry: requirement_key(entry[0]))
+    )
+    for module in model.modules.values():
+        for method in module.methods:
+            for name in method.satisfies:
+                requirement = model.requirements.get(name)
+                if requirement is None:
+                    continue
+                if method.id not in requirement.satisfied_by:
+                    requirement.satisfied_by.append(method.id)
+                if name not in module.requirements:
+                    module.requirements.append(name)
+        module.requirements.sort(key=requirement_key)
+
+
+def logic_of(file: str) -> str:
+    return str(Path(file).parent).removeprefix("src/")
+
+
+def _add_uses(model: Model, facts: Facts) -> None:
+    found: dict[tuple[str, str], list[Place]] = {}
+    folders = {fact.name: logic_of(fact.place.file) for fact in facts.syntax.classes}
+    for include in facts.syntax.includes:
+        pair = (logic_of(include.place.file), logic_of(include.target))
+        found.setdefault(pair, []).append(include.place)
+    for body in facts.syntax.bodies:
+        for call in body.calls:
+            owner = call.target.rsplit("::", 1)[0]
+            if owner in folders:
+                pair = (logic_of(body.place.file), folders[owner])
+                places = found.setdefault(pair, [])
+                if not places:
+                    places.append(call.place)
+    for (source, target), places in sorted(found.items()):
+        if source != target and source.startswith(tuple(model.logic_modules)):
+            model.uses.append(Use(source, target, places))
+
+
+def _add_tests(model: Model, facts: Facts) -> None:
+    results = read_results(facts.root)
+    lines: dict[str, list[str]] = {}
+    for member in facts.annotations.tests:
+        file = member.place.file
+        if file not in lines:
+            lines[file] = (facts.root / file).read_text(encoding="utf-8").splitlines()
+        name = _test_name(lines[file], member.place.line)
+        if name is None:
+            continue
+        suite, case = name
+        result = results.get(f"{suite}.{case}")
+        model.tests[f"{suite}.{case}"] = Test(
+            id=f"{suite}.{case}",
+            suite=suite,
+            name=case,
+            brief=member.text.brief,
+            place=member.place,
+            verifies=member.verifies,
+            result=result.result if result else None,
+            milliseconds=round(result.milliseconds, 3) if result else None,
+            stale=model.results_stale,
+            message=result.message if result else "",
+        )
+    for test in model.tests.values():
+        for name in test.verifies:
+            if name in model.requirements:
+                model.requirements[name].verified_by.append(test.id)
+
+
+def _test_name(lines: list[str], line: int) -> tuple[str, str] | None:
+    match = TEST_MACRO.match(" ".join(lines[line - 1 : line + 2]))
+    return (match[1], match[2]) if match else None
+
+
+def _add_executed_modules(model: Model, traces: Traces) -> None:
+    executed: dict[str, set[str]] = {}
+    for recorded in sorted(traces.tests):
+        suite, _, case = recorded.partition(".")
+        name = plain_name(suite, case)
+        if name in model.tests:
+            classes = {method.split("::")[0] for method in traces.methods(recorded)}
+            executed.setdefault(name, set()).update(classes)
+    for test in model.tests.values():
+        named = Path(test.place.file).stem.removesuffix("Test")
+        classes = executed.get(test.id, set()) | {named}
+        test.modules = sorted(
+            name for name in classes if name in model.modules and not model.modules[name].datatype
+        )
+        for name in test.modules:
+            model.modules[name].tests.append(test.id)
+
+
+def _add_measures(model: Model, root: Path) -> None:
+    coverage = read_coverage(root)
+    sizes = read_sizes(root)
+    for module in model.modules.values():
+        if module.datatype:
+            continue
+        for file in (module.header, module.source):
+            if file is None or file not in coverage:
+                continue
+            measured = coverage[file]
+            module.line_hits[file] = measured.lines
+            module.lines_total = (module.lines_total or 0) + len(measured.lines)
+            hit = sum(1 for hits in measured.lines.values() if hits)
+            module.lines_covered = (module.lines_covered or 0) + hit
+            taken = sum(branch[0] for branch in measured.branches.values())
+            module.branches_covered = (module.branches_covered or 0) + taken
+            total = sum(branch[1] for branch in measured.branches.values())
+            module.branches_total = (module.branches_total or 0) + total
+        if module.name in sizes:
+            module.flash_bytes, module.ram_bytes = sizes[module.name]
+
+
+def _add_trees(model: Model, facts: Facts, traces: Traces) -> None:
+    known = {
+        method.id
+        for fact in facts.syntax.classes
+        for method in fact.methods
+        if (top := model.modules.get(fact.name.split("::")[0])) and not top.datatype
+    }
+    for name, (_, tree) in facts.declared.trees.items():
+        requirement = model.requirements.get(name)
+        if requirement is None or tree is None:
+            continue
+        requirement.tree = tree
+        _resolve(tree, facts)
+        _reach(tree, facts)
+        _execute(model, requirement, facts, traces, known)
+
+
+def _resolve(tree: TreeNode, facts: Facts) -> None:
+    for node in nodes_of(tree):
+        owner, _, name = node.label.rpartition("::")
+        method = facts.method(owner, name)
+        node.resolved = method.id if method else None
+
+
+def accepted(node: TreeNode, facts: Facts) -> set[str]:
+    """The methods whose call counts as the node: its own, or an overrider when it has no body."""
+    if node.resolved is None:
+        return set()
+    if node.resolved in facts.bodies:
+        return {node.resolved}
+    return set(facts.overriders.get(node.resolved, []))
+
+
+def _bodies_of(node: TreeNode, facts: Facts) -> list[BodyFact]:
+    return [body for method in accepted(node, facts) for body in facts.bodies.get(method, [])]
+
+
+def _reach(tree: TreeNode, facts: Facts) -> None:
+    tree.reachable = tree.resolved is not None
+    for node in nodes_of(tree):
+        targets = {
+            target
+            for body in _bodies_of(node, facts)
+            for call in body.calls
+            for target in facts.targets(call.target, call.virtual)
+        }
+        for child in node.children:
+            wanted = accepted(child, facts) | {child.resolved or ""}
+            if child.kind == "post":
+                child.reachable = "ControlThread::post" in targets and _is_activated(wanted, facts)
+            else:
+                child.reachable = bool(wanted & targets)
+
+
+def _is_activated(wanted: set[str], facts: Facts) -> bool:
+    """A thread executes a command: the body is one, or a command calls it."""
+    commands = set(facts.overriders.get("Command::execute", []))
+    called = {
+        target
+        for command in commands
+        for body in facts.bodies.get(command, [])
+        for call in body.calls
+        for target in facts.targets(call.target, call.virtual)
+    }
+    return bool(wanted & (commands | called))
+
+
+def _execute(
+    model: Model, requirement: Requirement, facts: Facts, traces: Traces, known: set[str]
+) -> None:
+    tree = requirement.tree
+    passing = [
+        name
+        for name in requirement.verified_by
+        if model.tests[name].result == "passed" and name in traces.tests
+    ]
+    if tree is None or not passing:
+        return
+    recorded = {name: traces.rows(name, known.__contains__) for name in passing}
+    order = {id(node): number for number, node in enumerate(nodes_of(tree))}
+    failed: TreeNode | None = None
+    for name in sorted(recorded, key=lambda test: len(recorded[test])):
+        rows = recorded[name]
+        found = embed(tree, rows, lambda node: accepted(node, facts))
+        if found.failed is None:
+            for node in nodes_of(tree):
+                node.executed = True
+            requirement.trace_test = name
+            placed = sorted(found.rows.values())
+            shown, requirement.trace_start, numbers = excerpt(rows, placed)
+            requirement.trace = shown
+            for node in nodes_of(tree):
+                node.trace_row = numbers.get(found.rows[id(node)])
+            return
+        if failed is None or order[id(found.failed)] > order[id(failed)]:
+            failed = found.failed
+    for node in nodes_of(tree):
+        node.executed = failed is not None and order[id(node)] < order[id(failed)]
+
+
+def _set_states(model: Model) -> None:
+    for requirement in model.requirements.values():
+        tests = [model.tests[name] for name in requirement.verified_by]
+        reasons: list[str] = []
+        if not requirement.satisfied_by:
+            reasons.append("no method satisfies it")
+        if not tests:
+            reasons.append("no test verifies it")
+        not_run = [test.id for test in tests if test.result is None]
+        if not_run:
+            reasons.append("did not run: " + ", ".join(not_run))
+        skipped = [test.id for test in tests if test.result == "skipped"]
+        if skipped:
+            reasons.append("skipped: " + ", ".join(skipped))
+        failed = [test.id for test in tests if test.result == "failed"]
+        if failed:
+            reasons.append("failed: " + ", ".join(failed))
+        if requirement.tree is None:
+            reasons.append("it has no tree of invocations")
+        else:
+            nodes = nodes_of(requirement.tree)
+            reasons += [
+                f"no call reaches {node.label}" for node in nodes if node.reachable is False
+            ]
+            if not all(node.executed for node in nodes):
+                reasons.append("its tree was not executed by a passing test")
+        requirement.reasons = reasons
+        if failed:
+            requirement.state = "failed"
+        elif reasons:
+            requirement.state = "unverified"
+        elif model.results_stale:
+            requirement.state = "stale"
+        else:
+            requirement.state = "verified"

@@ -1,0 +1,167 @@
+"""Reads what ``design/`` declares: trees, state machines, architecture, uses, pattern tables."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from traceability.model.schema import (
+    AllowedUse,
+    ArchitectureElement,
+    Place,
+    StateMachine,
+    Transition,
+    TreeNode,
+)
+
+PACKAGE_DESIGN = Path(__file__).parents[2] / "design"
+
+
+@dataclass
+class ClauseText:
+    id: str
+    pattern: str
+    says: str
+    mend: str
+
+
+@dataclass
+class KnownApplication:
+    """An application of the design, and the modules that play each of its roles."""
+
+    id: str
+    pattern: str
+    roles: dict[str, list[str]]
+    place: Place
+
+
+@dataclass
+class Cycle:
+    within: str
+    modules: list[str]
+    pattern: str
+    place: Place
+
+
+@dataclass
+class Declared:
+    machines: dict[str, StateMachine] = field(default_factory=dict)
+    architecture: list[ArchitectureElement] = field(default_factory=list)
+    allowed: list[AllowedUse] = field(default_factory=list)
+    cycles: list[Cycle] = field(default_factory=list)
+    trees: dict[str, tuple[Place, TreeNode | None]] = field(default_factory=dict)
+    tree_errors: list[tuple[Place, str]] = field(default_factory=list)
+    applications: dict[str, KnownApplication] = field(default_factory=dict)
+    clauses: dict[str, ClauseText] = field(default_factory=dict)
+    names: dict[str, list[str]] = field(default_factory=dict)  # logic module -> its modules
+
+
+def read_declared(root: Path) -> Declared:
+    declared = Declared()
+    design = root / "design"
+    for path in sorted((design / "fsm").glob("*.toml")):
+        machine = _machine(root, path)
+        declared.machines[machine.id] = machine
+    declared.architecture = [
+        ArchitectureElement(
+            item["id"], item["kind"], item["name"], item["text"], item["modules"], place
+        )
+        for item, place in _tables(root, design / "architecture.toml", "element")
+    ]
+    declared.allowed = [
+        AllowedUse(item["from"], item["to"], item["why"], place)
+        for item, place in _tables(root, design / "uses.toml", "allow")
+    ]
+    declared.cycles = [
+        Cycle(item["within"], item["modules"], item["pattern"], place)
+        for item, place in _tables(root, design / "uses.toml", "cycle")
+    ]
+    for path in sorted((design / "trees").glob("*.tree")):
+        _trees(root, path, declared)
+    for item, place in _tables(root, design / "applications.toml", "application"):
+        known = KnownApplication(item["id"], item["pattern"], item["roles"], place)
+        declared.applications[known.id] = known
+    for item, _ in _tables(root, design / "clauses.toml", "clause"):
+        clause = ClauseText(item["id"], item["pattern"], item["says"], item["mend"])
+        declared.clauses[clause.id] = clause
+    for item, _ in _tables(root, design / "modules.toml", "logic"):
+        declared.names[item["folder"]] = item["modules"]
+    return declared
+
+
+def _tables(root: Path, path: Path, name: str) -> list[tuple[dict[str, Any], Place]]:
+    """The entries ``[[name]]`` of a file, each with its line."""
+    if not path.exists():
+        return []
+    text = path.read_text(encoding="utf-8")
+    header = f"[[{name}]]"
+    numbers = [number for number, line in enumerate(text.splitlines(), 1) if line.strip() == header]
+    file = str(path.relative_to(root))
+    entries = tomllib.loads(text).get(name, [])
+    return [(entry, Place(file, number)) for entry, number in zip(entries, numbers, strict=True)]
+
+
+def _machine(root: Path, path: Path) -> StateMachine:
+    data = tomllib.loads(path.read_text(encoding="utf-8"))
+    transitions = [
+        Transition(
+            item["from"],
+            item["on"],
+            item.get("guard", ""),
+            item["to"],
+            item.get("action", ""),
+            place,
+        )
+        for item, place in _tables(root, path, "transition")
+    ]
+    return StateMachine(
+        id=data["id"],
+        title=data["title"],
+        application=data["application"],
+        initial=data["initial"],
+        states=data["states"],
+        transitions=transitions,
+        place=Place(str(path.relative_to(root)), 1),
+    )
+
+
+def _trees(root: Path, path: Path, declared: Declared) -> None:
+    file = str(path.relative_to(root))
+    current = ""
+    stack: list[tuple[int, TreeNode]] = []
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        words = line.split("#")[0].rstrip()
+        if not words:
+            continue
+        place = Place(file, number)
+        if re.fullmatch(r"N?FR-\d+", words):
+            current, stack = words, []
+            declared.trees[current] = (place, None)
+            continue
+        match = re.fullmatch(r"((?:  )*)(post )?([\w:~]+)::(~?\w+)", words)
+        if match is None or not current:
+            declared.tree_errors.append((place, "this line is neither an id nor a node"))
+            continue
+        depth = len(match[1]) // 2
+        node = TreeNode(
+            label=f"{match[3]}::{match[4]}",
+            module=match[3].split("::")[0],
+            method=match[4],
+            resolved=None,
+            kind="post" if match[2] else "call",
+            place=place,
+        )
+        while stack and stack[-1][0] >= depth:
+            stack.pop()
+        if stack:
+            stack[-1][1].children.append(node)
+        elif declared.trees[current][1] is None:
+            node.kind = "root"
+            declared.trees[current] = (declared.trees[current][0], node)
+        else:
+            declared.tree_errors.append((place, f"the tree of {current} has a second root"))
+            continue
+        stack.append((depth, node))

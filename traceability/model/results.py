@@ -1,0 +1,98 @@
+"""Reads what the test run left: results, coverage and sizes."""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+RESULTS = Path("build/results")
+
+
+@dataclass
+class Result:
+    result: str  # "passed", "failed", "skipped"
+    milliseconds: float
+    message: str
+
+
+@dataclass
+class FileCoverage:
+    lines: dict[int, int] = field(default_factory=dict)  # line -> hits
+    branches: dict[int, tuple[int, int]] = field(default_factory=dict)  # line -> taken, all
+
+
+def read_json(path: Path) -> Any:
+    """The content, or None when the file is missing or was not written to its end."""
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+
+
+def read_results_hash(root: Path) -> str | None:
+    record = read_json(root / RESULTS / "trace.hash")
+    return str(record["sources"]) if isinstance(record, dict) and "sources" in record else None
+
+
+def read_results(root: Path) -> dict[str, Result]:
+    """``Suite.Name`` -> result. The instances of a parameterised test count as one."""
+    data = read_json(root / RESULTS / "trace.json")
+    found: dict[str, Result] = {}
+    for suite in (data or {}).get("testsuites", []):
+        for test in suite.get("testsuite", []):
+            name = plain_name(suite["name"], test["name"])
+            result = _result(test)
+            known = found.get(name)
+            if known is not None:
+                result.milliseconds += known.milliseconds
+                if known.result == "failed":
+                    result.result, result.message = known.result, known.message
+            found[name] = result
+    return found
+
+
+def plain_name(suite: str, name: str) -> str:
+    """Without the prefix and the number of a parameterised test."""
+    return f"{suite.split('/')[-1]}.{name.split('/')[0]}"
+
+
+def _result(test: dict[str, Any]) -> Result:
+    milliseconds = 1000 * float(re.sub("s$", "", str(test.get("time", "0"))))
+    failures = [str(item.get("failure", "")) for item in test.get("failures", [])]
+    if failures:
+        return Result("failed", milliseconds, failures[0])
+    if test.get("status") != "RUN" or test.get("result") == "SKIPPED":
+        return Result("skipped", milliseconds, "")
+    return Result("passed", milliseconds, "")
+
+
+def read_coverage(root: Path) -> dict[str, FileCoverage]:
+    data = read_json(root / RESULTS / "coverage.json")
+    found: dict[str, FileCoverage] = {}
+    for file in (data or {}).get("files", []):
+        coverage = found.setdefault(file["file"], FileCoverage())
+        for line in file.get("lines", []):
+            if line.get("gcovr/noncode") or line.get("gcovr/excluded"):
+                continue
+            number, count = line["line_number"], line["count"]
+            coverage.lines[number] = coverage.lines.get(number, 0) + count
+            branches = line.get("branches", [])
+            taken = sum(1 for branch in branches if branch["count"] > 0)
+            if branches:
+                coverage.branches[number] = (taken, len(branches))
+    return found
+
+
+def read_sizes(root: Path) -> dict[str, tuple[int, int]]:
+    """Module -> bytes of flash and of RAM."""
+    data = read_json(root / RESULTS / "size_k64.json")
+    if not isinstance(data, dict):
+        return {}
+    return {
+        name: (int(size["flash"]), int(size["ram"]))
+        for name, size in data.items()
+        if isinstance(size, dict) and "flash" in size
+    }

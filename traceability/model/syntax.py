@@ -1,0 +1,565 @@
+"""Reads what the code is, from libclang's syntax tree: what compiles is the truth.
+
+A file below ``src`` is read once: a header with the source file of the same name, a header without
+one for itself. The facts of a translation unit are kept in a cache, whose key is the content of
+every file of the project that the unit includes.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+import hashlib
+import json
+import multiprocessing
+import shutil
+import subprocess
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+
+from clang import cindex
+from clang.cindex import Cursor, CursorKind
+
+from traceability.model.schema import Place
+from traceability.sources import file_hash, files_below
+
+NAMESPACE = "wr"
+_CLASSES = {CursorKind.CLASS_DECL, CursorKind.STRUCT_DECL, CursorKind.CLASS_TEMPLATE}
+_METHODS = {
+    CursorKind.CXX_METHOD,
+    CursorKind.CONSTRUCTOR,
+    CursorKind.DESTRUCTOR,
+    CursorKind.CONVERSION_FUNCTION,
+}
+_FUNCTIONS = _METHODS | {CursorKind.FUNCTION_DECL, CursorKind.FUNCTION_TEMPLATE}
+_NAMES = {
+    CursorKind.TYPE_REF,
+    CursorKind.TEMPLATE_REF,
+    CursorKind.MEMBER_REF_EXPR,
+    CursorKind.DECL_REF_EXPR,
+    CursorKind.CALL_EXPR,
+}
+
+
+@dataclass
+class MethodFact:
+    id: str
+    owner: str
+    name: str
+    signature: str
+    access: str
+    kind: str
+    result: str
+    params: list[tuple[str, str]]  # name, type
+    place: Place
+    end: int
+    virtual: bool = False
+    pure: bool = False
+    final: bool = False
+    deleted: bool = False
+    defaulted: bool = False
+    overrides: str | None = None
+
+
+@dataclass
+class FieldFact:
+    name: str
+    type: str
+    classes: list[str]  # classes of the project in the type
+    refers: bool  # pointer or reference, not a value
+    static: bool
+    place: Place
+
+
+@dataclass
+class ClassFact:
+    """A class, struct, enum or alias of the project; ``name`` is without the namespace."""
+
+    name: str
+    qualified: str
+    kind: str
+    place: Place
+    end: int
+    abstract: bool = False
+    bases: list[str] = field(default_factory=list)
+    base_places: list[Place] = field(default_factory=list)
+    methods: list[MethodFact] = field(default_factory=list)
+    fields: list[FieldFact] = field(default_factory=list)
+
+
+@dataclass
+class CallFact:
+    target: str
+    virtual: bool
+    place: Place
+
+
+@dataclass
+class BodyFact:
+    """A function with a body. A function outside classes has no owner."""
+
+    id: str
+    owner: str
+    place: Place
+    end: int
+    overrides: str | None = None
+    calls: list[CallFact] = field(default_factory=list)
+    assigns: list[tuple[str, int]] = field(default_factory=list)  # Class::field, line
+
+
+@dataclass
+class NameFact:
+    """A class is named in the code of another one. ``how``: type, member, construct, base."""
+
+    by: str
+    target: str
+    how: str
+    place: Place
+
+
+@dataclass
+class IncludeFact:
+    target: str
+    place: Place
+
+
+@dataclass
+class Syntax:
+    classes: list[ClassFact] = field(default_factory=list)
+    bodies: list[BodyFact] = field(default_factory=list)
+    names: list[NameFact] = field(default_factory=list)
+    includes: list[IncludeFact] = field(default_factory=list)
+    errors: list[tuple[Place, str]] = field(default_factory=list)
+
+    def merge(self, other: Syntax) -> None:
+        self.classes += other.classes
+        self.bodies += other.bodies
+        self.names += other.names
+        self.includes += other.includes
+        self.errors += other.errors
+
+
+def read_syntax(root: Path, cache: Path) -> Syntax:
+    """The facts of all files below ``src``. Only the units whose files changed are parsed."""
+    cache.mkdir(parents=True, exist_ok=True)
+    hashes: dict[str, str] = {}
+    units = translation_units(root)
+    stale: list[tuple[Path, Path, list[str], str]] = []
+    for unit, files in units.items():
+        stored = _stored(root, cache, unit, hashes)
+        if stored is None:
+            stale.append((root, cache, files, unit))
+    _drop_old(cache, units)
+    if len(stale) > 2:
+        with multiprocessing.get_context("fork").Pool(2) as pool:
+            pool.starmap(_parse_and_store, stale, chunksize=2)
+    else:
+        for work in stale:
+            _parse_and_store(*work)
+    result = Syntax()
+    for unit in units:
+        entry = json.loads(_entry(cache, unit).read_text(encoding="utf-8"))
+        result.merge(_facts_from(entry["facts"]))
+    return result
+
+
+def translation_units(root: Path) -> dict[str, list[str]]:
+    """Unit -> the files whose facts are taken from it."""
+    paths = files_below(root, ("src",), (".cpp", ".hpp"))
+    files = [str(path.relative_to(root)) for path in paths]
+    files = [file for file in files if not file.startswith("src/k64/")]
+    units: dict[str, list[str]] = {}
+    for file in files:
+        source = file.removesuffix(".hpp") + ".cpp"
+        unit = source if file.endswith(".hpp") and source in files else file
+        units.setdefault(unit, []).append(file)
+    return units
+
+
+def _entry(cache: Path, unit: str) -> Path:
+    return cache / (unit.replace("/", "__") + ".json")
+
+
+def _drop_old(cache: Path, units: dict[str, list[str]]) -> None:
+    wanted = {_entry(cache, unit).name for unit in units}
+    for path in cache.glob("*.json"):
+        if path.name not in wanted:
+            path.unlink()
+
+
+def _stored(root: Path, cache: Path, unit: str, hashes: dict[str, str]) -> bool | None:
+    try:
+        entry = json.loads(_entry(cache, unit).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    if entry["reader"] != _reader_hash():
+        return None
+    for file, known in entry["files"].items():
+        if file not in hashes:
+            hashes[file] = file_hash(root / file)
+        if hashes[file] != known:
+            return None
+    return True
+
+
+@functools.cache
+def _reader_hash() -> str:
+    return hashlib.sha256(Path(__file__).read_bytes() + repr(_arguments()).encode()).hexdigest()
+
+
+@functools.cache
+def _arguments() -> list[str]:
+    compiler = shutil.which("g++") or "g++"
+    answer = subprocess.run(
+        [compiler, "-print-file-name=include"], capture_output=True, text=True, check=True
+    )
+    return ["-std=c++20", "-x", "c++", "-isystem", answer.stdout.strip(), "-fno-exceptions"]
+
+
+def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> None:
+    facts, included = parse(root, unit, files)
+    entry = {
+        "reader": _reader_hash(),
+        "files": {file: file_hash(root / file) for file in sorted(included)},
+        "facts": asdict(facts),
+    }
+    path = _entry(cache, unit)
+    if facts.errors:
+        entry["reader"] = "the unit has errors"
+    path.write_text(json.dumps(entry), encoding="utf-8")
+
+
+def parse(root: Path, unit: str, files: list[str]) -> tuple[Syntax, set[str]]:
+    index = cindex.Index.create()
+    tree = index.parse(str(root / unit), args=[*_arguments(), "-I", str(root / "src")])
+    reader = _Reader(root, set(files))
+    reader.walk(tree.cursor, None, "")
+    included = {unit}
+    for entry in tree.get_includes():
+        target = reader.relative(entry.include.name)
+        source = reader.relative(entry.source.name)
+        if target is None or source is None:
+            continue
+        included.add(target)
+        if source in reader.files:
+            place = Place(source, entry.location.line)
+            reader.facts.includes.append(IncludeFact(target, place))
+    for problem in tree.diagnostics:
+        if problem.severity >= cindex.Diagnostic.Error:
+            file = reader.relative(problem.location.file.name if problem.location.file else unit)
+            place = Place(file or unit, problem.location.line or 1)
+            reader.facts.errors.append((place, problem.spelling))
+    return reader.facts, included
+
+
+class _Reader:
+    """Walks one unit and keeps the facts of the wanted files."""
+
+    def __init__(self, root: Path, files: set[str]) -> None:
+        self.root = f"{root}/"
+        self.files = files
+        self.facts = Syntax()
+
+    def relative(self, name: str) -> str | None:
+        return name.removeprefix(self.root) if name.startswith(self.root) else None
+
+    def place(self, cursor: Cursor) -> Place | None:
+        file = cursor.location.file
+        relative = self.relative(file.name) if file else None
+        return Place(relative, cursor.location.line) if relative else None
+
+    def walk(self, cursor: Cursor, body: BodyFact | None, owner: str) -> None:
+        for child in cursor.get_children():
+            if cursor.kind == CursorKind.TRANSLATION_UNIT:
+                place = self.place(child)
+                if place is None or place.file not in self.files:
+                    continue
+            self.visit(child, body, owner)
+
+    def visit(self, cursor: Cursor, body: BodyFact | None, owner: str) -> None:
+        kind = cursor.kind
+        place = self.place(cursor)
+        if place is None:
+            return
+        if kind in _CLASSES and cursor.is_definition() and body is None:
+            owner = class_name(cursor)
+            self.facts.classes.append(self.class_fact(cursor, place))
+        elif kind in (CursorKind.ENUM_DECL, CursorKind.TYPE_ALIAS_DECL) and body is None:
+            if cursor.spelling and cursor.semantic_parent.kind == CursorKind.NAMESPACE:
+                self.facts.classes.append(
+                    ClassFact(
+                        name=cursor.spelling,
+                        qualified=f"{NAMESPACE}::{cursor.spelling}",
+                        kind="enum" if kind == CursorKind.ENUM_DECL else "alias",
+                        place=place,
+                        end=cursor.extent.end.line,
+                    )
+                )
+        elif body is None and is_function(cursor):
+            owner = class_name(cursor.semantic_parent)
+            if cursor.is_definition():
+                body = self.body_fact(cursor, place, owner)
+                self.facts.bodies.append(body)
+        elif kind == CursorKind.CXX_BASE_SPECIFIER:
+            self.name(owner, cursor.referenced, "base", place)
+            return
+        if kind in _NAMES:
+            self.reference(cursor, body, owner, place)
+        if body is not None:
+            self.assignment(cursor, body, place)
+        self.walk(cursor, body, owner)
+
+    def reference(self, cursor: Cursor, body: BodyFact | None, owner: str, place: Place) -> None:
+        target = cursor.referenced
+        if target is None or self.place(target) is None:
+            return
+        if cursor.kind in (CursorKind.TYPE_REF, CursorKind.TEMPLATE_REF):
+            self.name(owner, target, "type", place)
+            return
+        parent = target.semantic_parent
+        if cursor.kind != CursorKind.CALL_EXPR:
+            self.name(owner, parent, "member", place)
+            return
+        if target.kind == CursorKind.CONSTRUCTOR:
+            self.name(owner, parent, "construct", place)
+        if body is not None and target.kind in _FUNCTIONS:
+            call = CallFact(function_id(target), _is_dynamic(cursor), place)
+            body.calls.append(call)
+
+    def name(self, owner: str, target: Cursor | None, how: str, place: Place) -> None:
+        if target is None or self.place(target) is None:
+            return
+        named = class_name(target)
+        if named and named.split("::")[0] != owner.split("::")[0]:
+            self.facts.names.append(NameFact(owner, named, how, place))
+
+    def assignment(self, cursor: Cursor, body: BodyFact, place: Place) -> None:
+        operator = cursor.kind == CursorKind.CALL_EXPR and cursor.spelling == "operator="
+        if not operator and cursor.kind != CursorKind.BINARY_OPERATOR:
+            return
+        left = next(cursor.get_children(), None)
+        while left is not None and left.kind == CursorKind.UNEXPOSED_EXPR:
+            left = next(left.get_children(), None)
+        if left is None or left.kind != CursorKind.MEMBER_REF_EXPR or left.referenced is None:
+            return
+        if not operator and _operator_after(cursor, left) != "=":
+            return
+        changed = f"{class_name(left.referenced.semantic_parent)}::{left.spelling}"
+        body.assigns.append((changed, place.line))
+
+    def class_fact(self, cursor: Cursor, place: Place) -> ClassFact:
+        name = class_name(cursor)
+        fact = ClassFact(
+            name=name,
+            qualified=f"{NAMESPACE}::{name}",
+            kind="struct" if cursor.kind == CursorKind.STRUCT_DECL else "class",
+            place=place,
+            end=cursor.extent.end.line,
+            abstract=cursor.is_abstract_record(),
+        )
+        for child in cursor.get_children():
+            at = self.place(child) or place
+            if child.kind == CursorKind.CXX_BASE_SPECIFIER:
+                base = child.referenced
+                if base is not None and self.place(base) is not None:
+                    fact.bases.append(class_name(base))
+                    fact.base_places.append(at)
+            elif is_function(child):
+                fact.methods.append(self.method_fact(child, at, name))
+            elif child.kind in (CursorKind.FIELD_DECL, CursorKind.VAR_DECL):
+                fact.fields.append(self.field_fact(child, at))
+        return fact
+
+    def field_fact(self, cursor: Cursor, place: Place) -> FieldFact:
+        spelling = cursor.type.spelling
+        classes = [
+            class_name(part.referenced)
+            for part in cursor.walk_preorder()
+            if part.kind in (CursorKind.TYPE_REF, CursorKind.TEMPLATE_REF)
+            and part.referenced is not None
+            and self.place(part.referenced) is not None
+        ]
+        return FieldFact(
+            name=cursor.spelling,
+            type=spelling,
+            classes=[name for name in dict.fromkeys(classes) if name],
+            refers=any(mark in spelling for mark in ("&", "*", "reference_wrapper")),
+            static=cursor.kind == CursorKind.VAR_DECL,
+            place=place,
+        )
+
+    def method_fact(self, cursor: Cursor, place: Place, owner: str) -> MethodFact:
+        params = [(item.spelling, _short(item.type.spelling)) for item in _arguments_of(cursor)]
+        above = _overridden(cursor)
+        name = function_id(cursor).rsplit("::", 1)[-1]
+        constructor = cursor.kind == CursorKind.CONSTRUCTOR or name == owner.split("::")[-1]
+        virtual = cursor.is_virtual_method()
+        pure = cursor.is_pure_virtual_method()
+        if constructor:
+            kind = "constructor"
+        elif above is not None:
+            kind = "override"
+        elif pure:
+            kind = "pure"
+        elif virtual:
+            kind = "virtual"
+        else:
+            kind = "static" if cursor.is_static_method() else "plain"
+        destructor = cursor.kind == CursorKind.DESTRUCTOR
+        result = "" if constructor or destructor else _short(cursor.result_type.spelling)
+        return MethodFact(
+            id=f"{owner}::{name}",
+            owner=owner,
+            name=name,
+            signature=_signature(cursor, kind, name, result, params, pure),
+            access=cursor.access_specifier.name.lower(),
+            kind=kind,
+            result=result,
+            params=params,
+            place=place,
+            end=cursor.extent.end.line,
+            virtual=virtual,
+            pure=pure,
+            final=any(part.kind == CursorKind.CXX_FINAL_ATTR for part in cursor.get_children()),
+            deleted=cursor.is_deleted_method(),
+            defaulted=cursor.is_default_method(),
+            overrides=function_id(above) if above is not None else None,
+        )
+
+    def body_fact(self, cursor: Cursor, place: Place, owner: str) -> BodyFact:
+        above = _overridden(cursor) if owner else None
+        return BodyFact(
+            id=function_id(cursor),
+            owner=owner,
+            place=Place(place.file, place.line, cursor.extent.end.line),
+            end=cursor.extent.end.line,
+            overrides=function_id(above) if above is not None else None,
+        )
+
+
+def is_function(cursor: Cursor) -> bool:
+    if cursor.kind in (CursorKind.FUNCTION_DECL, *_METHODS):
+        return True
+    return bool(cursor.kind == CursorKind.FUNCTION_TEMPLATE)
+
+
+def class_name(cursor: Cursor | None) -> str:
+    """``Outer::Inner`` without the namespace; empty when the cursor is in no class."""
+    parts: list[str] = []
+    kinds = {*_CLASSES, CursorKind.CLASS_TEMPLATE_PARTIAL_SPECIALIZATION, CursorKind.ENUM_DECL}
+    kinds |= {CursorKind.TYPE_ALIAS_DECL}
+    while cursor is not None and cursor.kind in kinds:
+        parts.insert(0, cursor.spelling)
+        cursor = cursor.semantic_parent
+    return "::".join(parts)
+
+
+def function_id(cursor: Cursor) -> str:
+    owner = class_name(cursor.semantic_parent)
+    name: str = (
+        cursor.spelling.split("<")[0]
+        if cursor.kind == CursorKind.CONSTRUCTOR
+        else (cursor.spelling)
+    )
+    return f"{owner}::{name}" if owner else name
+
+
+def _arguments_of(cursor: Cursor) -> Iterator[Cursor]:
+    for child in cursor.get_children():
+        if child.kind == CursorKind.PARM_DECL:
+            yield child
+
+
+def _short(type_name: str) -> str:
+    return type_name.replace(f"{NAMESPACE}::", "").replace(" &", "&").replace(" *", "*")
+
+
+def _signature(
+    cursor: Cursor, kind: str, name: str, result: str, params: list[tuple[str, str]], pure: bool
+) -> str:
+    inner = ", ".join(f"{type_name} {param}".strip() for param, type_name in params)
+    before = {"virtual": "virtual ", "pure": "virtual ", "static": "static "}.get(kind, "")
+    after = " const" if cursor.is_const_method() else ""
+    after += " override" if kind == "override" else ""
+    after += " = 0" if pure else ""
+    shown = f"{result} " if result else ""
+    return f"{before}{shown}{name}({inner}){after}"
+
+
+def _operator_after(cursor: Cursor, left: Cursor) -> str:
+    end = left.extent.end.offset
+    for token in cursor.get_tokens():
+        if token.extent.start.offset >= end:
+            return str(token.spelling)
+    return ""
+
+
+def _library() -> Any:
+    library = cindex.conf.lib
+    if not hasattr(_library, "bound"):
+        library.clang_Cursor_isDynamicCall.argtypes = [Cursor]
+        library.clang_Cursor_isDynamicCall.restype = ctypes.c_int
+        pointer = ctypes.POINTER(Cursor)
+        library.clang_getOverriddenCursors.argtypes = [
+            Cursor,
+            ctypes.POINTER(pointer),
+            ctypes.POINTER(ctypes.c_uint),
+        ]
+        library.clang_disposeOverriddenCursors.argtypes = [pointer]
+        _library.bound = True  # type: ignore[attr-defined]
+    return library
+
+
+def _is_dynamic(cursor: Cursor) -> bool:
+    return bool(_library().clang_Cursor_isDynamicCall(cursor))
+
+
+def _overridden(cursor: Cursor) -> Cursor | None:
+    """The first method that this one overrides, of the nearest base."""
+    found = ctypes.POINTER(Cursor)()
+    count = ctypes.c_uint()
+    library = _library()
+    library.clang_getOverriddenCursors(cursor, ctypes.byref(found), ctypes.byref(count))
+    if not count.value:
+        return None
+    above = Cursor()
+    ctypes.memmove(ctypes.byref(above), ctypes.byref(found[0]), ctypes.sizeof(Cursor))
+    above._tu = cursor._tu
+    library.clang_disposeOverriddenCursors(found)
+    return above
+
+
+def _place_from(data: dict[str, Any]) -> Place:
+    return Place(**data)
+
+
+def _facts_from(data: dict[str, Any]) -> Syntax:
+    facts = Syntax()
+    for item in data["classes"]:
+        item["place"] = _place_from(item["place"])
+        item["base_places"] = [_place_from(place) for place in item["base_places"]]
+        for method in item["methods"]:
+            method["place"] = _place_from(method["place"])
+            method["params"] = [(name, kind) for name, kind in method["params"]]
+        item["methods"] = [MethodFact(**method) for method in item["methods"]]
+        for member in item["fields"]:
+            member["place"] = _place_from(member["place"])
+        item["fields"] = [FieldFact(**member) for member in item["fields"]]
+        facts.classes.append(ClassFact(**item))
+    for item in data["bodies"]:
+        item["place"] = _place_from(item["place"])
+        for call in item["calls"]:
+            call["place"] = _place_from(call["place"])
+        item["calls"] = [CallFact(**call) for call in item["calls"]]
+        item["assigns"] = [(name, line) for name, line in item["assigns"]]
+        facts.bodies.append(BodyFact(**item))
+    for item in data["names"]:
+        item["place"] = _place_from(item["place"])
+        facts.names.append(NameFact(**item))
+    for item in data["includes"]:
+        item["place"] = _place_from(item["place"])
+        facts.includes.append(IncludeFact(**item))
+    facts.errors = [(_place_from(place), text) for place, text in data["errors"]]
+    return facts

@@ -1,0 +1,198 @@
+"""Reads the recorded calls of each test, and embeds declared trees in them."""
+
+from __future__ import annotations
+
+import functools
+import json
+import re
+import subprocess
+from array import array
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from traceability.model.schema import TraceRow, TreeNode
+
+EXECUTABLE = Path("build/trace/tests/firmware_tests")
+TRACES = Path("build/trace/tests/traces")
+EXIT = 1 << 63
+SHOWN = 60
+
+
+@dataclass
+class Row:
+    """A call: it holds the rows up to, and without, ``end``."""
+
+    depth: int
+    method: str
+    parent: int
+    end: int = 0
+
+
+@dataclass
+class Traces:
+    root: Path
+    symbols: dict[int, str] = field(default_factory=dict)  # address -> method
+    tests: set[str] = field(default_factory=set)
+
+    def file(self, test: str) -> Path:
+        return self.root / TRACES / f"{test}.bin"
+
+    def events(self, test: str) -> array[int]:
+        events: array[int] = array("Q")
+        data = self.file(test).read_bytes()
+        events.frombytes(data[: len(data) - len(data) % 8])
+        return events
+
+    def methods(self, test: str) -> set[str]:
+        """The methods that ran in a test."""
+        found = (self.symbols.get(address) for address in set(self.events(test)))
+        return {method for method in found if method}
+
+    def rows(self, test: str, wanted: Callable[[str], bool]) -> list[Row]:
+        """The calls of wanted methods, in order."""
+        rows: list[Row] = []
+        open_calls: list[int] = []  # index of the row, or -1 for a call that is not shown
+        depth, parent = 0, -1
+        for event in self.events(test):
+            if event & EXIT:
+                if open_calls and (row := open_calls.pop()) >= 0:
+                    rows[row].end = len(rows)
+                    depth -= 1
+                    parent = rows[row].parent
+                continue
+            method = self.symbols.get(event)
+            if method is None or not wanted(method):
+                open_calls.append(-1)
+                continue
+            rows.append(Row(depth, method, parent))
+            parent = len(rows) - 1
+            open_calls.append(parent)
+            depth += 1
+        for row in open_calls:
+            if row >= 0:
+                rows[row].end = len(rows)
+        return rows
+
+
+def read_traces(root: Path, cache: Path) -> Traces:
+    traces = Traces(root)
+    if (root / EXECUTABLE).exists():
+        traces.symbols = _symbols(root / EXECUTABLE, cache)
+        traces.tests = {path.name.removesuffix(".bin") for path in (root / TRACES).glob("*.bin")}
+    return traces
+
+
+def _symbols(executable: Path, cache: Path) -> dict[int, str]:
+    state = executable.stat()
+    key = f"{state.st_mtime_ns} {state.st_size}"
+    if cache.exists():
+        known = json.loads(cache.read_text(encoding="utf-8"))
+        if known["key"] == key:
+            return {int(address): name for address, name in known["symbols"].items()}
+    run = subprocess.run(["nm", "-C", str(executable)], capture_output=True, text=True, check=True)
+    symbols: dict[int, str] = {}
+    for line in run.stdout.splitlines():
+        match = re.match(r"([0-9a-f]+) [tTwWuV] (.*)", line)
+        if match and "wr::" in match[2]:
+            method = method_of(match[2])
+            if method:
+                symbols[int(match[1], 16)] = method
+    cache.parent.mkdir(parents=True, exist_ok=True)
+    cache.write_text(json.dumps({"key": key, "symbols": symbols}), encoding="utf-8")
+    return symbols
+
+
+@functools.cache
+def method_of(symbol: str) -> str:
+    """``wr::Pipe<int>::write(int const&)`` -> ``Pipe::write``; empty for what is no method."""
+    if "{lambda" in symbol or not re.match(r"(?:[\w:<>,&* ]+ )?wr::", symbol):
+        return ""
+    kept, depth = "", 0
+    for letter in symbol.replace("(anonymous namespace)::", "").replace("operator()", "operator"):
+        if letter == "<":
+            depth += 1
+        elif letter == ">":
+            depth -= 1
+        elif letter == "(" and depth == 0:
+            break
+        elif depth == 0:
+            kept += letter
+    name = kept.split(" ")[-1]
+    return name.removeprefix("wr::") if name.startswith("wr::") and "::" in name[4:] else ""
+
+
+@dataclass
+class Embedding:
+    """Where the nodes of a tree lie in one trace; ``failed`` is the first node that has no place."""
+
+    rows: dict[int, int] = field(default_factory=dict)  # id() of the node -> row
+    failed: TreeNode | None = None
+
+
+def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str]]) -> Embedding:
+    """Looks for the tree in a trace: a child lies within the call of its parent, in order."""
+    order = {id(node): number for number, node in enumerate(nodes_of(tree))}
+    names = {id(node): accepts(node) for node in nodes_of(tree)}
+    reached = tree
+
+    def fit(node: TreeNode, start: int, stop: int) -> dict[int, int] | None:
+        nonlocal reached
+        if order[id(node)] > order[id(reached)]:
+            reached = node
+        for index in range(start, stop):
+            if rows[index].method not in names[id(node)]:
+                continue
+            placed = {id(node): index}
+            position = index + 1
+            for child in node.children:
+                last = len(rows) if child.kind == "post" else rows[index].end
+                found = fit(child, position, last)
+                if found is None:
+                    break
+                placed |= found
+                position = rows[found[id(child)]].end
+            else:
+                return placed
+        return None
+
+    found = fit(tree, 0, len(rows))
+    return Embedding(found, None) if found is not None else Embedding({}, reached)
+
+
+def nodes_of(tree: TreeNode) -> list[TreeNode]:
+    found = [tree]
+    for child in tree.children:
+        found += nodes_of(child)
+    return found
+
+
+def excerpt(rows: list[Row], placed: list[int]) -> tuple[list[TraceRow], int, dict[int, int]]:
+    """The calls around the placed rows: at most ``SHOWN``, with the new number of each row kept."""
+    first = placed[0]
+    last = max(rows[index].end for index in placed)
+    while rows[first].parent >= 0 and rows[rows[first].parent].end - rows[first].parent <= SHOWN:
+        first = rows[first].parent
+        last = max(last, rows[first].end)
+    needed: set[int] = set()
+    for index in placed:
+        while index >= first and index not in needed:
+            needed.add(index)
+            index = rows[index].parent
+    window = list(range(first, last))
+    depth = max(rows[index].depth for index in window)
+    while len(window) > SHOWN and depth > rows[first].depth:
+        window = [index for index in window if index in needed or rows[index].depth < depth]
+        depth -= 1
+    base = rows[first].depth
+    if len(window) > SHOWN:
+        end = max(placed) + 1
+        window = [index for index in window if index in needed or index < end][:]
+        free = [index for index in window if index not in needed]
+        surplus = set(free[max(0, SHOWN - len(needed)) :])
+        window = [index for index in window if index not in surplus]
+    shown = [
+        TraceRow(rows[index].depth - base, rows[index].method, rows[index].method.split("::")[0])
+        for index in window
+    ]
+    return shown, first, {index: number for number, index in enumerate(window)}

@@ -1,0 +1,51 @@
+"""Contents of files as hashes: what was built, tested or read from what."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterable
+from pathlib import Path
+
+TESTED = ("src", "sim", "tests", "CMakeLists.txt", "CMakePresets.json")
+
+
+def files_below(root: Path, names: Iterable[str], suffixes: tuple[str, ...] = ()) -> list[Path]:
+    """The files of the named folders and files below the root, sorted, without Python caches."""
+    found: list[Path] = []
+    for name in names:
+        start = root / name
+        if start.is_file():
+            found.append(start)
+        elif start.is_dir():
+            found += [
+                path
+                for path in start.rglob("*")
+                if path.is_file()
+                and "__pycache__" not in path.parts
+                and (not suffixes or path.suffix in suffixes)
+            ]
+    return sorted(found)
+
+
+def file_hash(path: Path) -> str:
+    """The SHA-256 of one file, or the empty string when there is none."""
+    try:
+        return hashlib.sha256(path.read_bytes()).hexdigest()
+    except OSError:
+        return ""
+
+
+def hash_of(root: Path, paths: Iterable[Path]) -> str:
+    """One SHA-256 over the names and the contents of files."""
+    total = hashlib.sha256()
+    for path in paths:
+        total.update(f"{path.relative_to(root)}\0{file_hash(path)}\n".encode())
+    return total.hexdigest()
+
+
+def source_hash(root: Path) -> str:
+    """The hash of what test results depend on. Python's own tests and texts are not part of it."""
+    suffixes = (".cpp", ".hpp", ".h", ".cmake", ".txt", ".json", ".S", ".ld")
+    paths = files_below(root, TESTED, suffixes)
+    python = root / "tests" / "python"
+    return hash_of(root, [path for path in paths if python not in path.parents])
