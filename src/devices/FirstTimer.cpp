@@ -4,10 +4,11 @@
 
 namespace wr {
 
-FirstTimer::FirstTimer(PeriodicTimer& timer, Command& command)
-    : timer_(timer), command_(command) {}
+FirstTimer::FirstTimer(PeriodicTimer& timer, Command& command) : timer_(timer), command_(command) {}
 
-void FirstTimer::start() { timer_.start(SystemConstants::instance().cyclePeriod()); }
+void FirstTimer::start() {
+  timer_.start(SystemConstants::instance().cyclePeriod());
+}
 
 void FirstTimer::expired() {
   timer_.acknowledge();

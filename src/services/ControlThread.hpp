@@ -41,8 +41,8 @@ class ControlThread {
   ~ControlThread() = default;
 
   /// @brief Runs one activation, and pends the thread again when another one is kept. The
-  /// platform calls it at the priority of the thread, as its answer to pend(). Without an activation
-  /// that waits nothing happens.
+  /// platform calls it at the priority of the thread, as its answer to pend(). Without an
+  /// activation that waits nothing happens.
   void run();
 
  private:

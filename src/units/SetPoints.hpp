@@ -32,9 +32,9 @@ struct WheelSetPoint {
 /// @brief What one order sets.
 /// @datatype
 struct SetPoints {
-  std::uint16_t orderId = 0;                         ///< number that the sender gave to the order
-  Angle steering{};                                  ///< angle of the steering device
-  std::array<WheelSetPoint, kWheelCount> wheels{};   ///< one set-point for each wheel
+  std::uint16_t orderId = 0;                        ///< number that the sender gave to the order
+  Angle steering{};                                 ///< angle of the steering device
+  std::array<WheelSetPoint, kWheelCount> wheels{};  ///< one set-point for each wheel
 
   /// @brief Tells whether two orders set the same.
   friend constexpr bool operator==(const SetPoints&, const SetPoints&) = default;

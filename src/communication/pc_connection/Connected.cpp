@@ -14,7 +14,9 @@ void Connected::hello(PcConnection& connection) {
   connection.changeState(handshaking_);
 }
 
-bool Connected::keepAlive(PcConnection& /*connection*/) { return true; }
+bool Connected::keepAlive(PcConnection& /*connection*/) {
+  return true;
+}
 
 bool Connected::order(PcConnection& connection,
                       std::span<const std::uint8_t, SerialReader::kOrderLength> payload) {
@@ -28,6 +30,8 @@ void Connected::checkTime(PcConnection& connection) {
   }
 }
 
-bool Connected::connected() const { return true; }
+bool Connected::connected() const {
+  return true;
+}
 
 }  // namespace wr

@@ -22,6 +22,8 @@ bool ConnectionState::order(PcConnection& connection,
 
 void ConnectionState::checkTime(PcConnection& /*connection*/) {}
 
-bool ConnectionState::connected() const { return false; }
+bool ConnectionState::connected() const {
+  return false;
+}
 
 }  // namespace wr

@@ -8,7 +8,9 @@ namespace wr {
 Handshaking::Handshaking(ConnectionState& connected, ConnectionState& disconnected)
     : connected_(connected), disconnected_(disconnected) {}
 
-void Handshaking::hello(PcConnection& connection) { connection.welcome(); }
+void Handshaking::hello(PcConnection& connection) {
+  connection.welcome();
+}
 
 bool Handshaking::confirm(PcConnection& connection, std::uint8_t session) {
   // Only a Hello is accepted in this state, so the silence began with the Welcome.

@@ -56,7 +56,9 @@ void PcConnection::service() {
   state_->checkTime(*this);
 }
 
-bool PcConnection::connected() const { return state_->connected(); }
+bool PcConnection::connected() const {
+  return state_->connected();
+}
 
 bool PcConnection::sendReport(const Serializable& report) {
   if (!connected()) {
@@ -70,9 +72,13 @@ bool PcConnection::sendReport(const Serializable& report) {
   return sent;
 }
 
-const LinkCounts& PcConnection::counts() const { return counts_; }
+const LinkCounts& PcConnection::counts() const {
+  return counts_;
+}
 
-void PcConnection::changeState(ConnectionState& next) { state_ = &next; }
+void PcConnection::changeState(ConnectionState& next) {
+  state_ = &next;
+}
 
 void PcConnection::welcome() {
   session_ = session_ == std::numeric_limits<std::uint8_t>::max()
@@ -85,7 +91,8 @@ void PcConnection::welcome() {
   writer_.writeU8({FieldName::FirmwareVersion, 1}, firmwareIdentity.minor);
   writer_.writeU8({FieldName::FirmwareVersion, 2}, firmwareIdentity.patch);
   for (std::size_t i = 0; i < firmwareIdentity.buildId.size(); ++i) {
-    writer_.writeU8({FieldName::BuildId, i}, static_cast<std::uint8_t>(firmwareIdentity.buildId[i]));
+    writer_.writeU8({FieldName::BuildId, i},
+                    static_cast<std::uint8_t>(firmwareIdentity.buildId[i]));
   }
   const Microseconds inMilliseconds = constants.cyclePeriod() / milliseconds(1).count();
   writer_.writeU16({FieldName::CyclePeriod}, static_cast<std::uint16_t>(inMilliseconds.count()));
@@ -93,7 +100,9 @@ void PcConnection::welcome() {
   send(FrameType::Welcome);
 }
 
-bool PcConnection::offered(std::uint8_t session) const { return session == session_; }
+bool PcConnection::offered(std::uint8_t session) const {
+  return session == session_;
+}
 
 bool PcConnection::takeOrder(std::span<const std::uint8_t, SerialReader::kOrderLength> payload) {
   const bool taken = orders_.offer(payload);
@@ -103,11 +112,17 @@ bool PcConnection::takeOrder(std::span<const std::uint8_t, SerialReader::kOrderL
   return taken;
 }
 
-void PcConnection::dropOrder() { orders_.discard(); }
+void PcConnection::dropOrder() {
+  orders_.discard();
+}
 
-void PcConnection::countUnexpected() { count(counts_.unexpected); }
+void PcConnection::countUnexpected() {
+  count(counts_.unexpected);
+}
 
-Microseconds PcConnection::silence() const { return clock_.now() - lastAccepted_; }
+Microseconds PcConnection::silence() const {
+  return clock_.now() - lastAccepted_;
+}
 
 void PcConnection::receive(std::uint8_t byte) {
   switch (decoder_.push(byte)) {

@@ -31,7 +31,9 @@ bool BufferReader::available() const {
          fresh(direction->at, directionRead_, now);
 }
 
-bool BufferReader::stopOrdered() const { return false; }
+bool BufferReader::stopOrdered() const {
+  return false;
+}
 
 std::uint8_t BufferReader::readU8(Field field) {
   take();

@@ -8,41 +8,41 @@ namespace wr {
 /// @brief What a field of an order, a report or a welcome means.
 /// @datatype
 enum class FieldName : std::uint8_t {
-  OrderId,              ///< number of the order
-  Steering,             ///< set-point of the steering
-  WheelQuantity,        ///< what the set-point of a wheel sets
-  WheelValue,           ///< set-point of a wheel
-  Stop,                 ///< whether the order stops the robot
-  Cycle,                ///< number of the cycle
-  Time,                 ///< time of the clock pulse
-  OperationState,       ///< operation state after the read
-  ReadingMode,          ///< reading mode after the read
-  Source,               ///< source of the set-points
-  Flags,                ///< what is so in this cycle
-  SteeringPosition,     ///< measured position of the steering
-  WheelVelocity,        ///< measured velocity of a wheel
-  WheelCurrent,         ///< measured current of a wheel
-  WheelPosition,        ///< measured position of a wheel
-  Measured,             ///< which measurements are valid
-  WheelTension,         ///< applied tension of a wheel
-  Turn,                 ///< applied turn direction
-  Applied,              ///< which applied values are valid
-  Overruns,             ///< count of cycles that overran
-  LostBytes,            ///< count of bytes that the serial port lost
-  Damaged,              ///< count of damaged frames
-  TooLong,              ///< count of frames that were too long
-  UnknownVersion,       ///< count of frames of another protocol version
-  UnknownType,          ///< count of frames of a type that is not received
-  WrongLength,          ///< count of frames with a payload of wrong length
-  OutOfRange,           ///< count of orders with a field out of range
-  Unexpected,           ///< count of frames that the connection did not expect
-  SequenceGaps,         ///< count of gaps in the sequence numbers
-  ReportsNotSent,       ///< count of reports that were not sent
-  Session,              ///< number of the session
-  FirmwareVersion,      ///< major, minor and patch number
-  BuildId,              ///< character of the build id
-  CyclePeriod,          ///< period of the control cycle
-  WaitingCycles         ///< the constant N of the operation states
+  OrderId,           ///< number of the order
+  Steering,          ///< set-point of the steering
+  WheelQuantity,     ///< what the set-point of a wheel sets
+  WheelValue,        ///< set-point of a wheel
+  Stop,              ///< whether the order stops the robot
+  Cycle,             ///< number of the cycle
+  Time,              ///< time of the clock pulse
+  OperationState,    ///< operation state after the read
+  ReadingMode,       ///< reading mode after the read
+  Source,            ///< source of the set-points
+  Flags,             ///< what is so in this cycle
+  SteeringPosition,  ///< measured position of the steering
+  WheelVelocity,     ///< measured velocity of a wheel
+  WheelCurrent,      ///< measured current of a wheel
+  WheelPosition,     ///< measured position of a wheel
+  Measured,          ///< which measurements are valid
+  WheelTension,      ///< applied tension of a wheel
+  Turn,              ///< applied turn direction
+  Applied,           ///< which applied values are valid
+  Overruns,          ///< count of cycles that overran
+  LostBytes,         ///< count of bytes that the serial port lost
+  Damaged,           ///< count of damaged frames
+  TooLong,           ///< count of frames that were too long
+  UnknownVersion,    ///< count of frames of another protocol version
+  UnknownType,       ///< count of frames of a type that is not received
+  WrongLength,       ///< count of frames with a payload of wrong length
+  OutOfRange,        ///< count of orders with a field out of range
+  Unexpected,        ///< count of frames that the connection did not expect
+  SequenceGaps,      ///< count of gaps in the sequence numbers
+  ReportsNotSent,    ///< count of reports that were not sent
+  Session,           ///< number of the session
+  FirmwareVersion,   ///< major, minor and patch number
+  BuildId,           ///< character of the build id
+  CyclePeriod,       ///< period of the control cycle
+  WaitingCycles      ///< the constant N of the operation states
 };
 
 /// @brief Name of one field.

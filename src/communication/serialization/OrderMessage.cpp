@@ -9,7 +9,9 @@ namespace wr {
 
 namespace {
 
-bool within(std::int32_t value, std::int32_t limit) { return -limit <= value && value <= limit; }
+bool within(std::int32_t value, std::int32_t limit) {
+  return -limit <= value && value <= limit;
+}
 
 bool wheelInRange(const WheelSetPoint& wheel) {
   const SystemConstants& constants = SystemConstants::instance();

@@ -18,11 +18,19 @@ constexpr std::uint8_t kOverranFlag = 8;
 constexpr std::uint64_t kMicrosecondsPerMillisecond = 1000;
 
 // Bits of validity.
-constexpr std::uint32_t velocityBit(std::size_t wheel) { return 1U << (3 * wheel); }
-constexpr std::uint32_t currentBit(std::size_t wheel) { return 2U << (3 * wheel); }
-constexpr std::uint32_t positionBit(std::size_t wheel) { return 4U << (3 * wheel); }
+constexpr std::uint32_t velocityBit(std::size_t wheel) {
+  return 1U << (3 * wheel);
+}
+constexpr std::uint32_t currentBit(std::size_t wheel) {
+  return 2U << (3 * wheel);
+}
+constexpr std::uint32_t positionBit(std::size_t wheel) {
+  return 4U << (3 * wheel);
+}
 constexpr std::uint32_t kSteeringBit = 1U << 12U;
-constexpr std::uint32_t tensionBit(std::size_t wheel) { return 1U << wheel; }
+constexpr std::uint32_t tensionBit(std::size_t wheel) {
+  return 1U << wheel;
+}
 constexpr std::uint32_t kTurnBit = 1U << 4U;
 
 std::uint8_t bitIf(bool condition, std::uint8_t bit) {
@@ -31,8 +39,7 @@ std::uint8_t bitIf(bool condition, std::uint8_t bit) {
 
 std::int16_t nearestI16(std::int32_t value) {
   using Limits = std::numeric_limits<std::int16_t>;
-  return static_cast<std::int16_t>(
-      std::clamp<std::int32_t>(value, Limits::min(), Limits::max()));
+  return static_cast<std::int16_t>(std::clamp<std::int32_t>(value, Limits::min(), Limits::max()));
 }
 
 template <class Value>
@@ -71,8 +78,8 @@ std::uint8_t flags(const ReportData& data) {
 
 void writeCycle(Writer& writer, const ReportData& data) {
   writer.writeU32({FieldName::Cycle}, data.cycle);
-  writer.writeU32({FieldName::Time}, static_cast<std::uint32_t>(data.time.sinceStart() /
-                                                                kMicrosecondsPerMillisecond));
+  writer.writeU32({FieldName::Time},
+                  static_cast<std::uint32_t>(data.time.sinceStart() / kMicrosecondsPerMillisecond));
   writer.writeU8({FieldName::OperationState}, data.operationState);
   writer.writeU8({FieldName::ReadingMode}, data.readingMode);
   writer.writeU8({FieldName::Source}, data.source);

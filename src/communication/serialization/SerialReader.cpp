@@ -23,23 +23,37 @@ bool SerialReader::offer(std::span<const std::uint8_t, kOrderLength> payload) {
   return true;
 }
 
-void SerialReader::discard() { kept_.unread = false; }
+void SerialReader::discard() {
+  kept_.unread = false;
+}
 
 bool SerialReader::available() const {
   return kept_.unread && clock_.now() - kept_.at <= SystemConstants::instance().orderLifetime();
 }
 
-bool SerialReader::stopOrdered() const { return stop_; }
+bool SerialReader::stopOrdered() const {
+  return stop_;
+}
 
-std::uint8_t SerialReader::readU8(Field /*field*/) { return static_cast<std::uint8_t>(next(1)); }
+std::uint8_t SerialReader::readU8(Field /*field*/) {
+  return static_cast<std::uint8_t>(next(1));
+}
 
-std::uint16_t SerialReader::readU16(Field /*field*/) { return static_cast<std::uint16_t>(next(2)); }
+std::uint16_t SerialReader::readU16(Field /*field*/) {
+  return static_cast<std::uint16_t>(next(2));
+}
 
-std::int16_t SerialReader::readI16(Field /*field*/) { return static_cast<std::int16_t>(next(2)); }
+std::int16_t SerialReader::readI16(Field /*field*/) {
+  return static_cast<std::int16_t>(next(2));
+}
 
-std::uint32_t SerialReader::readU32(Field /*field*/) { return next(4); }
+std::uint32_t SerialReader::readU32(Field /*field*/) {
+  return next(4);
+}
 
-std::int32_t SerialReader::readI32(Field /*field*/) { return static_cast<std::int32_t>(next(4)); }
+std::int32_t SerialReader::readI32(Field /*field*/) {
+  return static_cast<std::int32_t>(next(4));
+}
 
 bool SerialReader::finish() {
   const bool within = position_ <= kOrderLength;
