@@ -1,0 +1,136 @@
+"""The codec of the client, against the worked examples of the protocol and random data."""
+
+import os
+import random
+from pathlib import Path
+
+import pytest
+from weeding_robot_client.frames import (
+    MAX_BODY,
+    Decoder,
+    Frame,
+    FrameError,
+    crc16,
+    decode,
+    encode,
+    stuff,
+    unstuff,
+)
+
+ROOT = Path(__file__).parents[3]
+SEED = int(os.environ.get("WR_SEED", "1"))
+
+
+def examples() -> list[list[str]]:
+    text = (ROOT / "docs" / "protocol_examples.txt").read_text()
+    lines = [line for line in text.splitlines() if line and not line.startswith("#")]
+    return [[cell.strip() for cell in line.split(";")] for line in lines]
+
+
+def test_there_are_examples_of_both_directions() -> None:
+    assert {example[1] for example in examples()} == {"pc", "mcu"}
+
+
+@pytest.mark.parametrize("example", examples(), ids=lambda example: example[0].split(":")[0])
+def test_worked_example_is_coded_and_decoded(example: list[str]) -> None:
+    _, _, head, crc, line = example
+    body = bytes.fromhex(head)
+    assert crc16(body) == int(crc, 16)
+    frame = Frame(body[1], body[2], body[3:])
+    assert encode(frame) == bytes.fromhex(line)
+    assert list(Decoder().feed(bytes.fromhex(line))) == [frame]
+
+
+def test_check_value_of_the_crc() -> None:
+    assert crc16(b"123456789") == 0x29B1
+
+
+def test_random_bodies_survive_stuffing() -> None:
+    source = random.Random(SEED)
+    for _ in range(2000):
+        size = source.randrange(0, 600)
+        body = bytes(source.choices(range(256), [40] + [1] * 255, k=size))
+        coded = stuff(body)
+        assert 0 not in coded
+        assert unstuff(coded) == body, f"seed {SEED}"
+        if size <= MAX_BODY:
+            assert len(coded) == size + 1
+
+
+def test_runs_longer_than_a_code_survive_stuffing() -> None:
+    for size in (253, 254, 255, 508, 509):
+        for body in (b"\1" * size, b"\1" * size + b"\0", b"\0" + b"\1" * size):
+            assert unstuff(stuff(body)) == body
+
+
+def test_random_frames_come_out_of_a_line_that_is_cut_anywhere() -> None:
+    source = random.Random(SEED)
+    frames = [
+        Frame(source.randrange(256), source.randrange(256), source.randbytes(source.randrange(124)))
+        for _ in range(300)
+    ]
+    line = b"".join(encode(frame) for frame in frames)
+    decoder = Decoder()
+    found = []
+    while line:
+        size = source.randrange(1, 40)
+        found += list(decoder.feed(line[:size]))
+        line = line[size:]
+    assert found == frames, f"seed {SEED}"
+    assert decoder.dropped == 0
+
+
+def test_a_damaged_frame_is_dropped_and_the_next_one_is_found() -> None:
+    source = random.Random(SEED)
+    good = Frame(0x82, 7, source.randbytes(96))
+    for _ in range(500):
+        line = bytearray(encode(good))
+        place = source.randrange(len(line) - 1)
+        line[place] ^= source.randrange(1, 256)
+        decoder = Decoder()
+        assert list(decoder.feed(bytes(line) + encode(good))) == [good], f"seed {SEED}"
+        assert decoder.dropped >= 1
+
+
+def test_lost_bytes_drop_at_most_the_two_frames_that_they_touch() -> None:
+    frames = [Frame(0x82, number, bytes([number] * 96)) for number in range(4)]
+    line = b"".join(encode(frame) for frame in frames)
+    size = len(line) // 4
+    cut = line[: size + 30] + line[2 * size + 30 :]
+    assert list(Decoder().feed(cut)) == [frames[0], frames[3]]
+
+
+def test_zeros_between_frames_mean_nothing() -> None:
+    frame = Frame(1, 0, b"")
+    decoder = Decoder()
+    assert list(decoder.feed(b"\0\0" + encode(frame) + b"\0\0" + encode(frame))) == [frame] * 2
+    assert decoder.dropped == 0
+
+
+def test_a_frame_that_never_ends_is_dropped_in_bounded_memory() -> None:
+    decoder = Decoder()
+    for _ in range(1000):
+        assert not list(decoder.feed(b"\1" * 100))
+    frame = Frame(1, 0, b"")
+    assert list(decoder.feed(b"\0" + encode(frame))) == [frame]
+    assert decoder.dropped == 1
+
+
+@pytest.mark.parametrize(
+    ("coded", "reason"),
+    [
+        (stuff(b"\1\2\3\4"), "4 bytes"),
+        (b"\5\1", "stuffing"),
+        (b"\3\1\0", "stuffing"),
+        (stuff(bytes.fromhex("010100c89e")), "CRC"),
+        (stuff(b"\2\1\0" + crc16(b"\2\1\0").to_bytes(2, "little")), "version 2"),
+    ],
+)
+def test_bytes_that_are_no_frame_are_refused(coded: bytes, reason: str) -> None:
+    with pytest.raises(FrameError, match=reason):
+        decode(coded)
+
+
+def test_a_payload_that_is_too_long_is_refused() -> None:
+    with pytest.raises(FrameError, match="too long"):
+        encode(Frame(1, 0, bytes(MAX_BODY)))

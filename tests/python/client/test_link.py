@@ -1,0 +1,138 @@
+"""The link of the client, with a microcontroller in Python on a pseudo-terminal."""
+
+import itertools
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+from weeding_robot_client.link import Link
+from weeding_robot_client.messages import Order, Quantity, Report, WheelSetPoint
+
+HELLO, CONFIRM, KEEP_ALIVE, ORDER = 0x01, 0x02, 0x03, 0x04
+
+
+def order(number: int) -> Order:
+    point = WheelSetPoint(Quantity.VELOCITY, 10.0)
+    return Order(number, 1.0, (point, point, point, point))
+
+
+def first_report(link: Link) -> Report:
+    report = next(link.reports(5.0), None)
+    assert report is not None
+    return report
+
+
+def serve_until(link: Link, condition: Any, seconds: float = 5.0) -> bool:
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        link.service(0.01)
+        if condition():
+            return True
+    return False
+
+
+def test_handshake_confirms_the_offered_session_and_brings_reports(mcu: Any) -> None:
+    with Link(mcu.path) as link:
+        assert not link.connected
+        report = first_report(link)
+        assert link.connected
+        assert link.welcome is not None
+        assert link.welcome.version == (1, 2, 3)
+        assert report.mode == "PC"
+    confirm = mcu.of_kind(CONFIRM)[-1]
+    assert confirm.payload == bytes([mcu.session])
+
+
+def test_sequence_numbers_follow_from_the_hello_on(mcu: Any) -> None:
+    with Link(mcu.path) as link:
+        first_report(link)
+        for number in range(1, 301):
+            assert link.send(order(number))
+            link.service()
+        assert serve_until(link, lambda: len(mcu.of_kind(ORDER)) == 300)
+    last_hello = max(n for n, frame in enumerate(mcu.received) if frame.kind == HELLO)
+    numbers = [frame.sequence for frame in mcu.received[last_hello:]]
+    assert numbers == [n % 256 for n in range(len(numbers))]
+
+
+def test_an_order_reaches_the_mcu_and_comes_back_in_a_report(mcu: Any) -> None:
+    with Link(mcu.path) as link:
+        first_report(link)
+        link.send(order(77))
+        reports = itertools.islice(link.reports(2.0), 50)
+        assert any(report.order_id == 77 for report in reports)
+
+
+def test_an_order_is_refused_without_a_connection(mcu: Any) -> None:
+    mcu.silent = True
+    with Link(mcu.path) as link:
+        link.service(0.1)
+        assert not link.send(order(1))
+    assert not mcu.of_kind(ORDER)
+
+
+def test_keep_alive_is_sent_when_there_is_no_order(mcu: Any) -> None:
+    with Link(mcu.path) as link:
+        first_report(link)
+        assert serve_until(link, lambda: len(mcu.of_kind(KEEP_ALIVE)) >= 2, 3.0)
+        assert link.connected
+
+
+def test_hello_is_repeated_until_it_is_answered(mcu: Any) -> None:
+    mcu.silent = True
+    with Link(mcu.path) as link:
+        assert serve_until(link, lambda: len(mcu.of_kind(HELLO)) >= 2, 3.0)
+        mcu.silent = False
+        first_report(link)
+
+
+def test_a_silent_robot_is_lost_and_found_again(mcu: Any) -> None:
+    with Link(mcu.path) as link:
+        first_report(link)
+        mcu.silent = True
+        assert serve_until(link, lambda: not link.connected, 3.0)
+        session = mcu.session
+        mcu.silent = False
+        assert serve_until(link, lambda: link.connected, 3.0)
+        assert mcu.session == session + 1
+
+
+def test_reports_of_a_connection_of_another_program_are_not_taken(mcu: Any) -> None:
+    mcu.connected = True
+    time.sleep(0.1)
+    with Link(mcu.path) as link:
+        first_report(link)
+        assert link.welcome is not None
+        assert mcu.of_kind(CONFIRM)
+
+
+def test_noise_before_each_frame_is_counted_and_costs_no_frame(mcu: Any) -> None:
+    mcu.noise = b"noise\0"
+    with Link(mcu.path) as link:
+        first_report(link)
+        assert link.damaged >= 2
+
+
+def test_a_line_that_goes_away_is_opened_again(mcu: Any, tmp_path: Path) -> None:
+    path = tmp_path / "link"
+    path.symlink_to(mcu.path)
+    with Link(path) as link:
+        first_report(link)
+        link.close()
+        assert serve_until(link, lambda: link.connected, 3.0)
+
+
+def test_a_path_that_is_no_line_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(OSError, match="No such file"):
+        Link(tmp_path / "missing")
+    plain = tmp_path / "file"
+    plain.touch()
+    with pytest.raises(OSError, match="not a serial port"):
+        Link(plain)
+
+
+def test_iteration_over_reports_ends_when_none_comes(mcu: Any) -> None:
+    mcu.silent = True
+    with Link(mcu.path) as link:
+        assert list(link.reports(0.2)) == []

@@ -1,0 +1,222 @@
+"""Messages of the client, against the worked examples of the protocol."""
+
+import os
+import random
+import struct
+from pathlib import Path
+
+import pytest
+from weeding_robot_client.frames import Decoder, Frame
+from weeding_robot_client.messages import (
+    Confirm,
+    Hello,
+    KeepAlive,
+    MessageError,
+    Order,
+    Quantity,
+    Report,
+    Welcome,
+    WheelSetPoint,
+    from_frame,
+    to_frame,
+)
+
+EXAMPLES = Path(__file__).parents[3] / "docs" / "protocol_examples.txt"
+SEED = int(os.environ.get("WR_SEED", "1"))
+
+
+def example(start: str) -> Frame:
+    """The frame of the worked example whose name starts so."""
+    for line in EXAMPLES.read_text().splitlines():
+        if line.startswith(start):
+            (frame,) = Decoder().feed(bytes.fromhex(line.split(";")[-1].strip()))
+            return frame
+    raise AssertionError(f"no example {start}")
+
+
+def wheels(*values: tuple[Quantity, float]) -> tuple[WheelSetPoint, ...]:
+    return tuple(WheelSetPoint(*value) for value in values)
+
+
+RPM_150 = wheels(*[(Quantity.VELOCITY, 150.0)] * 4)
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("hello", Hello()),
+        ("confirm", Confirm(1)),
+        ("keep alive", KeepAlive()),
+        ("order 258", Order(258, -12.5, RPM_150)),
+        (
+            "order 259",
+            Order(259, 0.0, wheels((Quantity.TENSION, 12.0), (Quantity.CURRENT, -2.5)) * 2),
+        ),
+        ("order 260", Order(260, 0.0, wheels(*[(Quantity.VELOCITY, 0.0)] * 4), stop=True)),
+    ],
+)
+def test_message_to_the_mcu_is_the_worked_example(name: str, message: Order) -> None:
+    frame = example(name)
+    assert to_frame(message, frame.sequence) == frame
+
+
+def test_welcome_of_the_worked_example() -> None:
+    assert from_frame(example("welcome")) == Welcome(1, (1, 0, 0), "0123abcd", 100, 4)
+
+
+def test_report_of_the_worked_example() -> None:
+    report = from_frame(example("report of cycle 7"))
+    assert isinstance(report, Report)
+    assert (report.cycle, report.time_ms, report.state, report.mode) == (7, 700, "Working", "PC")
+    assert (report.source, report.order_id, report.order_read) == ("PC", 258, True)
+    assert not (report.stop or report.held or report.overran)
+    assert report.steering_set_point_degrees == -12.5
+    assert tuple(wheel.set_point for wheel in report.wheels) == RPM_150
+    assert report.steering_degrees is None
+    assert report.turn is None
+    for wheel in report.wheels:
+        assert wheel.velocity_rpm is None
+        assert wheel.current_amperes is None
+        assert wheel.position_counts is None
+        assert wheel.tension_volts is None
+    assert {name: count for name, count in report.counters.items() if count} == {
+        "damaged": 1,
+        "unexpected": 2,
+    }
+
+
+# The report, field by field as the protocol lists it: name, offset, form.
+FIELDS = {
+    "cycle": (0, "<I"),
+    "flags": (11, "<B"),
+    "steering": (28, "<h"),
+    "measured": (62, "<H"),
+    "turn": (72, "<b"),
+    "applied": (73, "<B"),
+    "overruns": (74, "<H"),
+    "reports_not_sent": (94, "<H"),
+}
+
+
+def report_with(**values: int) -> Report:
+    payload = bytearray(96)
+    for name, value in values.items():
+        offset, form = FIELDS[name]
+        struct.pack_into(form, payload, offset, value)
+    report = from_frame(Frame(0x82, 0, bytes(payload)))
+    assert isinstance(report, Report)
+    return report
+
+
+def test_flags_of_a_report() -> None:
+    names = ("stop", "order_read", "held", "overran")
+    for bit, name in enumerate(names):
+        report = report_with(flags=1 << bit)
+        assert [other for other in names if getattr(report, other)] == [name]
+
+
+def test_each_measured_bit_makes_just_its_value_valid() -> None:
+    measures = ("velocity_rpm", "current_amperes", "position_counts")
+    for bit in range(12):
+        report = report_with(measured=1 << bit)
+        valid = [
+            3 * wheel + number
+            for wheel in range(4)
+            for number, name in enumerate(measures)
+            if getattr(report.wheels[wheel], name) is not None
+        ]
+        assert valid == [bit]
+        assert report.steering_degrees is None
+    assert report_with(measured=1 << 12, steering=-3200).steering_degrees == -32.0
+
+
+def test_each_applied_bit_makes_just_its_value_valid() -> None:
+    for bit in range(4):
+        report = report_with(applied=1 << bit)
+        valid = [n for n, wheel in enumerate(report.wheels) if wheel.tension_volts is not None]
+        assert valid == [bit]
+        assert report.turn is None
+    assert report_with(applied=16, turn=-1).turn == -1
+
+
+def test_wheel_values_have_their_own_places() -> None:
+    payload = bytearray(96)
+    for wheel in range(4):
+        struct.pack_into("<Bh", payload, 16 + 3 * wheel, 1, 1000 * wheel)
+        struct.pack_into("<hhi", payload, 30 + 8 * wheel, 10 + wheel, 20 + wheel, -70000 - wheel)
+        struct.pack_into("<h", payload, 64 + 2 * wheel, -500 * wheel)
+    struct.pack_into("<H", payload, 62, 0x0FFF)
+    payload[73] = 0x0F
+    report = from_frame(Frame(0x82, 0, bytes(payload)))
+    assert isinstance(report, Report)
+    for number, wheel in enumerate(report.wheels):
+        assert wheel.set_point == WheelSetPoint(Quantity.TENSION, number)
+        assert wheel.velocity_rpm == (10 + number) / 10
+        assert wheel.current_amperes == (20 + number) / 1000
+        assert wheel.position_counts == -70000 - number
+        assert wheel.tension_volts == -0.5 * number
+
+
+def test_counters_are_the_last_eleven_numbers() -> None:
+    report = report_with(overruns=3, reports_not_sent=65535)
+    assert report.counters["overruns"] == 3
+    assert report.counters["reports_not_sent"] == 65535
+
+
+def test_every_value_on_the_line_survives_the_units() -> None:
+    for quantity in Quantity:
+        most = round(quantity.limit * quantity.scale)
+        for raw in range(-most, most + 1, 7):
+            assert WheelSetPoint.from_raw(quantity.code, raw).raw() == (quantity.code, raw)
+
+
+def test_random_orders_hold_their_fields_where_the_protocol_says() -> None:
+    source = random.Random(SEED)
+    for _ in range(500):
+        chosen = [source.choice(list(Quantity)) for _ in range(4)]
+        points = wheels(*[(q, round(source.uniform(-q.limit, q.limit), 1)) for q in chosen])
+        angle = source.randrange(-3200, 3201)
+        order = Order(source.randrange(65536), angle / 100, points, source.random() < 0.5)
+        payload = order.payload()
+        assert len(payload) == 17
+        assert struct.unpack_from("<Hh", payload) == (order.order_id, angle), f"seed {SEED}"
+        for wheel, point in enumerate(points):
+            assert struct.unpack_from("<Bh", payload, 4 + 3 * wheel) == point.raw()
+        assert payload[16] == int(order.stop)
+
+
+@pytest.mark.parametrize(
+    ("quantity", "value"),
+    [
+        (Quantity.VELOCITY, 300.1),
+        (Quantity.TENSION, -24.1),
+        (Quantity.CURRENT, 10.1),
+        (Quantity.CURRENT, float("nan")),
+    ],
+)
+def test_a_set_point_out_of_range_is_refused(quantity: Quantity, value: float) -> None:
+    with pytest.raises(MessageError, match="not within"):
+        WheelSetPoint(quantity, value)
+
+
+def test_an_order_out_of_range_is_refused() -> None:
+    with pytest.raises(MessageError, match="degrees"):
+        Order(1, 32.01, RPM_150)
+    with pytest.raises(MessageError, match="order id"):
+        Order(65536, 0.0, RPM_150)
+
+
+@pytest.mark.parametrize(
+    ("frame", "reason"),
+    [
+        (Frame(0x82, 0, bytes(95)), "95 bytes"),
+        (Frame(0x81, 0, bytes(16)), "16 bytes"),
+        (Frame(0x83, 0, b""), "0x83"),
+        (Frame(0x82, 0, bytes(8) + b"\4" + bytes(87)), "unknown state"),
+        (Frame(0x82, 0, bytes(10) + b"\2" + bytes(85)), "source"),
+        (Frame(0x82, 0, bytes(16) + b"\3" + bytes(79)), "quantity"),
+    ],
+)
+def test_a_frame_that_is_no_message_is_refused(frame: Frame, reason: str) -> None:
+    with pytest.raises(MessageError, match=reason):
+        from_frame(frame)
