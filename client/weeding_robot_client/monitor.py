@@ -8,7 +8,7 @@ import time
 
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import WHEELS, Report
-from weeding_robot_client.options import add_link, open_link
+from weeding_robot_client.options import add_link, open_link, positive
 from weeding_robot_client.recording import Recording
 
 DESCRIPTION = """\
@@ -24,7 +24,9 @@ PATIENCE_S = 0.1
 def add_options(parser: argparse.ArgumentParser) -> None:
     add_link(parser)
     parser.add_argument("--lines", action="store_true", help="one line for each report")
-    parser.add_argument("--reports", type=int, metavar="N", help="end after this number of reports")
+    parser.add_argument(
+        "--reports", type=positive, metavar="N", help="end after this number of reports"
+    )
 
 
 def run(options: argparse.Namespace) -> int:

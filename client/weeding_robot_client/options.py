@@ -22,6 +22,13 @@ def add_link(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--csv", type=Path, metavar="FILE", help="write each report to this file")
 
 
+def positive(text: str) -> int:
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"{number} is not 1 or more")
+    return number
+
+
 def open_link(path: Path) -> Link | None:
     """The link, or None after a message that says why there is none."""
     try:

@@ -54,4 +54,4 @@ def print_sizes(sizes: dict[str, dict[str, int]]) -> None:
     print(f"\n{'file':32} {'flash':>8} {'RAM':>8}   bytes")
     for name, size in sorted(sizes.items(), key=lambda item: -item[1]["flash"]):
         print(f"{name:32} {size['flash']:8} {size['ram']:8}")
-    print(f"\n{summary(sizes).capitalize()}, before linking.")
+    print(f"\n{summary(sizes)}, before linking")

@@ -14,7 +14,7 @@ from functools import cache
 from pathlib import Path
 from typing import TextIO
 
-from traceability.commands.builds import jobs
+from traceability.commands.builds import build
 from traceability.commands.steps import FailureError, Steps, run
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
@@ -76,17 +76,7 @@ def check_format(root: Path, log: TextIO) -> str:
 
 
 def build_with_clang(root: Path, log: TextIO) -> None:
-    directory = root / "build" / "clang"
-    if not (directory / "build.ninja").exists():
-        run(
-            log,
-            [
-                *("cmake", "-S", root, "-B", directory, "-G", "Ninja"),
-                *("-DCMAKE_CXX_COMPILER=clang++", "-DCMAKE_BUILD_TYPE=Debug", "-DWR_WERROR=ON"),
-                "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
-            ],
-        )
-    run(log, ["cmake", "--build", directory, "--parallel", jobs()])
+    build(root, "clang", log)
 
 
 def check_headers(root: Path, log: TextIO) -> str:

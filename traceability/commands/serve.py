@@ -33,7 +33,7 @@ def add_port(parser: argparse.ArgumentParser) -> None:
 def port_number(text: str) -> int:
     number = int(text)
     if not 1 <= number <= 65535:
-        raise argparse.ArgumentTypeError("must be from 1 to 65535")
+        raise argparse.ArgumentTypeError(f"{number} is not within 1 to 65535")
     return number
 
 

@@ -6,6 +6,8 @@ import argparse
 import os
 from pathlib import Path
 
+from weeding_robot_client.options import positive
+
 from traceability.commands.builds import build
 from traceability.commands.steps import Steps
 
@@ -28,13 +30,6 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--cycles", type=positive, help="end after this number of control cycles of 100 ms"
     )
     parser.set_defaults(run=sim)
-
-
-def positive(text: str) -> int:
-    number = int(text)
-    if number < 1:
-        raise argparse.ArgumentTypeError("must be 1 or more")
-    return number
 
 
 def sim(root: Path, options: argparse.Namespace) -> int:
