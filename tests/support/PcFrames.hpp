@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace wr::test {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// The PC's side of the protocol, written from the protocol page and without the firmware's codec.
+struct PcOrder {
+  struct Wheel {
+    std::uint8_t quantity = 0;
+    std::int16_t value = 0;
+  };
+  std::uint16_t id = 0;
+  std::int16_t steering = 0;
+  std::array<Wheel, 4> wheels{};
+  bool stop = false;
+};
+
+/// A report as the PC reads it.
+struct PcReport {
+  std::uint32_t cycle = 0;
+  std::uint32_t time = 0;
+  std::uint8_t state = 0;
+  std::uint8_t mode = 0;
+  std::uint8_t source = 0;
+  std::uint8_t flags = 0;
+  std::uint16_t orderId = 0;
+  std::int16_t steering = 0;
+  std::array<PcOrder::Wheel, 4> wheels{};
+  std::int16_t steeringPosition = 0;
+  std::int16_t velocity0 = 0;  // of wheel 0
+  std::int16_t current0 = 0;
+  std::int32_t position0 = 0;
+  std::uint16_t measured = 0;
+  std::int16_t tension0 = 0;
+  std::uint8_t applied = 0;
+  std::uint16_t overruns = 0;
+  std::uint16_t unexpected = 0;
+  std::uint16_t reportsNotSent = 0;
+
+  [[nodiscard]] bool stop() const { return (flags & 1U) != 0; }
+  [[nodiscard]] bool orderRead() const { return (flags & 2U) != 0; }
+  [[nodiscard]] bool held() const { return (flags & 4U) != 0; }
+  [[nodiscard]] bool overran() const { return (flags & 8U) != 0; }
+};
+
+/// Makes the bytes of one frame after another, counting the sequence numbers.
+class PcSender {
+ public:
+  [[nodiscard]] Bytes hello();
+  [[nodiscard]] Bytes confirm(std::uint8_t session);
+  [[nodiscard]] Bytes keepAlive();
+  [[nodiscard]] Bytes order(const PcOrder& order);
+
+ private:
+  [[nodiscard]] Bytes frame(std::uint8_t type, std::span<const std::uint8_t> payload);
+
+  std::uint8_t sequence_ = 0;
+};
+
+/// The bodies of all frames in some bytes, without their CRC. A frame that is not in order throws.
+[[nodiscard]] std::vector<Bytes> bodies(std::span<const std::uint8_t> line);
+
+/// The session of a Welcome; nothing if the body is no Welcome.
+[[nodiscard]] std::optional<std::uint8_t> sessionOf(const Bytes& body);
+
+/// The content of a report; nothing if the body is no Report.
+[[nodiscard]] std::optional<PcReport> reportOf(const Bytes& body);
+
+}  // namespace wr::test

@@ -1,0 +1,293 @@
+#include <gtest/gtest.h>
+
+#include "services/SystemConstants.hpp"
+#include "system/SteppedRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+const int kN = SystemConstants::instance().waitingCycles();
+
+class OrdersOfRobot : public testing::Test {
+ protected:
+  // Connects the PC and lets it order until the robot reads from it.
+  void commandByPc() {
+    robot.connect();
+    for (int i = 0; i < kN + 4 && (robot.report().mode != kPc || !robot.report().orderRead());
+         ++i) {
+      robot.order({.id = 1});
+      robot.cycle();
+    }
+    ASSERT_EQ(robot.report().mode, kPc);
+    ASSERT_EQ(robot.report().state, kWorking);
+  }
+
+  void commandByRc() {
+    robot.rcOrder(100, 0);
+    robot.hello();
+    robot.cycle();
+    robot.rcOrder(100, 0);
+    robot.confirm();
+    robot.cycle();
+    ASSERT_EQ(robot.report().mode, kRc);
+    ASSERT_EQ(robot.report().state, kWorking);
+  }
+
+  SteppedRobot robot;
+};
+
+/// @brief With a silent remote control, a PC that connects at power-up and orders commands the robot
+/// within N + 4 cycles.
+/// @verifies FR-12
+/// @verifies FR-16
+/// @verifies FR-17
+TEST_F(OrdersOfRobot, FR17_PcThatConnectsAtPowerUpCommandsSoon) {
+  robot.connect();
+  int cycles = 0;
+  while (robot.report().mode != kPc || robot.report().state != kWorking) {
+    ASSERT_LT(cycles, kN + 4);
+    robot.order({.id = 7});
+    robot.cycle();
+    ++cycles;
+  }
+  EXPECT_EQ(robot.report().orderId, 7);
+  EXPECT_EQ(robot.report().source, kPc);
+}
+
+/// @brief In the mode RC an order of the PC is not read.
+/// @verifies FR-11
+TEST_F(OrdersOfRobot, FR11_ModeRcReadsNoOrderOfThePc) {
+  commandByRc();
+  robot.rcOrder(200, 0);
+  robot.order({.id = 9});
+  robot.cycle();
+  EXPECT_EQ(robot.report().source, kRc);
+  EXPECT_EQ(robot.report().orderId, 0);
+  EXPECT_EQ(robot.report().wheels[3].value, 200);
+  robot.order({.id = 10});
+  robot.cycle();
+  EXPECT_FALSE(robot.report().orderRead());
+  EXPECT_EQ(robot.report().state, kWaiting);
+}
+
+/// @brief In the mode PC an order of the remote control is not read.
+/// @verifies FR-12
+TEST_F(OrdersOfRobot, FR12_ModePcReadsNoOrderOfTheRemoteControl) {
+  commandByPc();
+  robot.rcOrder(200, 0);
+  robot.order({.id = 9});
+  robot.cycle();
+  EXPECT_EQ(robot.report().source, kPc);
+  EXPECT_EQ(robot.report().orderId, 9);
+  robot.rcOrder(200, 0);
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_FALSE(robot.report().orderRead());
+  EXPECT_EQ(robot.report().state, kWaiting);
+}
+
+/// @brief The source of the set-points stays that of the last order, also while the mode alternates.
+/// @verifies FR-19
+TEST_F(OrdersOfRobot, FR19_SourceIsThatOfTheSetPointsInForce) {
+  commandByRc();
+  EXPECT_EQ(robot.report().source, kRc);
+  for (int i = 0; i < kN + 2; ++i) {
+    robot.keepAlive();
+    robot.cycle();
+  }
+  EXPECT_EQ(robot.report().mode, kPc);
+  EXPECT_EQ(robot.report().source, kRc);
+  robot.order({.id = 3});
+  robot.cycle();
+  EXPECT_EQ(robot.report().source, kPc);
+  EXPECT_EQ(robot.report().orderId, 3);
+}
+
+/// @brief Two orders in one cycle count as the newer one, and it is read once.
+/// @verifies FR-20
+TEST_F(OrdersOfRobot, FR20_OnlyTheNewestOrderIsReadAndOnce) {
+  commandByPc();
+  robot.order({.id = 20});
+  robot.order({.id = 21});
+  robot.cycle();
+  EXPECT_EQ(robot.report().orderId, 21);
+  EXPECT_TRUE(robot.report().orderRead());
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_EQ(robot.report().orderId, 21);
+  EXPECT_FALSE(robot.report().orderRead());
+}
+
+/// @brief An order that waits for the mode PC is read while it is not older than 200 ms.
+/// @verifies FR-20
+TEST_F(OrdersOfRobot, FR20_OrderIsReadUpToItsLifetime) {
+  commandByRc();
+  for (int i = 0; i < kN; ++i) {
+    robot.keepAlive();
+    robot.cycle();
+  }
+  robot.order({.id = 30});
+  robot.cycle();
+  EXPECT_EQ(robot.report().state, kReconnecting);
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_EQ(robot.report().mode, kPc);
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_EQ(robot.report().orderId, 30);
+  EXPECT_EQ(robot.report().state, kWorking);
+}
+
+/// @brief An order that is older than 200 ms when the mode PC comes is no message.
+/// @verifies FR-20
+TEST_F(OrdersOfRobot, FR20_OlderOrderIsNoMessage) {
+  commandByRc();
+  for (int i = 0; i < kN - 1; ++i) {
+    robot.keepAlive();
+    robot.cycle();
+  }
+  robot.order({.id = 30});
+  for (int i = 0; i < 4; ++i) {
+    robot.keepAlive();
+    robot.cycle();
+  }
+  EXPECT_EQ(robot.report().state, kReconnecting);
+  EXPECT_EQ(robot.report().orderId, 0);
+}
+
+/// @brief A stop of the PC holds the robot although the remote control commands, until the PC orders
+/// without stop. The orders of the remote control are still read.
+/// @verifies FR-21
+TEST_F(OrdersOfRobot, FR21_StopOfThePcActsInModeRc) {
+  commandByRc();
+  robot.rcOrder(200, 0);
+  robot.order({.id = 40, .stop = true});
+  robot.cycle();
+  EXPECT_EQ(robot.report().mode, kRc);
+  EXPECT_TRUE(robot.report().stop());
+  EXPECT_TRUE(robot.report().held());
+  EXPECT_EQ(robot.system.calls, kHeld);
+  robot.rcOrder(300, 0);
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_EQ(robot.report().wheels[0].value, 300);
+  EXPECT_TRUE(robot.report().stop());
+  EXPECT_EQ(robot.system.calls, kHeld);
+  robot.rcOrder(300, 0);
+  robot.order({.id = 41});
+  robot.cycle();
+  EXPECT_FALSE(robot.report().stop());
+  EXPECT_EQ(robot.system.calls, kControlled);
+}
+
+/// @brief A stop of the PC holds the robot in the mode PC, in every operation state.
+/// @verifies FR-21
+TEST_F(OrdersOfRobot, FR21_StopActsInEveryState) {
+  commandByPc();
+  robot.order({.id = 40, .stop = true});
+  robot.cycle();
+  EXPECT_EQ(robot.report().state, kWorking);
+  for (int i = 0; i < kN + 2; ++i) {
+    EXPECT_TRUE(robot.report().stop());
+    EXPECT_TRUE(robot.report().held());
+    EXPECT_EQ(robot.system.calls, kHeld);
+    robot.keepAlive();
+    robot.cycle();
+  }
+  EXPECT_EQ(robot.report().state, kReconnecting);
+}
+
+/// @brief A stop outlives the connection.
+/// @verifies FR-21
+TEST_F(OrdersOfRobot, FR21_StopOutlivesTheConnection) {
+  commandByRc();
+  robot.order({.id = 40, .stop = true});
+  robot.cycle();
+  for (int i = 0; i < 15; ++i) {
+    robot.rcOrder(300, 0);
+    robot.cycle();
+    EXPECT_EQ(robot.system.calls, kHeld);
+  }
+  EXPECT_FALSE(robot.reported());
+  robot.connect();
+  EXPECT_TRUE(robot.report().stop());
+  robot.order({.id = 41});
+  robot.rcOrder(300, 0);
+  robot.cycle();
+  EXPECT_FALSE(robot.report().stop());
+  EXPECT_EQ(robot.system.calls, kControlled);
+}
+
+/// @brief Before the first order the control systems are held, in every operation state.
+/// @verifies FR-22
+TEST_F(OrdersOfRobot, FR22_RobotIsHeldBeforeTheFirstOrder) {
+  robot.connect();
+  for (int i = 0; i < kN + 3; ++i) {
+    EXPECT_EQ(robot.system.calls, kHeld);
+    EXPECT_TRUE(robot.report().held());
+    EXPECT_EQ(robot.report().source, kNobody);
+    robot.keepAlive();
+    robot.cycle();
+  }
+}
+
+/// @brief The order of a PC that is not connected is no message.
+/// @verifies FR-36
+TEST_F(OrdersOfRobot, FR36_OrderWithoutConnectionIsNoMessage) {
+  for (int i = 0; i < kN + 6; ++i) {
+    robot.order({.id = 50});
+    robot.cycle();
+    EXPECT_EQ(robot.system.calls, kHeld);
+  }
+  robot.connect();
+  EXPECT_EQ(robot.report().source, kNobody);
+  EXPECT_EQ(robot.report().unexpected, kN + 6);
+}
+
+/// @brief An order that arrived is no message any more when the connection ends before it is read.
+/// @verifies FR-36
+TEST_F(OrdersOfRobot, FR36_OrderOfAnEndedConnectionIsNoMessage) {
+  commandByPc();
+  robot.order({.id = 51});
+  robot.hello();
+  robot.cycle();
+  EXPECT_FALSE(robot.reported());
+  robot.confirm();
+  robot.cycle();
+  EXPECT_EQ(robot.report().orderId, 1);
+  EXPECT_FALSE(robot.report().orderRead());
+}
+
+/// @brief An order whose last byte comes just before clock pulse n is in report n, with its set-points.
+/// @verifies FR-37
+/// @verifies FR-61
+TEST_F(OrdersOfRobot, FR37_OrderIsInTheReportOfItsCycle) {
+  commandByPc();
+  const std::uint32_t before = robot.report().cycle;
+  robot.wait(Microseconds(99'999));
+  robot.order({.id = 60, .steering = -1200, .wheels = {{{0, 1}, {1, -2}, {2, 3}, {0, -4}}}});
+  robot.cycle();
+  EXPECT_EQ(robot.report().cycle, before + 1);
+  EXPECT_EQ(robot.report().orderId, 60);
+  EXPECT_EQ(robot.report().steering, -1200);
+  EXPECT_EQ(robot.report().wheels[1].quantity, 1);
+  EXPECT_EQ(robot.report().wheels[1].value, -2);
+  EXPECT_EQ(robot.report().wheels[3].value, -4);
+  EXPECT_EQ(robot.system.applied.orderId, 60);
+}
+
+/// @brief An order whose last byte comes after clock pulse n has no effect in cycle n.
+/// @verifies FR-37
+TEST_F(OrdersOfRobot, FR37_OrderThatIsNotWholeWaitsForTheNextCycle) {
+  commandByPc();
+  const Bytes bytes = robot.pc.order({.id = 61});
+  robot.port.arrive(std::span(bytes).first(bytes.size() - 1));
+  robot.cycle();
+  EXPECT_EQ(robot.report().orderId, 1);
+  robot.port.arrive(std::span(bytes).last(1));
+  robot.cycle();
+  EXPECT_EQ(robot.report().orderId, 61);
+}
+
+}  // namespace
+}  // namespace wr::test
