@@ -1,0 +1,39 @@
+"""The checks: each reads the model and reports findings."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from traceability.checks import documents, links, modules, patterns, requirements, trees, uses
+from traceability.model.schema import Finding, Model
+
+FAMILIES = (
+    documents.check,
+    modules.check,
+    patterns.check,
+    uses.check,
+    trees.check,
+    requirements.check,
+)
+
+
+def run_checks(model: Model) -> list[Finding]:
+    """All findings but those of the site's links, sorted. The model keeps them too."""
+    assert model.facts is not None, "the model was not built from sources"
+    found = [finding for family in FAMILIES for finding in family(model, model.facts)]
+    model.findings = sort(found)
+    return list(model.findings)
+
+
+def run_link_checks(model: Model, site: Path) -> list[Finding]:
+    """The dead links of the built site."""
+    return sort(links.check(model, site))
+
+
+def sort(findings: list[Finding]) -> list[Finding]:
+    return sorted(findings, key=lambda one: (one.place.file, one.place.line, one.check, one.text))
+
+
+def message(finding: Finding) -> str:
+    place = f"{finding.place.file}:{finding.place.line}"
+    return f"{place}: [{finding.check}] {finding.text}; {finding.mend}"

@@ -1,0 +1,154 @@
+"""pattern-*: each application binds its roles, and each clause of its pattern holds in the code."""
+
+from __future__ import annotations
+
+from traceability.checks.shapes import CLAUSES, Shape
+from traceability.model.annotations import Text
+from traceability.model.build import Facts, comment_places
+from traceability.model.schema import (
+    Clause,
+    Finding,
+    Model,
+    PatternApplication,
+    Place,
+    RoleBinding,
+)
+
+ABSTRACTIONS = ("State", "Strategy", "Component", "Command", "Abstract Class", "Serializable")
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    found = _roles(model, facts) + _declared_once(model, facts) + _heirs(model)
+    for application in model.patterns.values():
+        found += _known(application, facts)
+        found += _missing_roles(application, model, facts)
+        found += _clauses(application, facts)
+    return found
+
+
+def _known(application: PatternApplication, facts: Facts) -> list[Finding]:
+    known = facts.declared.applications.get(application.id)
+    problems: list[tuple[str, str]] = []
+    if known is None:
+        problems.append((f"there is no application {application.id}", "correct the id"))
+    elif known.pattern != application.pattern:
+        problems.append(
+            (
+                f"{application.id} is an application of {known.pattern}, not of "
+                f"{application.pattern}",
+                "correct the pattern",
+            )
+        )
+    texts = {"title": application.title, "@why": application.why, "@changes": application.changes}
+    problems += [
+        (f"the application {application.id} has no {name}", "write it below the @patternapp")
+        for name, text in texts.items()
+        if not text
+    ]
+    return [
+        Finding(application.place, "pattern-known", text, mend) for text, mend in problems
+    ]
+
+
+def _declared_once(model: Model, facts: Facts) -> list[Finding]:
+    found: list[Finding] = []
+    first: dict[str, str] = {}
+    for module in model.modules.values():
+        described = facts.annotations.classes.get(module.qualified)
+        text = described.text if described else Text()
+        places = comment_places(facts.root, module.place, r"[@\\]patternapp\{")
+        for number, name in enumerate(text.all("Application")):
+            if name in first:
+                place = places[number] if number < len(places) else module.place
+                words = f"{name} is declared above {first[name]} already"
+                found.append(Finding(place, "pattern-known", words, "leave one of the two"))
+            first.setdefault(name, module.name)
+    return found
+
+
+def _roles(model: Model, facts: Facts) -> list[Finding]:
+    found: list[Finding] = []
+    for module in model.modules.values():
+        for binding in module.roles:
+            problem = _role_problem(binding, model, facts)
+            if problem:
+                text, mend = problem
+                found.append(Finding(binding.place, "pattern-role-unknown", text, mend))
+    return found
+
+
+def _role_problem(binding: RoleBinding, model: Model, facts: Facts) -> tuple[str, str] | None:
+    known = facts.declared.applications.get(binding.application)
+    if known is None:
+        return f"there is no application {binding.application}", "correct the id"
+    if binding.role not in known.roles:
+        roles = ", ".join(known.roles)
+        return f"{binding.application} has no role '{binding.role}'", f"use one of: {roles}"
+    if binding.module not in known.roles[binding.role]:
+        return (
+            f"the design does not bind {binding.module} to the role {binding.role} of "
+            f"{binding.application}",
+            "correct the role, or change design/applications.toml",
+        )
+    if binding.application not in model.patterns:
+        return (
+            f"the application {binding.application} is not declared",
+            "declare it with @patternapp above its abstraction",
+        )
+    return None
+
+
+def _missing_roles(
+    application: PatternApplication, model: Model, facts: Facts
+) -> list[Finding]:
+    known = facts.declared.applications.get(application.id)
+    bound = {(item.role, item.module) for item in application.roles}
+    return [
+        Finding(
+            model.modules[module].place,
+            "pattern-role-missing",
+            f"{module} does not say that it is {role} in {application.id}",
+            f"write @role{{{application.id}, {role}}} above it",
+        )
+        for role, modules in (known.roles if known else {}).items()
+        for module in modules
+        if module in model.modules and (role, module) not in bound
+    ]
+
+
+def _heirs(model: Model) -> list[Finding]:
+    found: dict[str, Finding] = {}
+    for application in model.patterns.values():
+        for binding in application.roles:
+            if binding.role not in ABSTRACTIONS:
+                continue
+            for heir in model.modules[binding.module].heirs:
+                module = model.modules.get(heir)
+                if module is None or module.datatype or module.roles:
+                    continue
+                found[heir] = Finding(
+                    module.place,
+                    "pattern-heir-unbound",
+                    f"{heir} derives from {binding.module}, which is {binding.role} in "
+                    f"{application.id}, and plays no role",
+                    "bind it to a role, or derive it from something else",
+                )
+    return list(found.values())
+
+
+def _clauses(application: PatternApplication, facts: Facts) -> list[Finding]:
+    """Decides every clause of the pattern, and leaves the result in the application."""
+    found: list[Finding] = []
+    application.clauses = []
+    shape = Shape(application, facts)
+    for clause in facts.declared.clauses.values():
+        if clause.pattern != application.pattern:
+            continue
+        broken = list({(p.file, p.line, t): (p, t) for p, t in CLAUSES[clause.id](shape)}.values())
+        places = [Place(place.file, place.line) for place, _ in broken]
+        application.clauses.append(Clause(clause.id, clause.says, not broken, places))
+        found += [
+            Finding(place, clause.id, f"{text} ({application.id})", clause.mend)
+            for place, text in broken
+        ]
+    return found

@@ -1,0 +1,253 @@
+"""Every check: what holds when it is silent, what it cannot see, and what mends a finding."""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+
+CLAUSES = Path(__file__).parents[2] / "design" / "clauses.toml"
+
+
+@dataclass(frozen=True)
+class Check:
+    id: str
+    title: str
+    holds: str
+    blind: str
+    mend: str
+
+    @property
+    def text(self) -> str:
+        """The whole description, as plain text."""
+        return f"{self.holds} What it cannot see: {self.blind} To mend a finding: {self.mend}"
+
+
+_TEXT_BLIND = "whether the words are true and useful; a person reads that."
+
+_FIXED = [
+    Check(
+        "syntax-error",
+        "Code that does not compile",
+        "The syntax tree of every file below src has no error.",
+        "an error that only another compiler or another target reports.",
+        "correct the code as the message says.",
+    ),
+    Check(
+        "doc-warning",
+        "Documentation comments and pages in order",
+        "Doxygen and Sphinx read every comment and page without a warning: each @param names a "
+        "parameter, each command is known, each link has a target.",
+        _TEXT_BLIND,
+        "correct the comment or the page as the message says.",
+    ),
+    Check(
+        "module-logic",
+        "Each design module lies in a logic module",
+        "Every class with its own header lies in a folder below src that has a module.dox.",
+        "whether it is the right folder; that is a matter of design.",
+        "move the header into the folder of its logic module, or describe the folder.",
+    ),
+    Check(
+        "module-folder",
+        "Each logic module has a function and a secret",
+        "The module.dox of every folder states @brief, @function and @secret.",
+        _TEXT_BLIND,
+        "write the missing paragraph in the module.dox of the folder.",
+    ),
+    Check(
+        "module-function",
+        "Each design module has a function",
+        "The comment above every design module has @brief and @function.",
+        _TEXT_BLIND,
+        "write the paragraph above the class.",
+    ),
+    Check(
+        "module-secret",
+        "Each design module has one secret of its own",
+        "The comment above every design module has exactly one @secret, and no two modules state "
+        "the same.",
+        "whether the code hides what the secret names.",
+        "state above the class the one likely change that the module hides.",
+    ),
+    Check(
+        "module-spec",
+        "Each public method has a specification",
+        "Every public method of a design module has a brief, a text for each parameter and one for "
+        "its result, its own or inherited from the method that it overrides.",
+        _TEXT_BLIND,
+        "write what is missing above the declaration.",
+    ),
+    Check(
+        "module-name",
+        "A header is named after its class",
+        "Every design module has the name of its header, and no header holds two.",
+        "the quality of the name.",
+        "rename the file or the class, or mark a value type with @datatype.",
+    ),
+    Check(
+        "module-count",
+        "Only the modules of the design",
+        "Every design module is listed for its folder in design/modules.toml.",
+        "a listed module that is not written yet.",
+        "remove the module, mark a value type with @datatype, or change the design.",
+    ),
+    Check(
+        "pattern-known",
+        "Known pattern applications",
+        "Every @patternapp has an id and a pattern of design/applications.toml, a title, @why and "
+        "@changes, and is declared once.",
+        "an application that nobody declared.",
+        "correct the id or the pattern, or add the missing paragraph.",
+    ),
+    Check(
+        "pattern-role-unknown",
+        "Known roles",
+        "Every @role names an application that is declared, a role of it, and stands above a module "
+        "that the design binds to that role.",
+        "a class that plays a role without saying so; the clauses of the pattern find some.",
+        "correct the application or the role, or change the design.",
+    ),
+    Check(
+        "pattern-role-missing",
+        "All roles bound",
+        "Every module that the design binds to a role of a declared application has the @role.",
+        "modules that do not exist yet.",
+        "write the @role above the class.",
+    ),
+    Check(
+        "pattern-heir-unbound",
+        "Every heir plays a role",
+        "Every design module that derives from an abstraction of an application has a role in some "
+        "application.",
+        "heirs that are nested in another class; they are details of that class.",
+        "bind the heir to a role, or derive it from something else.",
+    ),
+    Check(
+        "uses-allowed",
+        "Only allowed uses",
+        "Every include and call from one logic module to another is allowed in design/uses.toml.",
+        "uses through values and through addresses alone.",
+        "remove the include or the call, or allow the use with a reason.",
+    ),
+    Check(
+        "uses-cycle",
+        "No cycles of uses",
+        "The uses between the top folders form no cycle; inside one, the cycles are those declared "
+        "in design/uses.toml.",
+        "cycles between classes of one folder.",
+        "remove one of the uses, or declare the cycle with the pattern that causes it.",
+    ),
+    Check(
+        "uses-unused",
+        "No allowance without use",
+        "Every use that design/uses.toml allows occurs in the code.",
+        "whether the reason given there is good.",
+        "remove the entry.",
+    ),
+    Check(
+        "tree-missing",
+        "Each requirement has a tree",
+        "Every requirement has a tree of invocations in design/trees.",
+        "whether the tree is the intended one.",
+        "write the tree of the requirement.",
+    ),
+    Check(
+        "tree-node",
+        "Trees name what exists",
+        "Every tree belongs to a requirement, and every node is a method that its class has or "
+        "inherits.",
+        "overloads: methods of one name are one node.",
+        "correct the name in the tree.",
+    ),
+    Check(
+        "tree-static",
+        "Each edge of a tree is a possible call",
+        "The body of each parent has a call that can reach the child; a call of a virtual method "
+        "reaches every method that overrides it.",
+        "whether the call is ever made; calls through pointers to functions.",
+        "restore the call in the code, or change the tree.",
+    ),
+    Check(
+        "tree-dynamic",
+        "Each tree was executed",
+        "The tree embeds in the recorded calls of a test that passed and that verifies the "
+        "requirement: each child within the call of its parent, in order.",
+        "calls that the compiler inlined; trees are not compared while results are stale.",
+        "correct the tree, or test the requirement so that the calls are made.",
+    ),
+    Check(
+        "req-satisfied",
+        "Each requirement is satisfied",
+        "Every requirement is named in the @satisfies of a method.",
+        "whether the method really does it; the tests show that.",
+        "tag the method that does the work.",
+    ),
+    Check(
+        "req-verified",
+        "Each requirement is verified",
+        "Every requirement is named in the @verifies of a test.",
+        "whether the test is strict enough.",
+        "write a test for the requirement, or tag the one that exists.",
+    ),
+    Check(
+        "req-passed",
+        "Verifying tests ran and passed",
+        "Every test that verifies a requirement ran in the last test run and passed.",
+        "results are not compared while they are stale.",
+        "correct the code or the test, then run ./wr test.",
+    ),
+    Check(
+        "req-unknown",
+        "Tags name requirements that exist",
+        "Every @satisfies and @verifies names a requirement of requirements/.",
+        "a tag with the wrong existing id.",
+        "correct the id.",
+    ),
+    Check(
+        "req-name",
+        "A test named after a requirement verifies it",
+        "A test whose name begins with an id, such as FR41_, has the @verifies for that id.",
+        "tests without an id in the name.",
+        "write the @verifies above the test, or rename it.",
+    ),
+    Check(
+        "req-stale",
+        "Results belong to these sources",
+        "The last test run was made with exactly the present sources.",
+        "nothing: it compares contents, not dates.",
+        "run ./wr test.",
+    ),
+    Check(
+        "link-doc",
+        "Links of hand-written pages",
+        "Every reference in docs/ has a target.",
+        "whether the target is the right one.",
+        "correct the target.",
+    ),
+    Check(
+        "link-site",
+        "Links of the site",
+        "Every link of every page of the site, diagrams included, has a page and an anchor.",
+        "links to other sites.",
+        "correct the source of the page.",
+    ),
+]
+
+
+def _clauses() -> list[Check]:
+    entries = tomllib.loads(CLAUSES.read_text(encoding="utf-8"))["clause"]
+    return [
+        Check(
+            entry["id"],
+            f"{entry['pattern']}: {entry['id'].split('-', 2)[2].replace('-', ' ')}",
+            f"In every application of {entry['pattern']}: {entry['says']}",
+            "intent: it compares the shape of the code only.",
+            f"{entry['mend']}.",
+        )
+        for entry in entries
+    ]
+
+
+CHECKS = [*_FIXED, *_clauses()]
+KNOWN = {check.id: check for check in CHECKS}

@@ -1,0 +1,91 @@
+"""req-*: each requirement is satisfied by code and verified by tests that ran and passed."""
+
+from __future__ import annotations
+
+import re
+
+from traceability.model.build import Facts
+from traceability.model.schema import Finding, Model, Place
+
+
+def check(model: Model, _facts: Facts) -> list[Finding]:
+    found = _tags(model) + _requirements(model) + _unknown(model)
+    if model.results_stale:
+        what = "there are no test results" if model.results_hash is None else (
+            "the test results are older than the sources"
+        )
+        place = Place("build/results/trace.json", 1)
+        return [*found, Finding(place, "req-stale", what, "run ./wr test")]
+    return found + _results(model)
+
+
+def _requirements(model: Model) -> list[Finding]:
+    found: list[Finding] = []
+    for requirement in model.requirements.values():
+        if not requirement.satisfied_by:
+            found.append(
+                Finding(
+                    requirement.place,
+                    "req-satisfied",
+                    f"no method satisfies {requirement.id}",
+                    f"tag the method that does the work with @satisfies {requirement.id}",
+                )
+            )
+        if not requirement.verified_by:
+            found.append(
+                Finding(
+                    requirement.place,
+                    "req-verified",
+                    f"no test verifies {requirement.id}",
+                    f"tag a test with @verifies {requirement.id}",
+                )
+            )
+    return found
+
+
+def _results(model: Model) -> list[Finding]:
+    words = {"failed": "failed", "skipped": "was skipped", None: "did not run"}
+    return [
+        Finding(
+            test.place,
+            "req-passed",
+            f"{test.id} {words[test.result]}, and it verifies {', '.join(test.verifies)}",
+            "correct the code or the test, then run ./wr test",
+        )
+        for test in model.tests.values()
+        if test.verifies and test.result != "passed"
+    ]
+
+
+def _unknown(model: Model) -> list[Finding]:
+    tagged = [
+        (test.place, name) for test in model.tests.values() for name in test.verifies
+    ]
+    for module in model.modules.values():
+        for method in module.methods:
+            tagged += [(method.place, name) for name in method.satisfies]
+    return [
+        Finding(place, "req-unknown", f"there is no requirement {name}", "correct the id")
+        for place, name in tagged
+        if name not in model.requirements
+    ]
+
+
+def _tags(model: Model) -> list[Finding]:
+    """A test that is named after a requirement verifies it."""
+    found: list[Finding] = []
+    for test in model.tests.values():
+        match = re.match(r"(N?FR)_?(\d+)_", test.name)
+        if match is None:
+            continue
+        name = f"{match[1]}-{match[2]}"
+        if name not in test.verifies:
+            found.append(
+                Finding(
+                    test.place,
+                    "req-name",
+                    f"{test.id} is named after {name} and does not verify it",
+                    f"write @verifies {name} above it, or rename it",
+                )
+            )
+    return found

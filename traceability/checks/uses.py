@@ -1,0 +1,87 @@
+"""uses-*: logic modules use only what the design allows, without cycles."""
+
+from __future__ import annotations
+
+from traceability.model.build import Facts
+from traceability.model.schema import AllowedUse, Finding, Model, Use
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    return _allowed(model) + _unused(model) + _cycles(model, facts)
+
+
+def _covers(allowed: AllowedUse, use: Use) -> bool:
+    return allowed.source in ("*", use.source) and allowed.target == use.target
+
+
+def _allowed(model: Model) -> list[Finding]:
+    return [
+        Finding(
+            place,
+            "uses-allowed",
+            f"{use.source} uses {use.target}, which design/uses.toml does not allow",
+            "remove the include or the call, or allow the use with a reason",
+        )
+        for use in model.uses
+        if not any(_covers(allowed, use) for allowed in model.allowed_uses)
+        for place in use.places
+    ]
+
+
+def _unused(model: Model) -> list[Finding]:
+    return [
+        Finding(
+            allowed.place,
+            "uses-unused",
+            f"{allowed.source} does not use {allowed.target}",
+            "remove the entry",
+        )
+        for allowed in model.allowed_uses
+        if not any(_covers(allowed, use) for use in model.uses)
+    ]
+
+
+def _cycles(model: Model, facts: Facts) -> list[Finding]:
+    declared = {frozenset(cycle.modules) for cycle in facts.declared.cycles}
+    found: list[Finding] = []
+    for use in model.uses:
+        top, other = use.source.split("/")[0], use.target.split("/")[0]
+        if top != other:
+            graph = _graph(model, depth=1)
+            if top in _reached(graph, other):
+                found.append(_finding(use, f"{top} and {other} use each other"))
+            continue
+        graph = _graph(model, depth=9)
+        loop = _reached(graph, use.target)
+        if use.source in loop:
+            members = {m for m in loop if use.source in _reached(graph, m)}
+            if not any(members <= cycle for cycle in declared):
+                names = ", ".join(sorted(members))
+                found.append(_finding(use, f"undeclared cycle of {names}"))
+    return found
+
+
+def _finding(use: Use, text: str) -> Finding:
+    mend = "remove one of the uses, or declare the cycle in design/uses.toml"
+    return Finding(use.places[0], "uses-cycle", text, mend)
+
+
+def _graph(model: Model, depth: int) -> dict[str, set[str]]:
+    graph: dict[str, set[str]] = {}
+    for use in model.uses:
+        source = "/".join(use.source.split("/")[:depth])
+        target = "/".join(use.target.split("/")[:depth])
+        if source != target:
+            graph.setdefault(source, set()).add(target)
+    return graph
+
+
+def _reached(graph: dict[str, set[str]], start: str) -> set[str]:
+    """The start and all that it uses, directly or not."""
+    found, work = {start}, [start]
+    while work:
+        for target in graph.get(work.pop(), set()):
+            if target not in found:
+                found.add(target)
+                work.append(target)
+    return found
