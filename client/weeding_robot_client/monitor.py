@@ -7,7 +7,7 @@ import sys
 import time
 
 from weeding_robot_client.link import Link
-from weeding_robot_client.messages import WHEELS, Report
+from weeding_robot_client.messages import WHEELS, Report, WheelReport
 from weeding_robot_client.options import add_link, open_link, positive
 from weeding_robot_client.recording import Recording
 
@@ -80,12 +80,17 @@ def source(report: Report) -> str:
     return f"order {report.order_id} of the PC" if report.source == "PC" else "order of the RC"
 
 
+def set_point(wheel: WheelReport) -> str:
+    return f"{wheel.set_point.value:g} {wheel.set_point.quantity.unit}"
+
+
 def as_line(report: Report) -> str:
+    ordered = dict.fromkeys(set_point(wheel) for wheel in report.wheels)
     velocities = " ".join(shown(wheel.velocity_rpm, ".1f") for wheel in report.wheels)
     return (
         f"{report.cycle:7} {report.time_ms / 1000:9.1f} s  {report.state:12} {report.mode}  "
-        f"{source(report):22} steering {shown(report.steering_degrees, '.2f')} deg  "
-        f"wheels {velocities} rpm  {flags(report)}"
+        f"{source(report):22} {report.steering_set_point_degrees:g} deg, {', '.join(ordered)}  "
+        f"measured {shown(report.steering_degrees, '.2f')} deg, {velocities} rpm  {flags(report)}"
     ).rstrip()
 
 
@@ -101,9 +106,8 @@ def as_table(report: Report, link: Link) -> str:
         f"{'wheel':12} {'set-point':>12} {'rpm':>8} {'A':>8} {'counts':>9} {'V applied':>10}",
     ]
     for name, wheel in zip(WHEELS, report.wheels, strict=True):
-        set_point = f"{wheel.set_point.value:g} {wheel.set_point.quantity.unit}"
         lines.append(
-            f"{name:12} {set_point:>12} {shown(wheel.velocity_rpm, '.1f'):>8} "
+            f"{name:12} {set_point(wheel):>12} {shown(wheel.velocity_rpm, '.1f'):>8} "
             f"{shown(wheel.current_amperes, '.2f'):>8} {shown(wheel.position_counts, 'd'):>9} "
             f"{shown(wheel.tension_volts, '.2f'):>10}"
         )

@@ -147,7 +147,7 @@ def test_the_monitor_shows_lines(mcu: Any, capsys: pytest.CaptureFixture[str]) -
     assert monitor.run(options(mcu, reports=3)) == 0
     shown = capsys.readouterr()
     assert len(shown.out.splitlines()) == 3
-    assert "steering - deg  wheels - - - - rpm" in shown.out
+    assert "0 deg, 0 rpm  measured - deg, - - - - rpm" in shown.out
     assert "connected to firmware 1.2.3 build 0123abcd" in shown.err
 
 
