@@ -1,0 +1,124 @@
+"""Builds the site: writes the pages that changed, then runs Sphinx over them."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from sphinx.application import Sphinx
+from sphinx.util.docutils import docutils_namespace, patch_docutils
+
+from traceability.documents import search
+from traceability.documents.diagrams import DiagramError
+from traceability.documents.links import ROOT, depth_prefix
+from traceability.documents.pages import all_pages
+from traceability.documents.portal import CheckText, Page, Portal
+from traceability.documents.sphinx_warnings import WarningCollector
+from traceability.model.schema import Finding, Model, Place
+
+
+@dataclass
+class SiteResult:
+    """How many pages the site has, and what Sphinx warned of."""
+
+    pages: int
+    warnings: list[Finding] = field(default_factory=list)
+
+
+def build_site(root: Path, model: Model, findings: list[Finding]) -> SiteResult:
+    """Brings ``build/site`` up to date with the model."""
+    pages = root / "build" / "pages"
+    try:
+        portal = Portal(root, model, findings, check_texts())
+    except DiagramError as error:
+        mend = "correct what the diagram is made from, see the message of PlantUML"
+        return SiteResult(0, [Finding(Place("design", 0), "doc-diagram", str(error), mend)])
+    kept = write_sources(portal, pages)
+    warnings = run_sphinx(root, pages)
+    remove_others(root / "build" / "site", {f"{name}.html" for name in kept})
+    return SiteResult(len(kept), warnings)
+
+
+def check_texts() -> list[CheckText]:
+    from traceability.checks.registry import CHECKS
+
+    return [CheckText(check.id, check.title, check.text) for check in CHECKS]
+
+
+# ---- what Sphinx reads -------------------------------------------------------
+
+
+def write_sources(portal: Portal, pages: Path) -> set[str]:
+    """Writes generated and hand-written pages below the source folder; returns their names."""
+    kept: set[str] = set()
+    for page in all_pages(portal):
+        kept.add(page.name)
+        write_changed(pages / f"{page.name}.page", source_of(page))
+    kept |= copy_docs(portal.root / "docs", pages)
+    write_changed(pages / "links.json", json.dumps(search.targets(portal), sort_keys=True))
+    write_changed(pages / "navigation.json", json.dumps(portal.navigation.data()))
+    write_changed(pages / "_static" / "portal.js", search.script(portal))
+    for path in pages.rglob("*.page"):
+        if str(path.relative_to(pages).with_suffix("")) not in kept:
+            path.unlink()
+    return kept
+
+
+def source_of(page: Page) -> str:
+    """The facts about a page in one line, then its body, with links that fit its place."""
+    facts = {"title": page.title, "nav": page.nav, "wide": page.wide}
+    body = page.body.replace(f'"{ROOT}', f'"{depth_prefix(page.name)}')
+    return f"{json.dumps(facts)}\n{body}"
+
+
+def copy_docs(docs: Path, pages: Path) -> set[str]:
+    target = pages / "docs"
+    kept = {path.relative_to(docs) for path in docs.rglob("*") if path.is_file()}
+    for path in kept:
+        write_changed(target / path, (docs / path).read_bytes())
+    for old in target.rglob("*") if target.is_dir() else ():
+        if old.is_file() and old.relative_to(target) not in kept:
+            old.unlink()
+    return {f"docs/{path.with_suffix('')}" for path in kept if path.suffix == ".rst"}
+
+
+def write_changed(path: Path, content: str | bytes) -> None:
+    """Writes a file unless it has this content: Sphinx reads again what is newer."""
+    data = content.encode() if isinstance(content, str) else content
+    if path.is_file() and path.read_bytes() == data:
+        return
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(data)
+
+
+# ---- Sphinx ------------------------------------------------------------------
+
+
+def run_sphinx(root: Path, pages: Path) -> list[Finding]:
+    collector = WarningCollector(root, pages)
+    state = root / "build" / "pages-cache" / "sphinx"
+    with patch_docutils(), docutils_namespace():
+        app = Sphinx(
+            srcdir=pages,
+            confdir=root / "site",
+            outdir=root / "build" / "site",
+            doctreedir=state,
+            buildername="html",
+            status=None,
+            warning=collector,
+            keep_going=True,
+        )
+        app.build()
+    return collector.findings()
+
+
+def remove_others(site: Path, kept: Iterable[str]) -> None:
+    """Removes the pages of modules, requirements and files that are no more."""
+    names = set(kept)
+    for path in site.rglob("*.html"):
+        if str(path.relative_to(site)) not in names:
+            path.unlink()
+    shutil.rmtree(site / "_sources", ignore_errors=True)

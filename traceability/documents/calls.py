@@ -1,0 +1,126 @@
+"""Who calls whom: the module diagram of one module."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from traceability.documents.links import Links
+from traceability.model.schema import Method, Model, Module
+
+ROW = 26
+GROUP_GAP = 12
+LEFT, RIGHT = 296, 560
+BOX_LEFT, BOX_RIGHT = 340, 516
+TOP = 74
+MOST = 12  # ends shown beside one method; the list form has all
+
+
+@dataclass
+class End:
+    """The other end of a call: a method, and whether it is reached through an abstraction."""
+
+    method: str
+    virtual: bool
+
+
+@dataclass
+class Row:
+    """A method of the module with its callers and callees."""
+
+    name: str
+    link: str | None
+    callers: list[End] = field(default_factory=list)
+    callees: list[End] = field(default_factory=list)
+
+
+@dataclass
+class Text:
+    x: int
+    y: float
+    method: str
+    link: str | None
+    end: bool
+
+
+@dataclass
+class Wire:
+    path: str
+    virtual: bool
+
+
+@dataclass
+class Drawing:
+    height: float
+    box_bottom: float
+    names: list[tuple[str, str | None, float]]
+    texts: list[Text]
+    wires: list[Wire]
+    hidden: int
+
+
+class CallGraph:
+    """Callers of each method; calls to an abstraction count for each method that they can reach."""
+
+    def __init__(self, model: Model, links: Links) -> None:
+        self.links = links
+        self.callers: dict[str, list[End]] = {}
+        for module in model.modules.values():
+            for method in module.methods:
+                self._add(method)
+
+    def _add(self, method: Method) -> None:
+        for call in method.calls:
+            for target in {call.target, *call.targets}:
+                ends = self.callers.setdefault(target, [])
+                if all(end.method != method.id for end in ends):
+                    ends.append(End(method.id, call.virtual))
+
+    def rows(self, module: Module) -> list[Row]:
+        found: dict[str, Row] = {}
+        for method in module.methods:
+            row = found.setdefault(method.name, Row(method.name, self.links.method(method.id)))
+            self._fill(row, module, method)
+        return [row for row in found.values() if row.callers or row.callees]
+
+    def _fill(self, row: Row, module: Module, method: Method) -> None:
+        outside = f"{module.name}::"
+        known = {end.method for end in row.callers}
+        row.callers += [
+            end
+            for end in self.callers.get(method.id, [])
+            if not end.method.startswith(outside) and end.method not in known
+        ]
+        known = {end.method for end in row.callees}
+        for call in method.calls:
+            inside = call.target.startswith(outside)
+            if not inside and call.target not in known and self.links.find_method(call.target):
+                known.add(call.target)
+                row.callees.append(End(call.target, call.virtual))
+
+
+def draw(rows: list[Row], links: Links) -> Drawing:
+    """Places the three columns: each method beside the middle of its callers and callees."""
+    drawing = Drawing(0, 0, [], [], [], 0)
+    y = float(TOP)
+    for row in rows:
+        callers, callees = row.callers[:MOST], row.callees[:MOST]
+        drawing.hidden += len(row.callers) + len(row.callees) - len(callers) - len(callees)
+        height = max(len(callers), len(callees), 1) * ROW
+        middle = y + height / 2
+        drawing.names.append((row.name, row.link, middle))
+        for ends, x, is_caller in ((callers, LEFT, True), (callees, RIGHT, False)):
+            first = middle - (len(ends) - 1) * ROW / 2
+            for number, end in enumerate(ends):
+                at = first + number * ROW
+                drawing.texts.append(Text(x, at, end.method, links.method(end.method), is_caller))
+                drawing.wires.append(Wire(curve(at, middle, is_caller), end.virtual))
+        y += height + GROUP_GAP
+    drawing.box_bottom = y
+    drawing.height = y + 34
+    return drawing
+
+
+def curve(outer: float, middle: float, is_caller: bool) -> str:
+    if is_caller:
+        return f"M{LEFT + 6} {outer:g}C{LEFT + 26} {outer:g} {BOX_LEFT - 28} {middle:g} {BOX_LEFT - 7} {middle:g}"
+    return f"M{BOX_RIGHT} {middle:g}C{BOX_RIGHT + 22} {middle:g} {RIGHT - 30} {outer:g} {RIGHT - 9} {outer:g}"

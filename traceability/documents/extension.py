@@ -1,0 +1,88 @@
+"""The Sphinx extension of the portal: generated pages, and roles for hand-written ones."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from docutils import nodes
+from docutils.parsers import Parser
+from docutils.parsers.rst.states import Inliner
+from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
+from sphinx.util import logging
+
+from traceability.documents.links import ROOT, depth_prefix
+
+LOGGER = logging.getLogger(__name__)
+ROLES = ("module", "logic", "method", "requirement", "pattern", "check", "test", "source")
+
+
+class PageParser(Parser):
+    """Reads a generated page: a line of facts, then HTML."""
+
+    supported = ("page",)
+
+    def parse(self, inputstring: str, document: nodes.document) -> None:
+        facts, _, body = inputstring.partition("\n")
+        environment: BuildEnvironment = document.settings.env
+        environment.metadata[environment.docname].update(json.loads(facts), orphan="")
+        document += nodes.raw("", body, format="html")
+
+
+class NameRole:
+    """A role such as ``:module:`RC```: the name of an element, linked to its page."""
+
+    def __init__(self, kind: str) -> None:
+        self.kind = kind
+
+    def __call__(
+        self,
+        _role: str,
+        rawtext: str,
+        text: str,
+        lineno: int,
+        inliner: Inliner,
+        options: dict[str, Any] | None = None,
+        content: list[str] | None = None,
+    ) -> tuple[list[nodes.Node], list[nodes.system_message]]:
+        environment: BuildEnvironment = inliner.document.settings.env
+        targets = environment.app.portal_targets  # type: ignore[attr-defined]
+        known = targets[self.kind].get(text.removesuffix("()"))
+        if known is None:
+            place = (environment.docname, lineno)
+            LOGGER.warning("unknown target: there is no %s %r", self.kind, text, location=place)
+            return [nodes.literal(rawtext, text)], []
+        html = known.replace(f'"{ROOT}', f'"{depth_prefix(environment.docname)}')
+        return [nodes.raw(rawtext, html, format="html")], []
+
+
+def load(app: Sphinx) -> None:
+    targets = Path(app.srcdir) / "links.json"
+    app.portal_targets = json.loads(targets.read_text(encoding="utf-8"))  # type: ignore[attr-defined]
+    app.builder.search = False  # type: ignore[attr-defined]
+
+
+def hand_written(_app: Sphinx, env: BuildEnvironment, *_changed: set[str]) -> list[str]:
+    """These are read in each run, so that each run reports all their warnings."""
+    return [name for name in env.found_docs if name.startswith("docs/")]
+
+
+def mark_hand_written(app: Sphinx, doctree: nodes.document) -> None:
+    name = app.env.docname
+    if name.startswith("docs/"):
+        title = next(iter(doctree.findall(nodes.title)), None)
+        facts = {"title": title.astext() if title else name, "nav": name, "prose": True, "orphan": ""}
+        app.env.metadata[name].update(facts)
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    app.add_source_suffix(".page", "page")
+    app.add_source_parser(PageParser)
+    for kind in ROLES:
+        app.add_role(kind, NameRole(kind), override=True)
+    app.connect("builder-inited", load)
+    app.connect("env-get-outdated", hand_written)
+    app.connect("doctree-read", mark_hand_written)
+    return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

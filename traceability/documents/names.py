@@ -1,0 +1,179 @@
+"""Names as HTML, written as in the paper: LOGIC in small capitals, *abstract*, **concrete**."""
+
+from __future__ import annotations
+
+import re
+from html import unescape
+
+from markupsafe import Markup, escape
+
+from traceability.documents.diagrams import role_family
+from traceability.documents.links import ID_OR_CODE, Links
+from traceability.model.schema import Model, Module, Place, RoleBinding, Test
+
+VIEWS = [
+    ("F", "diagram", "Diagram"),
+    ("I", "interface", "Interface"),
+    ("G", "guide", "Guide"),
+    ("P", "patterns", "Patterns"),
+    ("R", "requirements", "Requirements"),
+    ("S", "source", "Source"),
+    ("T", "tests", "Tests"),
+]
+VERDICTS = {
+    "verified": ("ok", "verified"),
+    "failed": ("bad", "failed"),
+    "stale": ("warn", "stale"),
+    "unverified": ("none", "not verified"),
+}
+RESULTS = {
+    "passed": ("ok", "passed"),
+    "failed": ("bad", "failed"),
+    "skipped": ("warn", "skipped"),
+    None: ("none", "not run"),
+}
+
+
+def anchor(address: str | None, text: Markup | str, kind: str = "", **data: str) -> Markup:
+    """A link, or plain text in the same dress when there is nowhere to go."""
+    classes = Markup(' class="{}"').format(kind) if kind else Markup("")
+    if address is None:
+        return Markup("<span{}>{}</span>").format(classes, text)
+    extra = Markup("").join(
+        Markup(' data-{}="{}"').format(key, value) for key, value in data.items()
+    )
+    return Markup('<a{}{} href="{}">{}</a>').format(classes, extra, address, text)
+
+
+def breakable(name: str) -> Markup:
+    """A long name may break at its humps and joints."""
+    joints = re.sub(r"(::|[._/]|(?<=[a-z0-9])(?=[A-Z]))", "\\1\0", name)
+    return Markup("<wbr>").join(escape(part) for part in joints.split("\0"))
+
+
+def views_of(module: Module, called: set[str]) -> set[str]:
+    """The letters of the views of a module that have content."""
+    letters = {"I", "G", "S"}
+    if module.name in called or any(m.calls for m in module.methods):
+        letters.add("F")
+    if module.roles:
+        letters.add("P")
+    if module.requirements:
+        letters.add("R")
+    if module.tests:
+        letters.add("T")
+    return letters
+
+
+class Names:
+    """Makes names of elements into links. The templates call these."""
+
+    def __init__(self, model: Model, links: Links) -> None:
+        self.model = model
+        self.links = links
+        self.called = {
+            target.partition("::")[0]
+            for module in model.modules.values()
+            for method in module.methods
+            for call in method.calls
+            for target in [call.target, *call.targets]
+        }
+
+    def mod(self, name: str) -> Markup:
+        module = self.model.modules.get(name)
+        if module is None:
+            return Markup('<span class="mod none">{}</span>').format(name)
+        kind = "mod d" if module.datatype else f"mod {'a' if module.abstract else 'c'}"
+        return anchor(self.links.module(name), name, kind, m=name)
+
+    def meth(self, identifier: str) -> Markup:
+        name, _, method = identifier.partition("::")
+        link = anchor(self.links.method(identifier), breakable(method), "meth")
+        return Markup('<span class="mm">{}<span class="dc">::</span>{}</span>').format(
+            self.mod(name), link
+        )
+
+    def logic(self, identifier: str) -> Markup:
+        module = self.model.logic_modules.get(identifier)
+        text = module.name if module else identifier
+        return anchor(self.links.logic(identifier), text, "logic")
+
+    def req(self, identifier: str) -> Markup:
+        return anchor(self.links.requirement(identifier), identifier, "id")
+
+    def pat(self, identifier: str) -> Markup:
+        return anchor(self.links.pattern(identifier), identifier, "id")
+
+    def test(self, identifier: str) -> Markup:
+        text = Markup("<code>{}</code>").format(breakable(identifier))
+        return anchor(self.links.test(identifier), text)
+
+    def check(self, identifier: str) -> Markup:
+        text = Markup("<code>{}</code>").format(identifier)
+        return anchor(self.links.check(identifier), text, "id")
+
+    def src(self, place: Place, full: bool = False) -> Markup:
+        file = place.file if full else place.file.rpartition("/")[2]
+        where = f"{file}:{place.line}" if place.line else file
+        return anchor(
+            self.links.source(place), Markup("<code>{}</code>").format(breakable(where)), "src"
+        )
+
+    def role(self, binding: RoleBinding) -> Markup:
+        family = role_family(binding.role)
+        return Markup('<span class="role {}">{}</span>').format(family, binding.role)
+
+    def swatch(self, role: str) -> Markup:
+        return Markup('<span class="swatch {}" aria-hidden="true"></span>').format(
+            role_family(role)
+        )
+
+    def keys(self, name: str) -> Markup:
+        """The seven view keys of a module; the place of a view without content stays empty."""
+        module = self.model.modules.get(name)
+        if module is None or module.datatype:
+            return Markup("")
+        present = views_of(module, self.called)
+        parts = [self._key(name, view, view[0] in present) for view in VIEWS]
+        gap = Markup('<span class="gap"></span>')
+        inner = Markup("").join([*parts[:3], gap, *parts[3:5], gap, *parts[5:]])
+        return Markup(
+            '<span class="vk" role="group" aria-label="Views of {}" data-vk="{}">{}</span>'
+        ).format(name, name, inner)
+
+    def _key(self, name: str, view: tuple[str, str, str], present: bool) -> Markup:
+        letter, section, word = view
+        if not present:
+            return Markup('<span class="off"></span>')
+        return Markup('<a href="@/modules/{}.html#{}" aria-label="{}: {}">{}</a>').format(
+            name, section, name, word.lower(), letter
+        )
+
+    def verdict(self, state: str) -> Markup:
+        return glyph(*VERDICTS[state])
+
+    def result(self, test: Test) -> Markup:
+        if test.stale and test.result:
+            return glyph("warn", f"{test.result}, stale")
+        return glyph(*RESULTS.get(test.result, ("none", str(test.result))))
+
+    def text(self, html: str) -> Markup:
+        """A text of the model, with the names and ids in it as links."""
+
+        def name(match: re.Match[str]) -> str:
+            code, whole = match.group(1), match.group(0)
+            word = unescape(code) if code is not None else whole
+            if word in self.model.requirements:
+                return str(self.req(word))
+            if word in self.model.modules:
+                return str(self.mod(word))
+            if code is not None and "::" in word and self.links.find_method(word.strip("()")):
+                return str(self.meth(word.strip("()")))
+            return whole
+
+        return Markup(ID_OR_CODE.sub(name, html))
+
+
+def glyph(kind: str, word: str) -> Markup:
+    """A verdict is a mark and a word, never a colour alone."""
+    return Markup('<span class="v {}">{}</span>').format(kind, word)

@@ -1,0 +1,343 @@
+"""The pages of the portal, one function for each kind."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from traceability.documents import calls
+from traceability.documents.links import logic_anchor
+from traceability.documents.portal import Page, Portal
+from traceability.model.schema import (
+    Method,
+    Module,
+    PatternApplication,
+    Requirement,
+    TreeNode,
+)
+
+EXAMPLE = "FR-15"  # the requirement that the first page follows
+
+
+def all_pages(portal: Portal) -> Iterator[Page]:
+    yield from overview_pages(portal)
+    for module in portal.designs:
+        yield module_page(portal, module)
+    for application in portal.model.patterns.values():
+        yield pattern_page(portal, application)
+    for requirement in portal.model.requirements.values():
+        yield requirement_page(portal, requirement)
+    for check in portal.checks.values():
+        yield portal.page(f"checks/{check.id}", check.id, "checks", "check", check=check)
+    for path in portal.model.files:
+        yield source_page(portal, path)
+
+
+def overview_pages(portal: Portal) -> Iterator[Page]:
+    yield home_page(portal)
+    tops = [m for m in portal.model.logic_modules.values() if m.parent is None]
+    yield portal.page(
+        "structure", "Module structure", "structure", "structure", tops=tops, anchor=logic_anchor
+    )
+    by_logic = [m for m in portal.model.logic_modules.values() if m.modules]
+    yield portal.page("guide", "Module guide", "guide", "guide", groups=by_logic)
+    yield portal.page("interfaces", "Interfaces", "interfaces", "interfaces", groups=by_logic)
+    yield portal.page("datatypes", "Data types", "datatypes", "datatypes")
+    yield portal.page("patterns/index", "Pattern applications", "patterns", "patterns")
+    yield portal.page("machines", "State machines", "machines", "machines")
+    yield portal.page("uses", "Uses", "uses", "uses", rows=use_rows(portal))
+    yield portal.page("architecture", "Architecture", "architecture", "architecture", wide=True)
+    yield portal.page(
+        "requirements/index", "Requirements", "requirements", "requirements", sections=sections(portal)
+    )
+    yield portal.page("trees", "Invocation trees", "trees", "trees")
+    yield portal.page("tests", "Tests", "tests", "tests", suites=suites(portal))
+    yield portal.page("checks/index", "Checks", "checks", "checks")
+    yield portal.page("source/index", "Source", "source", "sources", folders=folders(portal))
+
+
+# ---- first page --------------------------------------------------------------
+
+
+def home_page(portal: Portal) -> Page:
+    example = portal.model.requirements.get(EXAMPLE)
+    method = None
+    if example and example.tree:
+        method = next((m for m in (real_method(portal, n) for n in leaves(example.tree)) if m), None)
+    return portal.page(
+        "index",
+        "The weeding robot's microcontroller software",
+        "home",
+        "home",
+        example=example,
+        method=method,
+        rows=aligned(portal, example)[:14] if example else [],
+    )
+
+
+def leaves(node: TreeNode) -> list[TreeNode]:
+    """The nodes of a tree, the deepest first."""
+    below = [leaf for child in node.children for leaf in leaves(child)]
+    return [*below, node]
+
+
+def real_method(portal: Portal, node: TreeNode) -> Method | None:
+    method = portal.links.find_method(node.resolved or f"{node.module}::{node.method}")
+    return method if method and method.body else None
+
+
+# ---- modules -----------------------------------------------------------------
+
+
+def module_page(portal: Portal, module: Module) -> Page:
+    rows = portal.calls.rows(module)
+    logic = portal.model.logic_modules.get(module.logic)
+    specified = [m for m in module.methods if m.access == "public"]
+    return portal.page(
+        f"modules/{module.name}",
+        module.name,
+        "structure",
+        "module",
+        module=module,
+        logic=logic,
+        rows=rows,
+        drawing=calls.draw(rows, portal.links),
+        methods=specified,
+        hidden=[m for m in module.methods if m.access != "public"],
+        inherited=inherited_methods(portal, module),
+        tests=portal.tests_of(module),
+        through=requirement_methods(module),
+        siblings=[name for name in (logic.modules if logic else []) if name != module.name],
+        ancestors=ancestors(portal, module),
+        bars=coverage_bars(portal, module),
+    )
+
+
+def ancestors(portal: Portal, module: Module) -> list[str]:
+    """Bases, nearest first."""
+    found: list[str] = []
+    pending = list(module.bases)
+    while pending:
+        base = pending.pop(0)
+        if base not in found:
+            found.append(base)
+            if base in portal.model.modules:
+                pending += portal.model.modules[base].bases
+    return found
+
+
+def inherited_methods(portal: Portal, module: Module) -> list[Method]:
+    """Public methods that the module has from its bases and does not override."""
+    known = {m.name for m in module.methods}
+    found: list[Method] = []
+    for base in ancestors(portal, module):
+        for method in portal.model.modules[base].methods if base in portal.model.modules else []:
+            skip = method.kind == "constructor" or method.name.startswith(("~", "operator"))
+            if method.access == "public" and not skip and method.name not in known:
+                known.add(method.name)
+                found.append(method)
+    return found
+
+
+def requirement_methods(module: Module) -> dict[str, list[str]]:
+    """The methods through which a module serves each requirement."""
+    found: dict[str, list[str]] = {identifier: [] for identifier in module.requirements}
+    for method in module.methods:
+        for identifier in method.satisfies:
+            names = found.setdefault(identifier, [])
+            if method.name not in names:
+                names.append(method.name)
+    return found
+
+
+def coverage_bars(portal: Portal, module: Module) -> list[tuple[str, list[str]]]:
+    """For each file a class for each of its lines: executed, missed, or not code."""
+    bars = []
+    for path, hits in module.line_hits.items():
+        kinds = [line_kind(hits.get(n)) for n in range(1, portal.length(path) + 1)]
+        bars.append((path, kinds))
+    return bars
+
+
+def line_kind(hits: int | None) -> str:
+    if hits is None:
+        return "z"
+    return "h" if hits else "m"
+
+
+# ---- patterns ----------------------------------------------------------------
+
+
+def pattern_page(portal: Portal, application: PatternApplication) -> Page:
+    machines = [m for m in portal.model.machines.values() if m.application == application.id]
+    modules = dict.fromkeys(r.module for r in application.roles if r.module in portal.model.modules)
+    return portal.page(
+        f"patterns/{application.id}",
+        application.id,
+        "patterns",
+        "pattern",
+        application=application,
+        machines=machines,
+        modules=[portal.model.modules[name] for name in modules],
+        kin=[a for a in portal.model.patterns.values() if a.pattern == application.pattern],
+    )
+
+
+# ---- requirements ------------------------------------------------------------
+
+
+def requirement_page(portal: Portal, requirement: Requirement) -> Page:
+    nodes = portal.flat(requirement.tree) if requirement.tree else []
+    tests = [portal.model.tests[t] for t in requirement.verified_by if t in portal.model.tests]
+    methods = [
+        m
+        for m in (portal.links.find_method(n.resolved or n.label) for _, n in nodes)
+        if m and m.body
+    ]
+    return portal.page(
+        f"requirements/{requirement.id}",
+        requirement.id,
+        "requirements",
+        "requirement",
+        requirement=requirement,
+        nodes=nodes,
+        rows=aligned(portal, requirement),
+        tests=tests,
+        methods=list({m.id: m for m in methods}.values()),
+        machines=machines_of(portal, nodes),
+        line_kind=line_kind,
+    )
+
+
+def machines_of(portal: Portal, nodes: list[tuple[int, TreeNode]]) -> list[str]:
+    """State machines of which a state plays in the tree."""
+    modules = {node.module for _, node in nodes}
+    return [m.id for m in portal.model.machines.values() if modules & set(m.states.values())]
+
+
+@dataclass
+class Row:
+    """A row of tree and trace: a node, a recorded call, or both when they match."""
+
+    node: TreeNode | None = None
+    depth: int = 0
+    call: str = ""
+    call_depth: int = 0
+    matched: bool = False
+    trunks: list[int] = field(default_factory=list)
+
+
+def aligned(portal: Portal, requirement: Requirement) -> list[Row]:
+    """Each node of the tree on the row of the recorded call that it matches."""
+    rows = [Row(call=t.method, call_depth=t.depth) for t in requirement.trace]
+    loose: list[tuple[int, Row]] = []
+    last = -1
+    for depth, node in portal.flat(requirement.tree) if requirement.tree else []:
+        at = node.trace_row
+        if at is not None and 0 <= at < len(rows) and rows[at].node is None:
+            rows[at].node, rows[at].depth, rows[at].matched = node, depth, True
+            last = at
+        else:
+            loose.append((last + 1, Row(node=node, depth=depth)))
+    for at, row in reversed(loose):
+        rows.insert(at, row)
+    add_trunks(rows)
+    return rows
+
+
+def add_trunks(rows: list[Row]) -> None:
+    """Which vertical lines of the tree pass each row: a parent's line ends at its last child."""
+    placed = [(index, row.depth) for index, row in enumerate(rows) if row.node]
+    for number, (index, depth) in enumerate(placed):
+        if depth == 0:
+            continue
+        parent = next(i for i, d in reversed(placed[:number]) if d == depth - 1)
+        for between in range(parent + 1, index):
+            if depth - 1 not in rows[between].trunks:
+                rows[between].trunks.append(depth - 1)
+
+
+def sections(portal: Portal) -> dict[str, list[Requirement]]:
+    found: dict[str, list[Requirement]] = {}
+    for requirement in portal.model.requirements.values():
+        found.setdefault(requirement.section, []).append(requirement)
+    return found
+
+
+# ---- tests, uses, source -----------------------------------------------------
+
+
+def suites(portal: Portal) -> dict[str, list[str]]:
+    found: dict[str, list[str]] = {}
+    for test in portal.model.tests.values():
+        found.setdefault(test.suite, []).append(test.id)
+    return found
+
+
+@dataclass
+class UseRow:
+    source: str
+    target: str
+    why: str | None
+    places: int
+    first: list[object]
+
+
+def use_rows(portal: Portal) -> list[UseRow]:
+    """Allowed and actual uses side by side."""
+    allowed = {(use.source, use.target): use.why for use in portal.model.allowed_uses}
+    actual = {(use.source, use.target): use.places for use in portal.model.uses}
+    return [
+        UseRow(*pair, allowed.get(pair), len(actual.get(pair, [])), [*actual.get(pair, [])][:2])
+        for pair in sorted({*allowed, *actual})
+    ]
+
+
+def folders(portal: Portal) -> dict[str, list[str]]:
+    found: dict[str, list[str]] = {}
+    for path in portal.model.files:
+        found.setdefault(path.rpartition("/")[0], []).append(path)
+    return found
+
+
+@dataclass
+class Line:
+    number: int
+    code: str
+    hits: int | None
+    marks: list[str]
+
+
+def source_page(portal: Portal, path: str) -> Page:
+    marks = marks_of(portal, path)
+    hits = hits_of(portal, path)
+    lines = [
+        Line(number, code, hits.get(number), marks.get(number, []))
+        for number, code in enumerate(portal.code.lines(path), 1)
+    ]
+    modules = [m.name for m in portal.model.modules.values() if path in (m.header, m.source)]
+    return portal.page(
+        f"source/{path}", path, "source", "source", path=path, lines=lines, modules=modules,
+        measured=bool(hits), line_kind=line_kind,
+    )  # fmt: skip
+
+
+def hits_of(portal: Portal, path: str) -> dict[int, int]:
+    found: dict[int, int] = {}
+    for module in portal.model.modules.values():
+        found.update(module.line_hits.get(path, {}))
+    return found
+
+
+def marks_of(portal: Portal, path: str) -> dict[int, list[str]]:
+    """The methods and tests that begin on the lines of a file."""
+    found: dict[int, list[str]] = {}
+    for module in portal.model.modules.values():
+        for method in module.methods:
+            for place in (method.place, method.body):
+                if place and place.file == path and method.id not in found.get(place.line, []):
+                    found.setdefault(place.line, []).append(method.id)
+    for test in portal.model.tests.values():
+        if test.place.file == path:
+            found.setdefault(test.place.line, []).append(test.id)
+    return found

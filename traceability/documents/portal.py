@@ -1,0 +1,185 @@
+"""What the pages are made from: the model, its links, and what is derived from both once."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
+
+from traceability.documents import diagrams, names
+from traceability.documents.calls import CallGraph
+from traceability.documents.highlight import Highlighter
+from traceability.documents.links import Links
+from traceability.documents.navigation import Navigation, hand_written
+from traceability.model.schema import Finding, Model, Module, Place, Requirement, Test, TreeNode
+
+
+@dataclass
+class CheckText:
+    """What a check is for; made from the registry of checks."""
+
+    id: str
+    title: str
+    text: str
+
+
+@dataclass
+class Page:
+    """A page of the site. ``nav`` names the entry of the navigation that it belongs to."""
+
+    name: str  # without .html
+    title: str
+    body: str
+    nav: str
+    wide: bool = False
+
+
+class Portal:
+    """Everything that a template may ask for."""
+
+    def __init__(
+        self, root: Path, model: Model, findings: list[Finding], checks: list[CheckText]
+    ) -> None:
+        self.root = root
+        self.model = model
+        self.findings = findings
+        self.checks = {check.id: check for check in checks}
+        self.links = Links(model, set(self.checks))
+        self.names = names.Names(model, self.links)
+        self.calls = CallGraph(model, self.links)
+        self.code = Highlighter(root, root / "build" / "pages-cache" / "code")
+        self.docs = hand_written(root / "docs")
+        self.navigation = Navigation(self)
+        self.metrics = read_metrics(root / "build" / "metrics.json")
+        self.designs = [m for m in model.modules.values() if not m.datatype]
+        self.datatypes = [m for m in model.modules.values() if m.datatype]
+        self.diagrams = self._diagrams()
+        self.templates = self._environment()
+
+    def _diagrams(self) -> dict[str, Markup]:
+        wanted = [
+            *(
+                diagrams.pattern_diagram(self.model, application, self.links)
+                for application in self.model.patterns.values()
+            ),
+            *(
+                diagrams.machine_diagram(machine, self.links)
+                for machine in self.model.machines.values()
+            ),
+        ]
+        drawn = diagrams.draw(wanted, self.root / "build" / "diagrams")
+        return {name: Markup(svg) for name, svg in drawn.items()}  # noqa: S704
+
+    def _environment(self) -> Environment:
+        loader = FileSystemLoader(self.root / "site" / "templates")
+        environment = Environment(
+            loader=loader,
+            autoescape=True,
+            undefined=StrictUndefined,
+            trim_blocks=True,
+            lstrip_blocks=True,
+        )
+        environment.filters["text"] = self.names.text
+        environment.globals.update(
+            model=self.model,
+            portal=self,
+            n=self.names,
+            links=self.links,
+            views=names.VIEWS,
+            glyph=names.glyph,
+            diagrams=self.diagrams,
+            family=diagrams.role_family,
+        )
+        return environment
+
+    def page(
+        self, name: str, title: str, nav: str, template: str, *, wide: bool = False, **values: Any
+    ) -> Page:
+        body = self.templates.get_template(f"{template}.html").render(**values)
+        return Page(name, title, body, nav, wide)
+
+    # ---- derived facts --------------------------------------------------------
+
+    @property
+    def clauses(self) -> int:
+        return sum(c.holds for a in self.model.patterns.values() for c in a.clauses)
+
+    @property
+    def conforming(self) -> int | None:
+        """Applications of which all clauses hold; ``None`` when no clause was checked."""
+        checked = [a for a in self.model.patterns.values() if a.clauses]
+        return sum(all(c.holds for c in a.clauses) for a in checked) if checked else None
+
+    @property
+    def verified(self) -> int | None:
+        if self.model.results_stale:
+            return None
+        return sum(r.state == "verified" for r in self.model.requirements.values())
+
+    @property
+    def trees(self) -> list[Requirement]:
+        return [r for r in self.model.requirements.values() if r.tree]
+
+    @property
+    def trees_executed(self) -> int | None:
+        if self.model.results_stale:
+            return None
+        return sum(all(n.executed for _, n in self.flat(r.tree)) for r in self.trees if r.tree)
+
+    def flat(self, node: TreeNode, depth: int = 0) -> list[tuple[int, TreeNode]]:
+        """The nodes of a tree with their depth, from the root."""
+        below = [pair for child in node.children for pair in self.flat(child, depth + 1)]
+        return [(depth, node), *below]
+
+    def path_of(self, module: Module) -> list[str]:
+        """Logic modules from the top down to the module's own."""
+        path: list[str] = []
+        logic = self.model.logic_modules.get(module.logic)
+        while logic is not None:
+            path.insert(0, logic.id)
+            logic = self.model.logic_modules.get(logic.parent or "")
+        return path
+
+    def body_lines(self, place: Place | None) -> list[tuple[int, Markup]]:
+        """The highlighted lines of a place, numbered."""
+        if place is None:
+            return []
+        lines = self.code.lines(place.file)
+        last = place.end or place.line
+        return [
+            (number, Markup(lines[number - 1]))  # noqa: S704
+            for number in range(place.line, min(last, len(lines)) + 1)
+        ]
+
+    def length(self, path: str) -> int:
+        return len(self.code.lines(path))
+
+    def tests_of(self, module: Module) -> list[Test]:
+        return [self.model.tests[name] for name in module.tests if name in self.model.tests]
+
+    def passed(self, tests: list[Test]) -> int | None:
+        """How many passed in results that fit the sources; ``None`` when there are none."""
+        if self.model.results_stale or not any(test.result for test in tests):
+            return None
+        return sum(test.result == "passed" for test in tests)
+
+    def applications_of(self, module: Module) -> list[str]:
+        return list(dict.fromkeys(role.application for role in module.roles))
+
+    def findings_of(self, check: str) -> list[Finding]:
+        return [finding for finding in self.findings if finding.check == check]
+
+    def metric(self, key: str) -> Any:
+        return self.metrics.get(key)
+
+
+def read_metrics(path: Path) -> dict[str, Any]:
+    """The figures of the last run; empty when there was none."""
+    if not path.is_file():
+        return {}
+    loaded: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    return loaded

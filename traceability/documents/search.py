@@ -1,0 +1,112 @@
+"""The search index, the cards of the modules, and the targets of the roles of hand-written pages."""
+
+from __future__ import annotations
+
+import html
+import json
+import re
+
+from traceability.documents.links import ROOT
+from traceability.documents.names import views_of
+from traceability.documents.pages import ancestors
+from traceability.documents.portal import Portal
+from traceability.model.schema import Module
+
+Entry = tuple[str, str, str, str, str]  # group, key, title, text, address
+
+
+def script(portal: Portal) -> str:
+    """A script, so that it can be read without a server."""
+    data = {
+        "commit": portal.model.commit,
+        "modules": {m.name: card(portal, m) for m in portal.model.modules.values()},
+        "entries": [list(entry) for entry in entries(portal)],
+    }
+    return f"window.PORTAL = {json.dumps(data, ensure_ascii=False, separators=(',', ':'))};\n"
+
+
+def card(portal: Portal, module: Module) -> dict[str, object]:
+    logic = portal.model.logic_modules.get(module.logic)
+    return {
+        "kind": kind(module),
+        "logic": logic.name if logic else module.logic,
+        "secret": plain(module.secret or module.brief),
+        "roles": [[role.role, role.application] for role in module.roles],
+        "views": "" if module.datatype else "".join(sorted(views_of(module, portal.names.called))),
+        "url": (portal.links.module(module.name) or "").removeprefix(ROOT),
+    }
+
+
+def kind(module: Module) -> str:
+    if module.datatype:
+        return "d"
+    return "a" if module.abstract else "c"
+
+
+def plain(text: str) -> str:
+    return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]+>", "", text))).strip()
+
+
+def entries(portal: Portal) -> list[Entry]:
+    model, links = portal.model, portal.links
+    found: list[Entry] = []
+
+    def add(group: str, key: str, title: str, text: str, address: str | None) -> None:
+        if address:
+            found.append((group, key, title, plain(text), address.removeprefix(ROOT)))
+
+    for module in model.modules.values():
+        group = "Data types" if module.datatype else "Modules"
+        add(group, kind(module), module.name, module.secret or module.brief, links.module(module.name))
+    for logic in model.logic_modules.values():
+        add("Logic modules", "", logic.name, logic.brief, links.logic(logic.id))
+    for application in model.patterns.values():
+        text = f"{application.pattern}. {application.title}"
+        add("Pattern applications", "P", application.id, text, links.pattern(application.id))
+    for requirement in model.requirements.values():
+        add("Requirements", "R", requirement.id, requirement.text, links.requirement(requirement.id))
+    seen: set[str] = set()
+    for module in model.modules.values():
+        for method in module.methods:
+            if method.access == "public" and method.kind != "constructor" and method.id not in seen:
+                seen.add(method.id)
+                add("Methods", "G", method.id, method.brief, links.method(method.id))
+    for test in model.tests.values():
+        add("Tests", "T", test.id, test.brief, links.test(test.id))
+    for check in portal.checks.values():
+        add("Checks", "", check.id, check.title, links.check(check.id))
+    for path in model.files:
+        add("Source", "S", path.rpartition("/")[2], path, links.file(path))
+    for group_ in portal.navigation.groups:
+        for entry in group_.entries:
+            add("Pages", entry.key, entry.title, group_.title, ROOT + entry.address)
+    return found
+
+
+def targets(portal: Portal) -> dict[str, dict[str, str]]:
+    """For each role of the hand-written pages: name to HTML."""
+    model, links, names = portal.model, portal.links, portal.names
+    methods = {
+        f"{module.name}::{method.name}"
+        for module in model.modules.values()
+        for owner in [module.name, *ancestors(portal, module)]
+        if owner in model.modules
+        for method in model.modules[owner].methods
+    }
+    return {
+        "module": {name: str(names.mod(name)) for name in model.modules},
+        "logic": {
+            key: str(names.logic(logic.id))
+            for logic in model.logic_modules.values()
+            for key in (logic.id, logic.name)
+        },
+        "method": {name: str(names.meth(name)) for name in sorted(methods)},
+        "requirement": {name: str(names.req(name)) for name in model.requirements},
+        "pattern": {name: str(names.pat(name)) for name in model.patterns},
+        "check": {name: str(names.check(name)) for name in portal.checks},
+        "test": {name: str(names.test(name)) for name in model.tests},
+        "source": {
+            path: f'<a class="src" href="{links.file(path)}"><code>{path}</code></a>'
+            for path in model.files
+        },
+    }
