@@ -16,14 +16,11 @@ bool ControlThread::post() {
   if (body_.load() == nullptr) {
     return false;
   }
-  const std::uint32_t unfinished = activations_.fetch_add(1);
-  if (unfinished == 0) {
+  const std::uint32_t before = state_.fetch_or(kWaiting);
+  if (before == kIdle) {
     pend();
-    return true;
-  }
-  overruns_.fetch_add(1);
-  if (unfinished >= 2) {
-    activations_.fetch_sub(1);
+  } else {
+    overruns_.fetch_add(1);
   }
   return true;
 }
@@ -34,11 +31,12 @@ std::uint16_t ControlThread::overruns() const {
 }
 
 void ControlThread::run() {
-  if (activations_.load() == 0) {
+  if ((state_.load() & kWaiting) == 0) {
     return;
   }
+  state_.fetch_xor(kWaiting | kRunning);
   body_.load()->execute();
-  if (activations_.fetch_sub(1) > 1) {
+  if ((state_.fetch_and(~kRunning) & kWaiting) != 0) {
     pend();
   }
 }

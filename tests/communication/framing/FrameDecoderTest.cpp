@@ -1,0 +1,173 @@
+#include "communication/framing/FrameDecoder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "support/LineBytes.hpp"
+#include "support/seed.hpp"
+
+namespace wr {
+namespace {
+
+using test::Bytes;
+using testing::ElementsAre;
+using testing::ElementsAreArray;
+using testing::IsEmpty;
+
+/// @brief What the decoder says to bytes from the line, without Nothing.
+std::vector<Decoded> push(FrameDecoder& decoder, const Bytes& line) {
+  std::vector<Decoded> said;
+  for (const std::uint8_t byte : line) {
+    const Decoded decoded = decoder.push(byte);
+    if (decoded != Decoded::Nothing) {
+      said.push_back(decoded);
+    }
+  }
+  return said;
+}
+
+/// @brief A frame that is in order is found with its last byte.
+/// @verifies FR-40
+TEST(FrameDecoder, FR40_FindsAFrame) {
+  FrameDecoder decoder;
+  const Bytes payload{9, 0, 8};
+  EXPECT_THAT(push(decoder, test::lineBytes(0x33, 200, payload)), ElementsAre(Decoded::Whole));
+  EXPECT_EQ(static_cast<int>(decoder.frame().type), 0x33);
+  EXPECT_EQ(decoder.frame().sequence, 200);
+  EXPECT_THAT(decoder.frame().payload, ElementsAreArray(payload));
+}
+
+/// @brief Frames of the least and the greatest length are found.
+/// @verifies FR-40
+TEST(FrameDecoder, FR40_FindsTheShortestAndTheLongestFrame) {
+  FrameDecoder decoder;
+  EXPECT_THAT(push(decoder, test::lineBytes(1, 0, {})), ElementsAre(Decoded::Whole));
+  EXPECT_THAT(decoder.frame().payload, IsEmpty());
+  EXPECT_THAT(push(decoder, test::lineBytes(1, 0, Bytes(kMaxPayload, 0))),
+              ElementsAre(Decoded::Whole));
+  EXPECT_THAT(decoder.frame().payload, ElementsAreArray(Bytes(kMaxPayload, 0)));
+}
+
+/// @brief Zero bytes with nothing between them are ignored.
+/// @verifies FR-40
+TEST(FrameDecoder, FR40_ZeroBytesBetweenFramesAreIgnored) {
+  FrameDecoder decoder;
+  EXPECT_THAT(push(decoder, {0, 0, 0}), IsEmpty());
+  EXPECT_THAT(push(decoder, test::lineBytes(1, 0, {})), ElementsAre(Decoded::Whole));
+}
+
+/// @brief A frame of which any one bit is wrong is not found. The bit may also make two frames of
+/// it: then both are damaged.
+/// @verifies FR-41
+TEST(FrameDecoder, FR41_AFrameWithOneWrongBitIsDamaged) {
+  const Bytes whole = test::lineBytes(4, 7, {1, 0, 2, 0, 0, 3, 255, 254});
+  for (std::size_t bit = 0; bit < 8 * (whole.size() - 1); ++bit) {
+    Bytes line = whole;
+    line[bit / 8] = static_cast<std::uint8_t>(line[bit / 8] ^ (1U << (bit % 8)));
+    FrameDecoder decoder;
+    EXPECT_THAT(push(decoder, line),
+                testing::AllOf(testing::Not(IsEmpty()), testing::Each(Decoded::Damaged)));
+  }
+}
+
+/// @brief COBS that points beyond the end, or ends before it, is damaged.
+/// @verifies FR-41
+TEST(FrameDecoder, FR41_BadCobsIsDamaged) {
+  FrameDecoder decoder;
+  EXPECT_THAT(push(decoder, {8, 1, 1, 1, 1, 1, 0}), ElementsAre(Decoded::Damaged));
+  EXPECT_THAT(push(decoder, {2, 1, 3, 1, 1, 9, 0}), ElementsAre(Decoded::Damaged));
+}
+
+/// @brief A body of fewer than 5 bytes is damaged, also with a right CRC.
+/// @verifies FR-41
+TEST(FrameDecoder, FR41_ABodyOfFewerThanFiveBytesIsDamaged) {
+  for (std::size_t length = 0; length <= 2; ++length) {
+    FrameDecoder decoder;
+    EXPECT_THAT(push(decoder, test::stuffed(test::withCrc(Bytes(length, 1)))),
+                ElementsAre(Decoded::Damaged));
+  }
+  FrameDecoder decoder;
+  EXPECT_THAT(push(decoder, {1, 0}), ElementsAre(Decoded::Damaged));
+}
+
+/// @brief Each of the two bytes of the CRC counts.
+/// @verifies FR-41
+TEST(FrameDecoder, FR41_ABadCrcIsDamaged) {
+  for (const std::size_t wrong : {3U, 4U}) {
+    Bytes body = test::withCrc({1, 1, 0});
+    body[wrong] ^= 0x10U;
+    FrameDecoder decoder;
+    EXPECT_THAT(push(decoder, test::stuffed(body)), ElementsAre(Decoded::Damaged));
+  }
+}
+
+/// @brief A body of 129 bytes or more is too long, and it is said once, when the frame ends.
+/// @verifies FR-42
+TEST(FrameDecoder, FR42_ABodyOfMoreThan128BytesIsTooLong) {
+  for (const std::size_t payload : {kMaxPayload + 1, kMaxPayload + 2, std::size_t{5000}}) {
+    FrameDecoder decoder;
+    Bytes line(payload + 6, 1);
+    EXPECT_THAT(push(decoder, line), IsEmpty());
+    EXPECT_THAT(push(decoder, {0}), ElementsAre(Decoded::TooLong));
+  }
+  FrameDecoder decoder;
+  EXPECT_THAT(push(decoder, test::lineBytes(1, 0, Bytes(kMaxPayload + 1, 5))),
+              ElementsAre(Decoded::TooLong));
+}
+
+/// @brief A whole frame of another version is told from a damaged one.
+/// @verifies FR-43
+TEST(FrameDecoder, FR43_AFrameOfAnotherVersionIsTold) {
+  FrameDecoder decoder;
+  EXPECT_THAT(push(decoder, test::lineBytes(1, 0, {}, 2)), ElementsAre(Decoded::UnknownVersion));
+  EXPECT_THAT(push(decoder, test::lineBytes(1, 0, {}, 0)), ElementsAre(Decoded::UnknownVersion));
+}
+
+/// @brief Whatever was dropped before, the next frame is found.
+/// @verifies FR-48
+TEST(FrameDecoder, FR48_TheFrameAfterADroppedOneIsFound) {
+  const Bytes good = test::lineBytes(2, 3, {4});
+  const std::vector<std::pair<Bytes, Decoded>> dropped{
+      {{1, 0}, Decoded::Damaged},
+      {{9, 9, 9, 9, 9, 9, 9, 0}, Decoded::Damaged},
+      {Bytes(300, 7), Decoded::TooLong},
+      {test::lineBytes(1, 0, {}, 9), Decoded::UnknownVersion},
+  };
+  for (const auto& [bytes, reason] : dropped) {
+    Bytes line = bytes;
+    line.push_back(0);
+    line.insert(line.end(), good.begin(), good.end());
+    FrameDecoder decoder;
+    EXPECT_THAT(push(decoder, line), ElementsAre(reason, Decoded::Whole));
+    EXPECT_THAT(decoder.frame().payload, ElementsAre(4));
+  }
+}
+
+/// @brief After random bytes a frame behind a zero byte is always found, and random bytes are hardly
+/// ever a frame.
+/// @verifies FR-41
+/// @verifies FR-48
+TEST(FrameDecoder, FR48_FindsItsPlaceInRandomBytes) {
+  std::mt19937 random(test::seed());
+  FrameDecoder decoder;
+  int whole = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Bytes noise(random() % 400);
+    for (auto& byte : noise) {
+      byte = static_cast<std::uint8_t>(random());
+    }
+    noise.push_back(0);
+    for (const Decoded decoded : push(decoder, noise)) {
+      whole += decoded == Decoded::Whole ? 1 : 0;
+    }
+    const Bytes payload(random() % (kMaxPayload + 1), static_cast<std::uint8_t>(random()));
+    ASSERT_THAT(push(decoder, test::lineBytes(4, 0, payload)), ElementsAre(Decoded::Whole));
+    ASSERT_THAT(decoder.frame().payload, ElementsAreArray(payload));
+  }
+  EXPECT_LE(whole, 2);
+}
+
+}  // namespace
+}  // namespace wr

@@ -1,0 +1,63 @@
+#include "communication/framing/FrameEncoder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "support/LineBytes.hpp"
+#include "support/seed.hpp"
+
+namespace wr {
+namespace {
+
+using test::Bytes;
+using testing::ElementsAreArray;
+
+/// @brief A frame begins with version, type and sequence number and ends with the CRC, low byte first.
+/// @verifies FR-40
+TEST(FrameEncoder, FR40_MakesAFrameAsTheProtocolSays) {
+  FrameEncoder encoder;
+  const Bytes payload{0x01};
+  EXPECT_THAT(encoder.encode({FrameType::Confirm, 1, payload}),
+              ElementsAreArray(test::fromHex("070102010104bf00")));
+}
+
+/// @brief The only zero byte of a frame is its last, whatever the payload holds.
+/// @verifies FR-40
+TEST(FrameEncoder, FR40_OnlyTheLastByteIsZero) {
+  FrameEncoder encoder;
+  const Bytes zeros(kMaxPayload, 0);
+  const auto coded = encoder.encode({FrameType::Report, 0, zeros});
+  ASSERT_EQ(coded.size(), kMaxCoded);
+  EXPECT_THAT(coded.first(coded.size() - 1), testing::Each(testing::Ne(0)));
+  EXPECT_EQ(coded.back(), 0);
+}
+
+/// @brief Random frames of each length are those that an independent encoder makes.
+/// @verifies FR-40
+TEST(FrameEncoder, FR40_AgreesWithTheReference) {
+  std::mt19937 random(test::seed());
+  FrameEncoder encoder;
+  for (std::size_t length = 0; length <= kMaxPayload; ++length) {
+    for (int i = 0; i < 8; ++i) {
+      Bytes payload(length);
+      for (auto& byte : payload) {
+        byte = static_cast<std::uint8_t>(random() % 4 == 0 ? 0 : random());
+      }
+      const auto sequence = static_cast<std::uint8_t>(random());
+      ASSERT_THAT(encoder.encode({FrameType::Report, sequence, payload}),
+                  ElementsAreArray(test::lineBytes(0x82, sequence, payload)));
+    }
+  }
+}
+
+/// @brief A payload that no frame can carry is a fault of the program.
+TEST(FrameEncoderDeathTest, RefusesAPayloadThatIsTooLarge) {
+  FrameEncoder encoder;
+  const Bytes payload(kMaxPayload + 1, 1);
+  EXPECT_DEATH(static_cast<void>(encoder.encode({FrameType::Report, 0, payload})), "");
+}
+
+}  // namespace
+}  // namespace wr

@@ -1,0 +1,664 @@
+#include "communication/pc_connection/PcConnection.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "communication/framing/Crc16.hpp"
+#include "communication/pc_connection/Connected.hpp"
+#include "communication/pc_connection/Disconnected.hpp"
+#include "communication/pc_connection/FirmwareIdentity.hpp"
+#include "communication/pc_connection/Handshaking.hpp"
+#include "communication/serialization/OrderMessage.hpp"
+#include "communication/serialization/ReportMessage.hpp"
+#include "support/FakeSerialPort.hpp"
+#include "support/FakeTimebase.hpp"
+#include "support/LineBytes.hpp"
+#include "support/orders.hpp"
+
+namespace wr {
+namespace {
+
+using test::Bytes;
+
+constexpr std::uint8_t kHello = 0x01;
+constexpr std::uint8_t kConfirm = 0x02;
+constexpr std::uint8_t kKeepAlive = 0x03;
+constexpr std::uint8_t kOrder = 0x04;
+constexpr std::uint8_t kWelcome = 0x81;
+constexpr std::uint8_t kReport = 0x82;
+
+/// @brief A connection whose PC is the test.
+struct PcConnectionTest : testing::Test {
+  /// @brief Puts bytes on the line and serves the link.
+  void receive(const Bytes& line) {
+    port.received.insert(port.received.end(), line.begin(), line.end());
+    connection.service();
+  }
+
+  /// @brief Sends one frame with the next sequence number, and serves the link.
+  void send(std::uint8_t type, const Bytes& payload = {}) {
+    receive(test::lineBytes(type, sequence++, payload));
+  }
+
+  void sendOrder(std::uint16_t id, std::uint8_t stop = 0, std::int16_t steering = 0) {
+    const auto bytes = test::orderBytes(id, steering, 0, 0, stop);
+    send(kOrder, Bytes(bytes.begin(), bytes.end()));
+  }
+
+  /// @brief Lets the time pass, then serves the link.
+  void wait(Microseconds duration) {
+    clock.advance(duration);
+    connection.service();
+  }
+
+  void handshake() {
+    send(kHello);
+    send(kConfirm, {lastSession()});
+    ASSERT_TRUE(connection.connected());
+  }
+
+  /// @brief Bodies of all frames that the system has sent.
+  [[nodiscard]] std::vector<Bytes> sent() const { return test::bodies(port.sent); }
+
+  [[nodiscard]] std::uint8_t lastSession() const { return sent().back()[3]; }
+
+  /// @brief Does something that must change no count but the one that it tells.
+  template <class Action>
+  void expectCounted(std::uint16_t LinkCounts::* count, int times, Action action) {
+    LinkCounts expected = connection.counts();
+    expected.*count = static_cast<std::uint16_t>(expected.*count + times);
+    action();
+    EXPECT_EQ(connection.counts(), expected);
+  }
+
+  test::FakeTimebase clock;
+  test::FakeSerialPort port;
+  SerialReader orders{clock};
+  struct States {
+    Disconnected disconnected{handshaking};
+    Handshaking handshaking{connected, disconnected};
+    Connected connected{handshaking, disconnected};
+  } states;
+  PcConnection connection{port, clock, orders, states.disconnected};
+  std::uint8_t sequence = 0;
+};
+
+/// @brief After start no PC is connected, and nothing is sent.
+/// @verifies FR-31
+TEST_F(PcConnectionTest, FR31_IsDisconnectedAfterStart) {
+  wait(milliseconds(100));
+  EXPECT_FALSE(connection.connected());
+  EXPECT_TRUE(port.sent.empty());
+  EXPECT_EQ(connection.counts(), LinkCounts());
+}
+
+/// @brief A Hello is answered by one Welcome with session, version, build id, period and N.
+/// @verifies FR-30
+TEST_F(PcConnectionTest, FR30_WelcomeHoldsWhatThePcMustKnow) {
+  send(kHello);
+  ASSERT_EQ(sent().size(), 1U);
+  Bytes expected{1, kWelcome, 0, 1, firmwareIdentity.major, firmwareIdentity.minor,
+                 firmwareIdentity.patch};
+  expected.insert(expected.end(), firmwareIdentity.buildId.begin(), firmwareIdentity.buildId.end());
+  expected.insert(expected.end(), {100, 0, 4});
+  EXPECT_EQ(sent().front(), test::withCrc(expected));
+  EXPECT_FALSE(connection.connected());
+}
+
+/// @brief The build id is 8 hexadecimal digits.
+/// @verifies FR-30
+TEST_F(PcConnectionTest, FR30_TheBuildIdIsHexadecimal) {
+  EXPECT_THAT(std::string(firmwareIdentity.buildId.begin(), firmwareIdentity.buildId.end()),
+              testing::MatchesRegex("[0-9a-f]+"));
+}
+
+/// @brief Each Hello is answered in each state, each time with another session.
+/// @verifies FR-30
+TEST_F(PcConnectionTest, FR30_EachHelloIsAnsweredWithANewSession) {
+  send(kHello);
+  EXPECT_EQ(lastSession(), 1);
+  send(kHello);
+  EXPECT_EQ(lastSession(), 2);
+  send(kConfirm, {2});
+  ASSERT_TRUE(connection.connected());
+  send(kHello);
+  EXPECT_EQ(lastSession(), 3);
+  EXPECT_EQ(sent().size(), 3U);
+}
+
+/// @brief Sessions are numbered from 1 to 255 and then from 1 again.
+/// @verifies FR-30
+TEST_F(PcConnectionTest, FR30_TheSessionIsNeverZero) {
+  for (int i = 0; i < 255; ++i) {
+    send(kHello);
+  }
+  EXPECT_EQ(lastSession(), 255);
+  send(kHello);
+  EXPECT_EQ(lastSession(), 1);
+}
+
+/// @brief The Confirm of the session that was offered connects the PC.
+/// @verifies FR-31
+TEST_F(PcConnectionTest, FR31_TheRightConfirmConnects) {
+  send(kHello);
+  send(kConfirm, {1});
+  EXPECT_TRUE(connection.connected());
+}
+
+/// @brief Hello, Confirm and order may come in one cycle.
+/// @verifies FR-31
+/// @verifies FR-37
+TEST_F(PcConnectionTest, FR37_AllFramesOfACycleTakeEffectInIt) {
+  Bytes line = test::lineBytes(kHello, 0, {});
+  const auto order = test::orderBytes(1, 0, 0, 0);
+  for (const Bytes& frame : {test::lineBytes(kConfirm, 1, {1}),
+                             test::lineBytes(kOrder, 2, Bytes(order.begin(), order.end()))}) {
+    line.insert(line.end(), frame.begin(), frame.end());
+  }
+  receive(line);
+  EXPECT_TRUE(connection.connected());
+  EXPECT_TRUE(orders.available());
+}
+
+/// @brief A Confirm of another session is unexpected, and the handshake goes on.
+/// @verifies FR-31
+/// @verifies FR-47
+TEST_F(PcConnectionTest, FR31_AWrongConfirmChangesNothing) {
+  send(kHello);
+  expectCounted(&LinkCounts::unexpected, 1, [&] { send(kConfirm, {2}); });
+  EXPECT_FALSE(connection.connected());
+  --sequence;
+  send(kConfirm, {1});
+  EXPECT_TRUE(connection.connected());
+}
+
+/// @brief A second Hello makes the session of the first one void.
+/// @verifies FR-31
+TEST_F(PcConnectionTest, FR31_OnlyTheLastSessionIsOffered) {
+  send(kHello);
+  send(kHello);
+  send(kConfirm, {1});
+  EXPECT_FALSE(connection.connected());
+}
+
+/// @brief A Confirm that is read just within 1 s connects.
+/// @verifies FR-31
+TEST_F(PcConnectionTest, FR31_AConfirmAfterOneSecondConnects) {
+  send(kHello);
+  clock.advance(milliseconds(1000));
+  send(kConfirm, {1});
+  EXPECT_TRUE(connection.connected());
+}
+
+/// @brief A Confirm that is read later is unexpected, also when no cycle has ended the handshake.
+/// @verifies FR-31
+/// @verifies FR-32
+TEST_F(PcConnectionTest, FR32_AConfirmThatIsLateIsUnexpected) {
+  send(kHello);
+  clock.advance(Microseconds(1000001));
+  expectCounted(&LinkCounts::unexpected, 1, [&] { send(kConfirm, {1}); });
+  EXPECT_FALSE(connection.connected());
+}
+
+/// @brief Without a right Confirm the handshake ends after 1 s; wrong ones do not prolong it.
+/// @verifies FR-32
+TEST_F(PcConnectionTest, FR32_TheHandshakeEndsAfterOneSecond) {
+  send(kHello);
+  wait(Microseconds(999999));
+  send(kConfirm, {9});
+  wait(Microseconds(1));
+  send(kConfirm, {1});
+  EXPECT_FALSE(connection.connected());
+  EXPECT_EQ(connection.counts().unexpected, 2);
+}
+
+/// @brief A connected PC that is silent for 1 s is disconnected, and its newest order is dropped.
+/// @verifies FR-33
+TEST_F(PcConnectionTest, FR33_ASilentPcIsDisconnected) {
+  handshake();
+  clock.advance(milliseconds(900));
+  send(kKeepAlive);
+  sendOrder(1);
+  wait(Microseconds(999999));
+  EXPECT_TRUE(connection.connected());
+  wait(Microseconds(1));
+  EXPECT_FALSE(connection.connected());
+}
+
+/// @brief The order that is dropped with the connection cannot be read, even if it is young.
+/// @verifies FR-33
+TEST_F(PcConnectionTest, FR33_TheOrderOfALostPcIsDropped) {
+  handshake();
+  clock.advance(milliseconds(1000));
+  ASSERT_TRUE(orders.offer(test::orderBytes(1, 0, 0, 0)));
+  ASSERT_TRUE(orders.available());
+  connection.service();
+  EXPECT_FALSE(connection.connected());
+  EXPECT_FALSE(orders.available());
+}
+
+/// @brief A KeepAlive or an order keeps the connection.
+/// @verifies FR-33
+TEST_F(PcConnectionTest, FR33_AcceptedFramesKeepTheConnection) {
+  handshake();
+  for (int i = 0; i < 5; ++i) {
+    clock.advance(milliseconds(999));
+    send(kKeepAlive);
+    clock.advance(milliseconds(999));
+    sendOrder(1);
+  }
+  EXPECT_TRUE(connection.connected());
+  EXPECT_EQ(connection.counts(), LinkCounts());
+}
+
+/// @brief Frames that are dropped do not keep the connection.
+/// @verifies FR-33
+/// @verifies FR-48
+TEST_F(PcConnectionTest, FR48_DroppedFramesDoNotKeepTheConnection) {
+  handshake();
+  for (int i = 0; i < 10; ++i) {
+    clock.advance(milliseconds(100));
+    receive({1, 2, 3, 0});
+    send(kKeepAlive, {1});
+    send(0x55);
+    send(kConfirm, {1});
+    sendOrder(1, 0, 3201);
+  }
+  EXPECT_FALSE(connection.connected());
+  EXPECT_FALSE(orders.available());
+}
+
+/// @brief A Hello of a connected PC ends the connection, drops the order and begins a handshake.
+/// @verifies FR-34
+TEST_F(PcConnectionTest, FR34_AHelloBeginsANewHandshake) {
+  handshake();
+  sendOrder(1);
+  ASSERT_TRUE(orders.available());
+  send(kHello);
+  EXPECT_FALSE(connection.connected());
+  EXPECT_FALSE(orders.available());
+  send(kConfirm, {2});
+  EXPECT_TRUE(connection.connected());
+  EXPECT_FALSE(orders.available());
+}
+
+/// @brief A stop outlives the connection.
+/// @verifies FR-21
+TEST_F(PcConnectionTest, FR21_AStopOutlivesTheConnection) {
+  handshake();
+  sendOrder(1, 1);
+  wait(milliseconds(1000));
+  ASSERT_FALSE(connection.connected());
+  EXPECT_TRUE(orders.stopOrdered());
+  handshake();
+  EXPECT_TRUE(orders.stopOrdered());
+  sendOrder(2, 0);
+  EXPECT_FALSE(orders.stopOrdered());
+}
+
+/// @brief An order is taken only while the PC is connected.
+/// @verifies FR-36
+/// @verifies FR-47
+TEST_F(PcConnectionTest, FR36_OrdersAreTakenOnlyWhileConnected) {
+  expectCounted(&LinkCounts::unexpected, 1, [&] { sendOrder(1); });
+  send(kHello);
+  expectCounted(&LinkCounts::unexpected, 1, [&] { sendOrder(2, 1); });
+  EXPECT_FALSE(orders.available());
+  EXPECT_FALSE(orders.stopOrdered());
+  send(kHello);
+  send(kConfirm, {2});
+  sendOrder(3);
+  EXPECT_TRUE(orders.available());
+}
+
+/// @brief Each state counts the frames that it does not expect.
+/// @verifies FR-47
+TEST_F(PcConnectionTest, FR47_UnexpectedFramesAreCounted) {
+  expectCounted(&LinkCounts::unexpected, 2, [&] {
+    send(kConfirm, {0});
+    send(kKeepAlive);
+  });
+  send(kHello);
+  expectCounted(&LinkCounts::unexpected, 1, [&] { send(kKeepAlive); });
+  send(kHello);
+  send(kConfirm, {2});
+  expectCounted(&LinkCounts::unexpected, 1, [&] { send(kConfirm, {2}); });
+  EXPECT_TRUE(connection.connected());
+}
+
+/// @brief A frame that is damaged, too long or of another version is counted by its reason.
+/// @verifies FR-41
+/// @verifies FR-42
+/// @verifies FR-43
+TEST_F(PcConnectionTest, FR41_FramesThatAreNotInOrderAreCounted) {
+  Bytes damaged = test::lineBytes(kHello, 0, {});
+  damaged[2] = 9;
+  expectCounted(&LinkCounts::damaged, 1, [&] { receive(damaged); });
+  expectCounted(&LinkCounts::tooLong, 1, [&] { send(kHello, Bytes(124, 0)); });
+  expectCounted(&LinkCounts::unknownVersion, 1,
+                [&] { receive(test::lineBytes(kHello, 0, {}, 2)); });
+  EXPECT_TRUE(port.sent.empty());
+}
+
+/// @brief Types that the system sends, and types without a name, are unknown.
+/// @verifies FR-44
+TEST_F(PcConnectionTest, FR44_UnknownTypesAreCounted) {
+  expectCounted(&LinkCounts::unknownType, 4, [&] {
+    for (const int type : {0x00, 0x05, 0x81, 0x82}) {
+      send(static_cast<std::uint8_t>(type));
+    }
+  });
+}
+
+/// @brief A payload that is shorter or longer than its type demands is dropped in every state.
+/// @verifies FR-45
+TEST_F(PcConnectionTest, FR45_WrongLengthsAreCounted) {
+  const auto sendAll = [&] {
+    send(kHello, {0});
+    send(kConfirm);
+    send(kConfirm, {1, 1});
+    send(kKeepAlive, {0});
+    send(kOrder, Bytes(16, 0));
+    send(kOrder, Bytes(18, 0));
+  };
+  expectCounted(&LinkCounts::wrongLength, 6, sendAll);
+  EXPECT_TRUE(port.sent.empty());
+  handshake();
+  expectCounted(&LinkCounts::wrongLength, 6, sendAll);
+  EXPECT_TRUE(connection.connected());
+  EXPECT_FALSE(orders.available());
+}
+
+/// @brief An order out of range is counted, and the order before stays.
+/// @verifies FR-46
+/// @verifies FR-48
+TEST_F(PcConnectionTest, FR46_OrdersOutOfRangeAreCounted) {
+  handshake();
+  sendOrder(1);
+  expectCounted(&LinkCounts::outOfRange, 1, [&] { sendOrder(2, 0, -3201); });
+  ASSERT_TRUE(orders.available());
+  EXPECT_EQ(orders.readU16({FieldName::OrderId}), 1);
+}
+
+/// @brief The sequence number of a dropped frame is not looked at.
+/// @verifies FR-48
+/// @verifies FR-49
+TEST_F(PcConnectionTest, FR48_TheSequenceOfADroppedFrameIsNotLookedAt) {
+  handshake();
+  receive(test::lineBytes(0x77, 99, {}));
+  receive(test::lineBytes(kConfirm, 98, {1}));
+  receive(test::lineBytes(kKeepAlive, 97, {0}));
+  send(kKeepAlive);
+  EXPECT_EQ(connection.counts().sequenceGaps, 0);
+}
+
+/// @brief A frame that does not follow the one before is a gap, and is not dropped.
+/// @verifies FR-49
+TEST_F(PcConnectionTest, FR49_SequenceGapsAreCounted) {
+  handshake();
+  ++sequence;
+  expectCounted(&LinkCounts::sequenceGaps, 1, [&] { sendOrder(1); });
+  EXPECT_TRUE(orders.available());
+  expectCounted(&LinkCounts::sequenceGaps, 0, [&] { send(kKeepAlive); });
+  --sequence;
+  expectCounted(&LinkCounts::sequenceGaps, 1, [&] { send(kKeepAlive); });
+}
+
+/// @brief Sequence numbers run from 255 to 0 without a gap.
+/// @verifies FR-49
+TEST_F(PcConnectionTest, FR49_SequenceNumbersWrap) {
+  handshake();
+  for (int i = 0; i < 300; ++i) {
+    send(kKeepAlive);
+  }
+  EXPECT_EQ(connection.counts().sequenceGaps, 0);
+}
+
+/// @brief A Hello starts the count of the sequence anew.
+/// @verifies FR-49
+TEST_F(PcConnectionTest, FR49_AHelloStartsTheSequenceAnew) {
+  handshake();
+  sequence = 200;
+  expectCounted(&LinkCounts::sequenceGaps, 0, [&] {
+    send(kHello);
+    send(kConfirm, {2});
+  });
+  EXPECT_TRUE(connection.connected());
+}
+
+/// @brief The bytes that the port lost are told as the port counts them.
+/// @verifies FR-49
+TEST_F(PcConnectionTest, FR49_LostBytesAreTold) {
+  port.lost = 321;
+  expectCounted(&LinkCounts::lostBytes, 321, [&] { connection.service(); });
+}
+
+/// @brief A count stops at 65535.
+/// @verifies FR-63
+TEST_F(PcConnectionTest, FR63_CountsSaturate) {
+  const Bytes chunk = [] {
+    Bytes bytes;
+    for (int i = 0; i < 2000; ++i) {
+      bytes.insert(bytes.end(), {7, 0});
+    }
+    return bytes;
+  }();
+  for (int i = 0; i < 33; ++i) {
+    receive(chunk);
+  }
+  EXPECT_EQ(connection.counts().damaged, 65535);
+}
+
+/// @brief Counts survive the connection.
+/// @verifies FR-63
+TEST_F(PcConnectionTest, FR63_CountsSurviveTheConnection) {
+  receive({7, 0});
+  handshake();
+  wait(milliseconds(1000));
+  handshake();
+  EXPECT_EQ(connection.counts().damaged, 1);
+}
+
+/// @brief At most 4096 bytes are taken in one cycle. The others are taken in the next.
+/// @verifies FR-37
+TEST_F(PcConnectionTest, FR37_TheBytesOfOneCycleAreBounded) {
+  receive(Bytes(5000, 0));
+  EXPECT_EQ(port.received.size(), 904U);
+  connection.service();
+  EXPECT_TRUE(port.received.empty());
+}
+
+/// @brief A frame may come in parts, over several cycles.
+/// @verifies FR-37
+TEST_F(PcConnectionTest, FR37_AFrameTakesEffectWhenItIsWhole) {
+  for (const std::uint8_t byte : test::lineBytes(kHello, 0, {})) {
+    EXPECT_TRUE(port.sent.empty());
+    receive({byte});
+  }
+  EXPECT_EQ(sent().size(), 1U);
+}
+
+/// @brief A report is sent only while the PC is connected.
+/// @verifies FR-60
+TEST_F(PcConnectionTest, FR60_AReportIsSentOnlyWhileConnected) {
+  const ReportMessage report;
+  EXPECT_FALSE(connection.sendReport(report));
+  send(kHello);
+  EXPECT_FALSE(connection.sendReport(report));
+  EXPECT_EQ(sent().size(), 1U);
+  send(kConfirm, {1});
+  EXPECT_TRUE(connection.sendReport(report));
+  ASSERT_EQ(sent().size(), 2U);
+  EXPECT_EQ(sent()[1][1], kReport);
+  EXPECT_EQ(sent()[1].size(), 101U);
+  EXPECT_EQ(connection.counts().reportsNotSent, 0);
+}
+
+/// @brief A report for which the port has no room is dropped whole and counted; its sequence number
+/// is used by the next one.
+/// @verifies FR-64
+TEST_F(PcConnectionTest, FR64_AReportWithoutRoomIsDroppedAndCounted) {
+  handshake();
+  const std::size_t before = port.sent.size();
+  port.room = 101;
+  expectCounted(&LinkCounts::reportsNotSent, 1,
+                [&] { EXPECT_FALSE(connection.sendReport(ReportMessage())); });
+  EXPECT_EQ(port.sent.size(), before);
+  port.room = 103;
+  EXPECT_TRUE(connection.sendReport(ReportMessage()));
+  EXPECT_EQ(sent().back()[2], 1);
+}
+
+/// @brief An object that is too large for a frame is not sent, and is counted.
+/// @verifies FR-64
+TEST_F(PcConnectionTest, FR64_AReportThatFitsInNoFrameIsDroppedAndCounted) {
+  class Large final : public Serializable {
+   public:
+    [[nodiscard]] bool readFrom(Reader&) override { return false; }
+    [[nodiscard]] bool writeTo(Writer& writer) const override {
+      for (int i = 0; i < 200; ++i) {
+        writer.writeU8({FieldName::Flags}, 1);
+      }
+      return writer.finish();
+    }
+  };
+  handshake();
+  const std::size_t before = port.sent.size();
+  expectCounted(&LinkCounts::reportsNotSent, 1, [&] { EXPECT_FALSE(connection.sendReport(Large())); });
+  EXPECT_EQ(port.sent.size(), before);
+}
+
+/// @brief A Welcome for which the port has no room is not sent in part; the next Hello is answered.
+/// @verifies FR-30
+TEST_F(PcConnectionTest, FR30_AWelcomeWithoutRoomIsDropped) {
+  port.room = 3;
+  send(kHello);
+  EXPECT_TRUE(port.sent.empty());
+  port.room = 1000;
+  send(kHello);
+  EXPECT_EQ(lastSession(), 2);
+}
+
+/// @brief Frames that are sent are numbered from 0.
+/// @verifies FR-40
+TEST_F(PcConnectionTest, FR40_SentFramesAreNumbered) {
+  handshake();
+  for (int i = 1; i <= 260; ++i) {
+    connection.sendReport(ReportMessage());
+    ASSERT_EQ(sent().back()[2], i % 256);
+  }
+}
+
+/// @brief One line of the worked examples of the protocol.
+struct Example {
+  std::string name;
+  std::string from;
+  Bytes body;
+  unsigned crc = 0;
+  Bytes line;
+};
+
+std::vector<Example> examples() {
+  std::ifstream file(WR_SOURCE_DIR "/docs/protocol_examples.txt");
+  std::vector<Example> found;
+  for (std::string text; std::getline(file, text);) {
+    if (text.empty() || text.front() == '#') {
+      continue;
+    }
+    std::vector<std::string> parts;
+    std::istringstream stream(text);
+    for (std::string part; std::getline(stream, part, ';');) {
+      parts.push_back(part.substr(part.find_first_not_of(' ')));
+    }
+    found.push_back({parts.at(0), parts.at(1), test::fromHex(parts.at(2)),
+                     static_cast<unsigned>(std::stoul(parts.at(3), nullptr, 16)),
+                     test::fromHex(parts.at(4))});
+  }
+  return found;
+}
+
+/// @brief The codec makes each worked example of the protocol, and finds it again.
+/// @verifies FR-40
+TEST(ProtocolExamples, FR40_TheCodecAgreesWithEachExample) {
+  const std::vector<Example> all = examples();
+  ASSERT_GE(all.size(), 8U);
+  FrameDecoder decoder;
+  FrameEncoder encoder;
+  for (const Example& example : all) {
+    SCOPED_TRACE(example.name);
+    Crc16 crc;
+    crc.add(example.body);
+    EXPECT_EQ(crc.value(), example.crc);
+
+    const Frame frame{static_cast<FrameType>(example.body[1]), example.body[2],
+                      std::span(example.body).subspan(3)};
+    EXPECT_THAT(encoder.encode(frame), testing::ElementsAreArray(example.line));
+
+    for (std::size_t i = 0; i + 1 < example.line.size(); ++i) {
+      EXPECT_EQ(decoder.push(example.line[i]), Decoded::Nothing);
+    }
+    ASSERT_EQ(decoder.push(example.line.back()), Decoded::Whole);
+    EXPECT_EQ(decoder.frame().type, frame.type);
+    EXPECT_EQ(decoder.frame().sequence, frame.sequence);
+    EXPECT_THAT(decoder.frame().payload, testing::ElementsAreArray(frame.payload));
+  }
+}
+
+/// @brief The connection accepts each example of the PC, in the order of the examples. Its Welcome
+/// is that of the examples but for the build id.
+/// @verifies FR-30
+/// @verifies FR-31
+/// @verifies FR-40
+TEST_F(PcConnectionTest, FR40_TheConnectionAcceptsEachExample) {
+  int accepted = 0;
+  for (const Example& example : examples()) {
+    SCOPED_TRACE(example.name);
+    if (example.from == "pc") {
+      receive(example.line);
+      EXPECT_EQ(connection.counts(), LinkCounts());
+      ++accepted;
+    } else if (example.body[1] == kWelcome) {
+      Bytes expected = example.body;
+      std::copy(firmwareIdentity.buildId.begin(), firmwareIdentity.buildId.end(),
+                expected.begin() + 7);
+      EXPECT_EQ(sent().front(), test::withCrc(expected));
+    }
+  }
+  EXPECT_GE(accepted, 6);
+  EXPECT_TRUE(connection.connected());
+  EXPECT_TRUE(orders.stopOrdered());
+}
+
+/// @brief The report of the examples is what the firmware makes of the same data.
+/// @verifies FR-61
+TEST_F(PcConnectionTest, FR61_TheReportAgreesWithTheExample) {
+  ReportData data;
+  data.cycle = 7;
+  data.time = Instant(700000);
+  data.readingMode = 1;
+  data.source = 1;
+  data.orderRead = true;
+  data.setPoints.orderId = 258;
+  data.setPoints.steering = Angle(-1250);
+  for (auto& wheel : data.setPoints.wheels) {
+    wheel = {WheelQuantity::Velocity, 1500};
+  }
+  data.link.damaged = 1;
+  data.link.unexpected = 2;
+  handshake();
+  ASSERT_TRUE(connection.sendReport(ReportMessage(data)));
+  int compared = 0;
+  for (const Example& example : examples()) {
+    if (example.body[1] == kReport) {
+      EXPECT_EQ(sent().back(), test::withCrc(example.body));
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, 1);
+}
+
+}  // namespace
+}  // namespace wr

@@ -1,0 +1,161 @@
+#include "communication/serialization/BufferReader.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "communication/serialization/OrderMessage.hpp"
+#include "support/FakeTimebase.hpp"
+
+namespace wr {
+namespace {
+
+struct BufferReaderTest : testing::Test {
+  void velocitySignal(std::int32_t value) { velocity.write(Velocity(value), clock.now()); }
+  void directionSignal(std::int32_t value) { direction.write(Angle(value), clock.now()); }
+  void tick() { clock.advance(milliseconds(20)); }
+
+  OrderMessage read() {
+    OrderMessage order;
+    EXPECT_TRUE(order.readFrom(reader));
+    return order;
+  }
+
+  test::FakeTimebase clock;
+  Pipe<Velocity> velocity;
+  Pipe<Angle> direction;
+  BufferReader reader{velocity, direction, clock};
+};
+
+/// @brief One signal alone is no order.
+/// @verifies FR-50
+TEST_F(BufferReaderTest, FR50_OneSignalIsNoOrder) {
+  EXPECT_FALSE(reader.available());
+  velocitySignal(1);
+  EXPECT_FALSE(reader.available());
+  directionSignal(1);
+  EXPECT_TRUE(reader.available());
+}
+
+/// @brief The direction signal alone is no order either.
+/// @verifies FR-50
+TEST_F(BufferReaderTest, FR50_DirectionAloneIsNoOrder) {
+  directionSignal(1);
+  EXPECT_FALSE(reader.available());
+}
+
+/// @brief An order is complete until the older of its signals is 200 ms old, and not later.
+/// @verifies FR-20
+/// @verifies FR-50
+TEST_F(BufferReaderTest, FR50_NeitherSignalMayBeOld) {
+  velocitySignal(1);
+  clock.advance(milliseconds(200));
+  directionSignal(1);
+  EXPECT_TRUE(reader.available());
+  clock.advance(Microseconds(1));
+  EXPECT_FALSE(reader.available());
+  velocitySignal(1);
+  EXPECT_TRUE(reader.available());
+  clock.advance(milliseconds(200));
+  velocitySignal(1);
+  EXPECT_FALSE(reader.available());
+}
+
+/// @brief After a read both signals must hold a new value.
+/// @verifies FR-20
+/// @verifies FR-50
+TEST_F(BufferReaderTest, FR50_BothSignalsMustBeNew) {
+  velocitySignal(1);
+  directionSignal(1);
+  read();
+  EXPECT_FALSE(reader.available());
+  tick();
+  velocitySignal(2);
+  EXPECT_FALSE(reader.available());
+  directionSignal(2);
+  EXPECT_TRUE(reader.available());
+  read();
+  tick();
+  directionSignal(3);
+  EXPECT_FALSE(reader.available());
+}
+
+/// @brief The velocity signal is the set-point of all wheels, the direction signal that of the
+/// steering. Such an order has the number 0 and no stop.
+/// @verifies FR-51
+TEST_F(BufferReaderTest, FR51_OneVelocityForAllWheelsAndOneAngle) {
+  velocitySignal(-1500);
+  directionSignal(800);
+  const OrderMessage order = read();
+  EXPECT_THAT(order.setPoints().wheels,
+              testing::Each(WheelSetPoint{WheelQuantity::Velocity, -1500}));
+  EXPECT_EQ(order.setPoints().steering, Angle(800));
+  EXPECT_EQ(order.setPoints().orderId, 0);
+  EXPECT_FALSE(order.stop());
+  EXPECT_FALSE(reader.stopOrdered());
+}
+
+/// @brief A signal beyond the limit of the robot counts as the limit.
+/// @verifies FR-51
+TEST_F(BufferReaderTest, FR51_SignalsAreLimited) {
+  velocitySignal(100000);
+  directionSignal(-100000);
+  const OrderMessage order = read();
+  EXPECT_EQ(order.setPoints().wheels[0].value, 3000);
+  EXPECT_EQ(order.setPoints().steering, Angle(-3200));
+}
+
+/// @brief A signal that changes during a read does not change the order that is being read.
+/// @verifies FR-51
+TEST_F(BufferReaderTest, FR51_AnOrderHoldsOneValueOfEachSignal) {
+  velocitySignal(1);
+  directionSignal(1);
+  EXPECT_EQ(reader.readI16({FieldName::WheelValue, 0}), 1);
+  tick();
+  velocitySignal(2);
+  directionSignal(2);
+  EXPECT_EQ(reader.readI16({FieldName::WheelValue, 1}), 1);
+  EXPECT_EQ(reader.readI16({FieldName::Steering}), 1);
+  EXPECT_TRUE(reader.finish());
+  EXPECT_TRUE(reader.available());
+}
+
+/// @brief A read without both signals fails.
+/// @verifies FR-50
+TEST_F(BufferReaderTest, FR50_AReadWithoutBothSignalsFails) {
+  OrderMessage order;
+  EXPECT_FALSE(order.readFrom(reader));
+  velocitySignal(1);
+  EXPECT_FALSE(order.readFrom(reader));
+}
+
+/// @brief A read of the direction signal alone fails, and its value is consumed.
+/// @verifies FR-50
+TEST_F(BufferReaderTest, FR50_AFailedReadConsumes) {
+  directionSignal(1);
+  OrderMessage order;
+  EXPECT_FALSE(order.readFrom(reader));
+  velocitySignal(1);
+  EXPECT_FALSE(reader.available());
+}
+
+/// @brief A field that such an order does not have is read as 0, and told at the finish.
+TEST_F(BufferReaderTest, UnknownFieldsFail) {
+  velocitySignal(1);
+  directionSignal(1);
+  EXPECT_EQ(reader.readU8({FieldName::Flags}), 0);
+  EXPECT_FALSE(reader.finish());
+  EXPECT_EQ(reader.readU16({FieldName::Overruns}), 0);
+  EXPECT_FALSE(reader.finish());
+  EXPECT_EQ(reader.readI16({FieldName::WheelCurrent}), 0);
+  EXPECT_EQ(reader.readU16({FieldName::OrderId}), 0);
+  EXPECT_FALSE(reader.finish());
+  EXPECT_EQ(reader.readU32({FieldName::Cycle}), 0U);
+  EXPECT_FALSE(reader.finish());
+  EXPECT_EQ(reader.readI32({FieldName::WheelPosition}), 0);
+  EXPECT_FALSE(reader.finish());
+  EXPECT_EQ(reader.readI16({FieldName::Steering}), 1);
+  EXPECT_TRUE(reader.finish());
+}
+
+}  // namespace
+}  // namespace wr

@@ -1,0 +1,111 @@
+#include "communication/serialization/OrderMessage.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "communication/serialization/SerialReader.hpp"
+#include "communication/serialization/SerialWriter.hpp"
+#include "support/FakeTimebase.hpp"
+#include "support/orders.hpp"
+
+namespace wr {
+namespace {
+
+OrderMessage withWheel(std::size_t wheel, WheelQuantity quantity, int value) {
+  SetPoints setPoints;
+  setPoints.wheels[wheel] = {quantity, static_cast<std::int16_t>(value)};
+  return {setPoints, false};
+}
+
+OrderMessage withSteering(int angle) {
+  SetPoints setPoints;
+  setPoints.steering = Angle(angle);
+  return {setPoints, false};
+}
+
+/// @brief An order without content is in range and does not stop.
+TEST(OrderMessage, IsAnOrderToStandStill) {
+  const OrderMessage order;
+  EXPECT_TRUE(order.inRange());
+  EXPECT_FALSE(order.stop());
+  EXPECT_EQ(order.setPoints(), SetPoints());
+}
+
+/// @brief The steering may be set to 32 degrees to each side, and no further.
+/// @verifies FR-46
+TEST(OrderMessage, FR46_SteeringIsInRangeUpToTheLimit) {
+  EXPECT_TRUE(withSteering(3200).inRange());
+  EXPECT_TRUE(withSteering(-3200).inRange());
+  EXPECT_FALSE(withSteering(3201).inRange());
+  EXPECT_FALSE(withSteering(-3201).inRange());
+}
+
+/// @brief The value of each wheel is in range up to the limit of its quantity, forwards and backwards.
+/// @verifies FR-46
+TEST(OrderMessage, FR46_EachWheelIsInRangeUpToTheLimitOfItsQuantity) {
+  const std::vector<std::pair<WheelQuantity, int>> limits{
+      {WheelQuantity::Velocity, 3000},
+      {WheelQuantity::Tension, 24000},
+      {WheelQuantity::Current, 10000},
+  };
+  for (const auto& [quantity, limit] : limits) {
+    for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+      EXPECT_TRUE(withWheel(wheel, quantity, limit).inRange());
+      EXPECT_TRUE(withWheel(wheel, quantity, -limit).inRange());
+      EXPECT_FALSE(withWheel(wheel, quantity, limit + 1).inRange());
+      EXPECT_FALSE(withWheel(wheel, quantity, -limit - 1).inRange());
+    }
+  }
+}
+
+/// @brief An unknown quantity is out of range.
+/// @verifies FR-46
+TEST(OrderMessage, FR46_AnUnknownQuantityIsOutOfRange) {
+  EXPECT_FALSE(withWheel(2, static_cast<WheelQuantity>(3), 0).inRange());
+  EXPECT_FALSE(withWheel(3, static_cast<WheelQuantity>(255), 0).inRange());
+}
+
+/// @brief A stop that is neither 0 nor 1 is out of range, and the fields of a stop order count too.
+/// @verifies FR-46
+TEST(OrderMessage, FR46_StopIsYesOrNo) {
+  test::FakeTimebase clock;
+  SerialReader reader(clock);
+  EXPECT_TRUE(reader.offer(test::orderBytes(1, 0, 0, 0, 1)));
+  EXPECT_FALSE(reader.offer(test::orderBytes(1, 0, 0, 0, 2)));
+  EXPECT_FALSE(reader.offer(test::orderBytes(1, 0, 0, 3001, 1)));
+}
+
+/// @brief What is written is what the protocol says, and is read back the same.
+TEST(OrderMessage, IsReadAsItWasWritten) {
+  SetPoints setPoints;
+  setPoints.orderId = 0x1234;
+  setPoints.steering = Angle(-7);
+  for (auto& wheel : setPoints.wheels) {
+    wheel = {WheelQuantity::Current, -9999};
+  }
+  const OrderMessage order(setPoints, true);
+  SerialWriter writer;
+  ASSERT_TRUE(order.writeTo(writer));
+  EXPECT_THAT(writer.bytes(),
+              testing::ElementsAreArray(test::orderBytes(0x1234, -7, 2, -9999, 1)));
+
+  test::FakeTimebase clock;
+  SerialReader reader(clock);
+  ASSERT_TRUE(reader.offer(writer.bytes().first<SerialReader::kOrderLength>()));
+  OrderMessage copy;
+  ASSERT_TRUE(copy.readFrom(reader));
+  EXPECT_EQ(copy.setPoints(), setPoints);
+  EXPECT_TRUE(copy.stop());
+}
+
+/// @brief An order of which the source holds only a part is not read.
+TEST(OrderMessage, AnIncompleteOrderIsNotRead) {
+  test::FakeTimebase clock;
+  SerialReader reader(clock);
+  reader.readU8({FieldName::Stop});  // one byte less is left
+  OrderMessage order;
+  EXPECT_FALSE(order.readFrom(reader));
+}
+
+}  // namespace
+}  // namespace wr

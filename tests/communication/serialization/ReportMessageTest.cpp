@@ -1,0 +1,250 @@
+#include "communication/serialization/ReportMessage.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "communication/serialization/SerialWriter.hpp"
+#include "support/LineBytes.hpp"
+#include "support/seed.hpp"
+
+namespace wr {
+namespace {
+
+using test::Bytes;
+
+/// @brief Reader of any bytes.
+class BytesReader final : public Reader {
+ public:
+  explicit BytesReader(Bytes bytes) : bytes_(std::move(bytes)) {}
+
+  [[nodiscard]] bool available() const override { return !bytes_.empty(); }
+  [[nodiscard]] bool stopOrdered() const override { return false; }
+  std::uint8_t readU8(Field) override { return static_cast<std::uint8_t>(take(1)); }
+  std::uint16_t readU16(Field) override { return static_cast<std::uint16_t>(take(2)); }
+  std::int16_t readI16(Field) override { return static_cast<std::int16_t>(take(2)); }
+  std::uint32_t readU32(Field) override { return take(4); }
+  std::int32_t readI32(Field) override { return static_cast<std::int32_t>(take(4)); }
+  bool finish() override { return position_ == bytes_.size(); }
+
+ private:
+  std::uint32_t take(std::size_t size) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::size_t at = position_++;
+      value |= static_cast<std::uint32_t>(at < bytes_.size() ? bytes_[at] : 0) << (8 * i);
+    }
+    return value;
+  }
+
+  Bytes bytes_;
+  std::size_t position_ = 0;
+};
+
+Bytes written(const ReportData& data) {
+  SerialWriter writer;
+  EXPECT_TRUE(ReportMessage(data).writeTo(writer));
+  return {writer.bytes().begin(), writer.bytes().end()};
+}
+
+unsigned u16(const Bytes& bytes, std::size_t offset) {
+  return bytes[offset] + 256U * bytes[offset + 1];
+}
+
+/// @brief Number with random bits, among them often those of the limits.
+template <class Number>
+Number number(std::mt19937& random) {
+  switch (random() % 4) {
+    case 0:
+      return std::numeric_limits<Number>::min();
+    case 1:
+      return std::numeric_limits<Number>::max();
+    default:
+      return static_cast<Number>(random());
+  }
+}
+
+ReportData randomData(std::mt19937& random) {
+  const auto flip = [&] { return random() % 2 == 0; };
+  ReportData data;
+  data.cycle = number<std::uint32_t>(random);
+  data.time = Instant(1000ULL * number<std::uint32_t>(random));
+  data.operationState = static_cast<std::uint8_t>(random() % 4);
+  data.readingMode = static_cast<std::uint8_t>(random() % 2);
+  data.source = static_cast<std::uint8_t>(random() % 2);
+  data.stop = flip();
+  data.orderRead = flip();
+  data.held = flip();
+  data.overran = flip();
+  data.setPoints.orderId = number<std::uint16_t>(random);
+  data.setPoints.steering = Angle(number<std::int16_t>(random));
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    data.setPoints.wheels[wheel] = {static_cast<WheelQuantity>(random() % 3),
+                                    number<std::int16_t>(random)};
+    WheelMeasurements& measured = data.measurements.wheels[wheel];
+    if (flip()) {
+      measured.velocity = Velocity(number<std::int16_t>(random));
+    }
+    if (flip()) {
+      measured.current = Current(number<std::int16_t>(random));
+    }
+    if (flip()) {
+      measured.position = HallCount(number<std::int32_t>(random));
+    }
+    if (flip()) {
+      data.outputs.tensions[wheel] = Tension(number<std::int16_t>(random));
+    }
+  }
+  if (flip()) {
+    data.measurements.steering = Angle(number<std::int16_t>(random));
+  }
+  if (flip()) {
+    data.outputs.turn = static_cast<std::int8_t>(static_cast<int>(random() % 3) - 1);
+  }
+  data.overruns = number<std::uint16_t>(random);
+  for (auto* count :
+       {&data.link.lostBytes, &data.link.damaged, &data.link.tooLong, &data.link.unknownVersion,
+        &data.link.unknownType, &data.link.wrongLength, &data.link.outOfRange,
+        &data.link.unexpected, &data.link.sequenceGaps, &data.link.reportsNotSent}) {
+    *count = number<std::uint16_t>(random);
+  }
+  return data;
+}
+
+/// @brief A report without content has 96 bytes, and all values are marked as missing.
+/// @verifies FR-62
+TEST(ReportMessage, FR62_AnEmptyReportMarksAllValuesAsMissing) {
+  const Bytes bytes = written({});
+  ASSERT_EQ(bytes.size(), 96U);
+  Bytes expected(96, 0);
+  expected[10] = 255;
+  EXPECT_EQ(bytes, expected);
+}
+
+/// @brief Each measured and applied value has its own bit of validity and its own place.
+/// @verifies FR-62
+TEST(ReportMessage, FR62_EachValueHasItsBitAndItsPlace) {
+  struct Case {
+    std::size_t place;
+    unsigned measured;
+    unsigned applied;
+    ReportData data;
+  };
+  std::vector<Case> cases;
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    ReportData data;
+    data.measurements.wheels[wheel].velocity = Velocity(0x1234);
+    cases.push_back({30 + 8 * wheel, 1U << (3 * wheel), 0, data});
+    data = {};
+    data.measurements.wheels[wheel].current = Current(0x1234);
+    cases.push_back({32 + 8 * wheel, 1U << (3 * wheel + 1), 0, data});
+    data = {};
+    data.measurements.wheels[wheel].position = HallCount(0x1234);
+    cases.push_back({34 + 8 * wheel, 1U << (3 * wheel + 2), 0, data});
+    data = {};
+    data.outputs.tensions[wheel] = Tension(0x1234);
+    cases.push_back({64 + 2 * wheel, 0, 1U << wheel, data});
+  }
+  ReportData data;
+  data.measurements.steering = Angle(0x1234);
+  cases.push_back({28, 1U << 12U, 0, data});
+  for (const Case& one : cases) {
+    const Bytes bytes = written(one.data);
+    EXPECT_EQ(u16(bytes, one.place), 0x1234U);
+    EXPECT_EQ(u16(bytes, 62), one.measured);
+    EXPECT_EQ(bytes[73], one.applied);
+  }
+}
+
+/// @brief The turn direction is -1, 0 or 1, and has its bit also when it is 0.
+/// @verifies FR-62
+TEST(ReportMessage, FR62_TheTurnDirectionHasItsBit) {
+  for (const int turn : {-1, 0, 1}) {
+    ReportData data;
+    data.outputs.turn = static_cast<std::int8_t>(turn);
+    const Bytes bytes = written(data);
+    EXPECT_EQ(static_cast<std::int8_t>(bytes[72]), turn);
+    EXPECT_EQ(bytes[73], 0x10);
+  }
+}
+
+/// @brief Each flag has its bit.
+/// @verifies FR-61
+TEST(ReportMessage, FR61_EachFlagHasItsBit) {
+  const std::vector<std::pair<bool ReportData::*, int>> flags{{&ReportData::stop, 1},
+                                                             {&ReportData::orderRead, 2},
+                                                             {&ReportData::held, 4},
+                                                             {&ReportData::overran, 8}};
+  for (const auto& [flag, bit] : flags) {
+    ReportData data;
+    data.*flag = true;
+    EXPECT_EQ(written(data)[11], bit);
+  }
+}
+
+/// @brief Each count of the link has its place.
+/// @verifies FR-63
+TEST(ReportMessage, FR63_EachCountHasItsPlace) {
+  ReportData data;
+  data.overruns = 1;
+  data.link = {.lostBytes = 2,
+               .damaged = 3,
+               .tooLong = 4,
+               .unknownVersion = 5,
+               .unknownType = 6,
+               .wrongLength = 7,
+               .outOfRange = 8,
+               .unexpected = 9,
+               .sequenceGaps = 10,
+               .reportsNotSent = 11};
+  const Bytes bytes = written(data);
+  for (unsigned i = 0; i <= 10; ++i) {
+    EXPECT_EQ(u16(bytes, 74 + 2 * i), i + 1);
+  }
+}
+
+/// @brief A value that its field cannot hold is sent as the nearest one that it can.
+TEST(ReportMessage, ValuesAreLimitedToTheirFields) {
+  ReportData data;
+  data.measurements.wheels[0].velocity = Velocity(40000);
+  data.measurements.wheels[0].current = Current(-40000);
+  const Bytes bytes = written(data);
+  EXPECT_EQ(u16(bytes, 30), 0x7FFFU);
+  EXPECT_EQ(u16(bytes, 32), 0x8000U);
+}
+
+/// @brief Any report is read back as it was written.
+/// @verifies FR-61
+/// @verifies FR-62
+/// @verifies FR-63
+TEST(ReportMessage, IsReadAsItWasWritten) {
+  std::mt19937 random(test::seed());
+  for (int i = 0; i < 1000; ++i) {
+    const ReportData data = randomData(random);
+    BytesReader reader(written(data));
+    ReportMessage copy;
+    ASSERT_TRUE(copy.readFrom(reader));
+    ASSERT_EQ(copy.data(), data);
+  }
+}
+
+/// @brief A report of which the source holds only a part is not read.
+TEST(ReportMessage, AnIncompleteReportIsNotRead) {
+  Bytes bytes = written({});
+  bytes.pop_back();
+  BytesReader reader(bytes);
+  ReportMessage report;
+  EXPECT_FALSE(report.readFrom(reader));
+}
+
+/// @brief A report for which there is no room is told.
+TEST(ReportMessage, AReportWithoutRoomIsTold) {
+  SerialWriter writer;
+  ASSERT_TRUE(ReportMessage().writeTo(writer));
+  EXPECT_FALSE(ReportMessage().writeTo(writer));
+}
+
+}  // namespace
+}  // namespace wr

@@ -1,0 +1,48 @@
+#include "communication/serialization/SerialWriter.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace wr {
+namespace {
+
+using testing::ElementsAre;
+
+/// @brief Numbers are written little-endian, signed ones in two's complement.
+/// @verifies FR-40
+TEST(SerialWriter, FR40_NumbersAreLittleEndian) {
+  SerialWriter writer;
+  writer.writeU8({FieldName::Stop}, 0xAB);
+  writer.writeU16({FieldName::OrderId}, 0x1234);
+  writer.writeI16({FieldName::Steering}, -2);
+  writer.writeU32({FieldName::Cycle}, 0x89ABCDEF);
+  writer.writeI32({FieldName::WheelPosition}, -3);
+  EXPECT_TRUE(writer.finish());
+  EXPECT_THAT(writer.bytes(), ElementsAre(0xAB, 0x34, 0x12, 0xFE, 0xFF, 0xEF, 0xCD, 0xAB, 0x89, 0xFD,
+                                          0xFF, 0xFF, 0xFF));
+}
+
+/// @brief A cleared writer begins anew.
+TEST(SerialWriter, BeginsAnew) {
+  SerialWriter writer;
+  writer.writeU8({FieldName::Stop}, 1);
+  writer.clear();
+  EXPECT_TRUE(writer.bytes().empty());
+}
+
+/// @brief A field that does not fit is not written in part, and is told at the finish.
+TEST(SerialWriter, TellsThatAFieldDidNotFit) {
+  SerialWriter writer;
+  for (std::size_t i = 0; i + 1 < SerialWriter::kCapacity; ++i) {
+    writer.writeU8({FieldName::Stop}, 1);
+  }
+  EXPECT_TRUE(writer.finish());
+  writer.writeU16({FieldName::OrderId}, 0x0202);
+  EXPECT_FALSE(writer.finish());
+  EXPECT_EQ(writer.bytes().size(), SerialWriter::kCapacity - 1);
+  writer.clear();
+  EXPECT_TRUE(writer.finish());
+}
+
+}  // namespace
+}  // namespace wr

@@ -1,0 +1,159 @@
+#include "services/ControlThread.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+namespace wr {
+namespace {
+
+/// @brief Thread whose platform is the test: it runs when the test dispatches it.
+class TestThread final : public ControlThread {
+ public:
+  void dispatch() { run(); }
+
+  /// @brief Runs as long as the thread is pended.
+  void dispatchAll() {
+    while (pended > 0) {
+      --pended;
+      run();
+    }
+  }
+
+  std::atomic<int> pended = 0;
+
+ private:
+  void pend() override { ++pended; }
+};
+
+/// @brief Body that counts, and posts its own thread a number of times in its first activation.
+class Body final : public Command {
+ public:
+  explicit Body(ControlThread& thread, int posts = 0) : thread_(thread), posts_(posts) {}
+
+  void execute() override {
+    ++runs;
+    for (; posts_ > 0; --posts_) {
+      thread_.post();
+    }
+  }
+
+  int runs = 0;
+
+ private:
+  ControlThread& thread_;
+  int posts_;
+};
+
+/// @brief A thread without a body refuses to be posted, and a spurious dispatch does nothing.
+TEST(ControlThread, IsNotPostedBeforeItHasABody) {
+  TestThread thread;
+  EXPECT_FALSE(thread.post());
+  EXPECT_EQ(thread.pended, 0);
+  thread.dispatch();
+  EXPECT_EQ(thread.overruns(), 0);
+}
+
+/// @brief Each post that meets an idle thread runs the body once.
+/// @verifies FR-1
+TEST(ControlThread, RunsItsBodyOncePerPost) {
+  TestThread thread;
+  Body body(thread);
+  thread.start(body);
+  EXPECT_TRUE(thread.post());
+  thread.dispatchAll();
+  EXPECT_TRUE(thread.post());
+  thread.dispatchAll();
+  EXPECT_EQ(body.runs, 2);
+  EXPECT_EQ(thread.overruns(), 0);
+}
+
+/// @brief A post while the body runs is an overrun, and the body runs once more.
+/// @verifies FR-4
+TEST(ControlThread, FR4_PostWhileRunningIsCountedAndKept) {
+  TestThread thread;
+  Body body(thread, 1);
+  thread.start(body);
+  thread.post();
+  thread.dispatchAll();
+  EXPECT_EQ(body.runs, 2);
+  EXPECT_EQ(thread.overruns(), 1);
+}
+
+/// @brief Of several posts while the body runs each is an overrun, and one is kept.
+/// @verifies FR-4
+TEST(ControlThread, FR4_OnlyOnePostIsKept) {
+  TestThread thread;
+  Body body(thread, 5);
+  thread.start(body);
+  thread.post();
+  thread.dispatchAll();
+  EXPECT_EQ(body.runs, 2);
+  EXPECT_EQ(thread.overruns(), 5);
+}
+
+/// @brief A post before the body has begun is an overrun too. The activation that waits answers both.
+/// @verifies FR-4
+TEST(ControlThread, FR4_PostBeforeTheBodyBeganIsCounted) {
+  TestThread thread;
+  Body body(thread);
+  thread.start(body);
+  thread.post();
+  EXPECT_TRUE(thread.post());
+  EXPECT_EQ(thread.pended, 1);
+  thread.dispatchAll();
+  EXPECT_EQ(body.runs, 1);
+  EXPECT_EQ(thread.overruns(), 1);
+}
+
+/// @brief The count of overruns stops at 65535.
+/// @verifies FR-4
+TEST(ControlThread, FR4_OverrunsSaturate) {
+  TestThread thread;
+  Body body(thread, 65600);
+  thread.start(body);
+  thread.post();
+  thread.dispatchAll();
+  EXPECT_EQ(thread.overruns(), 65535);
+  EXPECT_EQ(body.runs, 2);
+}
+
+/// @brief A thread has one body for its life.
+TEST(ControlThreadDeathTest, HasOneBody) {
+  TestThread thread;
+  Body body(thread);
+  thread.start(body);
+  EXPECT_DEATH(thread.start(body), "");
+}
+
+/// @brief Posts that come at any moment of an activation neither lose the last one nor leave the
+/// thread pended for ever.
+/// @verifies FR-4
+TEST(ControlThread, FR4_PostsAtAnyMomentAreNeverLost) {
+  constexpr int kPosts = 20000;
+  TestThread thread;
+  Body body(thread);
+  thread.start(body);
+  std::atomic<bool> done = false;
+  std::thread interrupts([&] {
+    for (int i = 0; i < kPosts; ++i) {
+      thread.post();
+    }
+    done = true;
+  });
+  while (!done) {
+    thread.dispatchAll();
+  }
+  interrupts.join();
+  thread.dispatchAll();
+  EXPECT_GE(body.runs + thread.overruns(), kPosts);
+  EXPECT_LE(body.runs, kPosts);
+  const int before = body.runs;
+  thread.post();
+  thread.dispatchAll();
+  EXPECT_EQ(body.runs, before + 1);
+}
+
+}  // namespace
+}  // namespace wr

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "devices/SerialPort.hpp"
+
+namespace wr::test {
+
+/// @brief Serial port whose far end is the test.
+class FakeSerialPort final : public SerialPort {
+ public:
+  std::size_t read(std::span<std::uint8_t> bytes) override {
+    const std::size_t taken = std::min(bytes.size(), received.size());
+    const auto end = received.begin() + static_cast<std::ptrdiff_t>(taken);
+    std::copy(received.begin(), end, bytes.begin());
+    received.erase(received.begin(), end);
+    return taken;
+  }
+
+  [[nodiscard]] std::size_t free() const override { return room; }
+
+  bool write(std::span<const std::uint8_t> bytes) override {
+    if (bytes.size() > room) {
+      return false;
+    }
+    sent.insert(sent.end(), bytes.begin(), bytes.end());
+    return true;
+  }
+
+  [[nodiscard]] std::uint16_t lostBytes() const override { return lost; }
+
+  std::vector<std::uint8_t> received;  // bytes that the system has not read yet
+  std::vector<std::uint8_t> sent;      // bytes that the system has written
+  std::size_t room = std::numeric_limits<std::size_t>::max();
+  std::uint16_t lost = 0;
+};
+
+}  // namespace wr::test

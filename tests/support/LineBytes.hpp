@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace wr::test {
+
+/// @brief Bytes of a frame, made and taken apart without the code under test.
+using Bytes = std::vector<std::uint8_t>;
+
+/// @brief CRC-16/CCITT-FALSE by polynomial division of the message, one bit at a time.
+inline std::uint16_t referenceCrc(const Bytes& bytes) {
+  unsigned remainder = 0xFFFF;
+  for (const unsigned byte : bytes) {
+    for (unsigned mask = 0x80; mask != 0; mask >>= 1U) {
+      const bool out = ((remainder & 0x8000U) != 0) != ((byte & mask) != 0);
+      remainder = (remainder << 1U) & 0xFFFFU;
+      remainder ^= out ? 0x1021U : 0U;
+    }
+  }
+  return static_cast<std::uint16_t>(remainder);
+}
+
+/// @brief Appends the CRC to a body without one.
+inline Bytes withCrc(Bytes body) {
+  const std::uint16_t crc = referenceCrc(body);
+  body.push_back(static_cast<std::uint8_t>(crc & 0xFFU));
+  body.push_back(static_cast<std::uint8_t>(crc >> 8U));
+  return body;
+}
+
+/// @brief Stuffs a body of at most 253 bytes: each group of bytes without zero follows its length.
+inline Bytes stuffed(const Bytes& body) {
+  Bytes line;
+  Bytes group;
+  const auto close = [&] {
+    line.push_back(static_cast<std::uint8_t>(group.size() + 1));
+    line.insert(line.end(), group.begin(), group.end());
+    group.clear();
+  };
+  for (const std::uint8_t byte : body) {
+    if (byte == 0) {
+      close();
+    } else {
+      group.push_back(byte);
+    }
+  }
+  close();
+  line.push_back(0);
+  return line;
+}
+
+/// @brief The bytes on the line of a frame.
+inline Bytes lineBytes(std::uint8_t type, std::uint8_t sequence, const Bytes& payload,
+                       std::uint8_t version = 1) {
+  Bytes body{version, type, sequence};
+  body.insert(body.end(), payload.begin(), payload.end());
+  return stuffed(withCrc(body));
+}
+
+/// @brief Splits bytes on the line into bodies, each with its CRC.
+inline std::vector<Bytes> bodies(const Bytes& line) {
+  std::vector<Bytes> found;
+  Bytes body;
+  unsigned distance = 0;
+  for (const std::uint8_t byte : line) {
+    if (byte == 0) {
+      found.push_back(body);
+      body.clear();
+      distance = 0;
+      continue;
+    }
+    if (distance == 0) {
+      distance = byte;
+    } else if (distance == 1) {
+      body.push_back(0);
+      distance = byte;
+    } else {
+      body.push_back(byte);
+      --distance;
+    }
+  }
+  return found;
+}
+
+/// @brief The bytes that a text of hexadecimal digits stands for.
+inline Bytes fromHex(const std::string& digits) {
+  Bytes bytes;
+  for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
+    bytes.push_back(static_cast<std::uint8_t>(std::stoul(digits.substr(i, 2), nullptr, 16)));
+  }
+  return bytes;
+}
+
+}  // namespace wr::test
