@@ -17,7 +17,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
             continue
         described = facts.annotations.classes.get(module.qualified)
         text = described.text if described else Text()
-        found += _place_and_name(module, model, facts)
+        found += _place_and_name(module, facts)
         found += _function_and_secret(module, text, secrets)
         for method in module.methods:
             if method.access == "public":
@@ -25,7 +25,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
     return found + _folders(model, facts)
 
 
-def _place_and_name(module: Module, model: Model, facts: Facts) -> list[Finding]:
+def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
     found: list[Finding] = []
     folder = Path(module.header).parent
     if not (facts.root / folder / "module.dox").exists() or folder == Path("src"):
@@ -101,9 +101,7 @@ def _specification(method: Method) -> list[Finding]:
     missing: list[str] = []
     if not method.brief:
         missing.append("@brief")
-    missing += [
-        f"@param {param.name}" for param in method.params if param.name and not param.text
-    ]
+    missing += [f"@param {param.name}" for param in method.params if param.name and not param.text]
     if _gives_result(method) and not method.returns:
         missing.append("@return")
     return [

@@ -45,9 +45,7 @@ def _known(application: PatternApplication, facts: Facts) -> list[Finding]:
         for name, text in texts.items()
         if not text
     ]
-    return [
-        Finding(application.place, "pattern-known", text, mend) for text, mend in problems
-    ]
+    return [Finding(application.place, "pattern-known", text, mend) for text, mend in problems]
 
 
 def _declared_once(model: Model, facts: Facts) -> list[Finding]:
@@ -98,9 +96,7 @@ def _role_problem(binding: RoleBinding, model: Model, facts: Facts) -> tuple[str
     return None
 
 
-def _missing_roles(
-    application: PatternApplication, model: Model, facts: Facts
-) -> list[Finding]:
+def _missing_roles(application: PatternApplication, model: Model, facts: Facts) -> list[Finding]:
     known = facts.declared.applications.get(application.id)
     bound = {(item.role, item.module) for item in application.roles}
     return [

@@ -103,8 +103,8 @@ _FIXED = [
     Check(
         "pattern-role-unknown",
         "Known roles",
-        "Every @role names an application that is declared, a role of it, and stands above a module "
-        "that the design binds to that role.",
+        "Every @role names an application that is declared and a role of it, and stands above a "
+        "module that the design binds to that role.",
         "a class that plays a role without saying so; the clauses of the pattern find some.",
         "correct the application or the role, or change the design.",
     ),

@@ -11,8 +11,10 @@ from traceability.model.schema import Finding, Model, Place
 def check(model: Model, _facts: Facts) -> list[Finding]:
     found = _tags(model) + _requirements(model) + _unknown(model)
     if model.results_stale:
-        what = "there are no test results" if model.results_hash is None else (
-            "the test results are older than the sources"
+        what = (
+            "there are no test results"
+            if model.results_hash is None
+            else ("the test results are older than the sources")
         )
         place = Place("build/results/trace.json", 1)
         return [*found, Finding(place, "req-stale", what, "run ./wr test")]
@@ -58,9 +60,7 @@ def _results(model: Model) -> list[Finding]:
 
 
 def _unknown(model: Model) -> list[Finding]:
-    tagged = [
-        (test.place, name) for test in model.tests.values() for name in test.verifies
-    ]
+    tagged = [(test.place, name) for test in model.tests.values() for name in test.verifies]
     for module in model.modules.values():
         for method in module.methods:
             tagged += [(method.place, name) for name in method.satisfies]

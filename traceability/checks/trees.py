@@ -77,9 +77,7 @@ def _body_place(node: TreeNode, facts: Facts) -> Place:
 
 def _executed(requirement: Requirement, model: Model) -> list[Finding]:
     assert requirement.tree is not None
-    passed = [
-        name for name in requirement.verified_by if model.tests[name].result == "passed"
-    ]
+    passed = [name for name in requirement.verified_by if model.tests[name].result == "passed"]
     nodes = nodes_of(requirement.tree)
     if not passed or any(node.resolved is None or not node.reachable for node in nodes):
         return []

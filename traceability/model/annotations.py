@@ -12,9 +12,9 @@ import re
 import shutil
 import subprocess
 import sys
-import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
 from pathlib import Path
+from xml.etree import ElementTree
 
 from traceability.model.schema import Param, Place
 from traceability.sources import files_below, hash_of
@@ -29,7 +29,7 @@ FALSE_WARNING = re.compile(
 
 
 @dataclass
-class Warning:
+class Complaint:
     place: Place
     text: str
 
@@ -95,7 +95,7 @@ class Annotations:
     requirements: dict[str, RequirementText] = field(default_factory=dict)
     tests: list[MemberText] = field(default_factory=list)
     pages: dict[str, str] = field(default_factory=dict)  # file -> title of the page in it
-    warnings: list[Warning] = field(default_factory=list)
+    warnings: list[Complaint] = field(default_factory=list)
 
 
 def doxygen_executable() -> str:
@@ -221,13 +221,15 @@ def _place(element: ElementTree.Element) -> Place:
 
 def _text(element: ElementTree.Element) -> Text:
     text = Text(brief=_flow(element.find("briefdescription")))
+    for part in (element.find("briefdescription"), element.find("detaileddescription")):
+        for role in part.iter("wr-role") if part is not None else ():
+            binding = (role.get("application", "").strip(), role.get("role", "").strip())
+            text.roles.append(binding)
+        if part is not None and part.find(".//wr-datatype") is not None:
+            text.datatype = True
     detailed = element.find("detaileddescription")
     if detailed is None:
         return text
-    for role in detailed.iter("wr-role"):
-        binding = (role.get("application", "").strip(), role.get("role", "").strip())
-        text.roles.append(binding)
-    text.datatype = detailed.find(".//wr-datatype") is not None
     for section in detailed.iter("simplesect"):
         words = _flow(section)
         kind = section.get("kind")
@@ -296,8 +298,8 @@ def _clean(words: str) -> str:
     return " ".join(words.replace("\\,", ",").split())
 
 
-def _warnings(root: Path, lines: list[str]) -> list[Warning]:
-    found: list[Warning] = []
+def _warnings(root: Path, lines: list[str]) -> list[Complaint]:
+    found: list[Complaint] = []
     for line in lines:
         match = re.match(r"(.+?):(\d+): (?:warning|error): (.*)", line)
         if match is None:
@@ -307,5 +309,5 @@ def _warnings(root: Path, lines: list[str]) -> list[Warning]:
         if FALSE_WARNING.search(match[3]):
             continue
         file = match[1].removeprefix(f"{root}/")
-        found.append(Warning(Place(file, int(match[2])), match[3]))
+        found.append(Complaint(Place(file, int(match[2])), match[3]))
     return found

@@ -18,7 +18,6 @@ from traceability.model.results import (
 )
 from traceability.model.schema import (
     Call,
-    Clause,
     LogicModule,
     Method,
     Model,
@@ -152,18 +151,15 @@ def _version(root: Path) -> str:
 
 
 def camel(folder: str) -> str:
-    return "".join(word.capitalize() for word in folder.split("/")[-1].split("_"))
+    return "".join(word.capitalize() for word in folder.rsplit("/", maxsplit=1)[-1].split("_"))
 
 
 def _add_logic_modules(model: Model, facts: Facts) -> None:
     folders = {str(Path(fact.place.file).parent) for fact in facts.syntax.classes}
-    for folder in sorted(folders):
-        while folder not in ("src", "."):
-            parent = str(Path(folder).parent)
-            logic = folder.removeprefix("src/")
-            if logic not in model.logic_modules:
-                model.logic_modules[logic] = _logic_module(facts, folder, parent)
-            folder = parent
+    for folder in {str(up) for path in folders for up in (Path(path), *Path(path).parents)}:
+        logic = folder.removeprefix("src/")
+        if folder not in ("src", "."):
+            model.logic_modules[logic] = _logic_module(facts, folder, str(Path(folder).parent))
     model.logic_modules = dict(sorted(model.logic_modules.items()))
     for logic_module in model.logic_modules.values():
         if logic_module.parent:
@@ -193,6 +189,8 @@ def _add_modules(model: Model, facts: Facts) -> None:
     for fact in facts.syntax.classes:
         described = facts.annotations.classes.get(fact.qualified)
         text = described.text if described else Text()
+        if not fact.place.file.endswith(".hpp"):
+            continue
         nested = "::" in fact.name
         if not text.datatype and (nested or fact.kind in ("enum", "alias")):
             continue
@@ -342,8 +340,8 @@ def _add_calls(model: Model, facts: Facts) -> None:
             for method in methods.get(target, []):
                 if body.id not in method.called_by and body.id != target:
                     method.called_by.append(body.id)
-    for fact in facts.syntax.names:
-        user, used = fact.by.split("::")[0], fact.target.split("::")[0]
+    for named in facts.syntax.names:
+        user, used = named.by.split("::")[0], named.target.split("::")[0]
         if user not in model.modules or used not in model.modules or user == used:
             continue
         if model.modules[used].datatype or model.modules[user].datatype:
@@ -452,10 +450,10 @@ def _add_tests(model: Model, facts: Facts) -> None:
         file = member.place.file
         if file not in lines:
             lines[file] = (facts.root / file).read_text(encoding="utf-8").splitlines()
-        name = _test_name(lines[file], member.place.line)
-        if name is None:
+        macro = _test_name(lines[file], member.place.line)
+        if macro is None:
             continue
-        suite, case = name
+        suite, case = macro
         result = results.get(f"{suite}.{case}")
         model.tests[f"{suite}.{case}"] = Test(
             id=f"{suite}.{case}",
@@ -622,36 +620,31 @@ def _execute(
 
 def _set_states(model: Model) -> None:
     for requirement in model.requirements.values():
-        tests = [model.tests[name] for name in requirement.verified_by]
-        reasons: list[str] = []
-        if not requirement.satisfied_by:
-            reasons.append("no method satisfies it")
-        if not tests:
-            reasons.append("no test verifies it")
-        not_run = [test.id for test in tests if test.result is None]
-        if not_run:
-            reasons.append("did not run: " + ", ".join(not_run))
-        skipped = [test.id for test in tests if test.result == "skipped"]
-        if skipped:
-            reasons.append("skipped: " + ", ".join(skipped))
-        failed = [test.id for test in tests if test.result == "failed"]
-        if failed:
-            reasons.append("failed: " + ", ".join(failed))
-        if requirement.tree is None:
-            reasons.append("it has no tree of invocations")
-        else:
-            nodes = nodes_of(requirement.tree)
-            reasons += [
-                f"no call reaches {node.label}" for node in nodes if node.reachable is False
-            ]
-            if not all(node.executed for node in nodes):
-                reasons.append("its tree was not executed by a passing test")
-        requirement.reasons = reasons
-        if failed:
+        requirement.reasons = _reasons(model, requirement)
+        results = [model.tests[name].result for name in requirement.verified_by]
+        if "failed" in results:
             requirement.state = "failed"
-        elif reasons:
+        elif requirement.reasons:
             requirement.state = "unverified"
-        elif model.results_stale:
-            requirement.state = "stale"
         else:
-            requirement.state = "verified"
+            requirement.state = "stale" if model.results_stale else "verified"
+
+
+def _reasons(model: Model, requirement: Requirement) -> list[str]:
+    """Why a requirement is not verified."""
+    reasons: list[str] = []
+    if not requirement.satisfied_by:
+        reasons.append("no method satisfies it")
+    if not requirement.verified_by:
+        reasons.append("no test verifies it")
+    for result, words in (("failed", "failed"), ("skipped", "skipped"), (None, "did not run")):
+        tests = [name for name in requirement.verified_by if model.tests[name].result == result]
+        if tests:
+            reasons.append(f"{words}: {', '.join(tests)}")
+    if requirement.tree is None:
+        return [*reasons, "it has no tree of invocations"]
+    nodes = nodes_of(requirement.tree)
+    reasons += [f"no call reaches {node.label}" for node in nodes if not node.reachable]
+    if not all(node.executed for node in nodes):
+        reasons.append("no passing test executed its tree")
+    return reasons

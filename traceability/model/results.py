@@ -56,7 +56,7 @@ def read_results(root: Path) -> dict[str, Result]:
 
 def plain_name(suite: str, name: str) -> str:
     """Without the prefix and the number of a parameterised test."""
-    return f"{suite.split('/')[-1]}.{name.split('/')[0]}"
+    return f"{suite.rsplit('/', maxsplit=1)[-1]}.{name.split('/', maxsplit=1)[0]}"
 
 
 def _result(test: dict[str, Any]) -> Result:

@@ -1,7 +1,7 @@
 """The model: everything that documents, checks, charts and exports are made from.
 
-It is built once per run (``traceability.pipeline.build_model``) from Doxygen's XML, the syntax tree,
-the declarations in ``design/``, test results, traces, coverage and sizes, and then only read.
+It is built once per run (``traceability.pipeline.build_model``) from Doxygen's XML, the syntax
+tree, the declarations in ``design/``, test results, traces, coverage and sizes, and then only read.
 Texts that come from annotations are small HTML fragments: paragraphs and ``<code>`` only, escaped.
 A figure or result that this run did not produce is ``None``.
 """
@@ -151,7 +151,7 @@ class PatternApplication:
 
 @dataclass
 class TreeNode:
-    """A node of a requirement's tree of invocations; ``resolved`` is the method that has the body."""
+    """A node of a requirement's tree; ``resolved`` is the method that has the body."""
 
     label: str
     module: str

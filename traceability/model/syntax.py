@@ -12,6 +12,7 @@ import functools
 import hashlib
 import json
 import multiprocessing
+import re
 import shutil
 import subprocess
 from collections.abc import Iterator
@@ -147,6 +148,7 @@ def read_syntax(root: Path, cache: Path) -> Syntax:
     hashes: dict[str, str] = {}
     units = translation_units(root)
     stale: list[tuple[Path, Path, list[str], str]] = []
+    prepare_standard(root, cache)
     for unit, files in units.items():
         stored = _stored(root, cache, unit, hashes)
         if stored is None:
@@ -219,7 +221,7 @@ def _arguments() -> list[str]:
 
 
 def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> None:
-    facts, included = parse(root, unit, files)
+    facts, included = parse(root, unit, files, standard(cache))
     entry = {
         "reader": _reader_hash(),
         "files": {file: file_hash(root / file) for file in sorted(included)},
@@ -231,9 +233,34 @@ def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> No
     path.write_text(json.dumps(entry), encoding="utf-8")
 
 
-def parse(root: Path, unit: str, files: list[str]) -> tuple[Syntax, set[str]]:
-    index = cindex.Index.create()
-    tree = index.parse(str(root / unit), args=[*_arguments(), "-I", str(root / "src")])
+def standard(cache: Path) -> Path:
+    return cache / "standard.pch"
+
+
+def prepare_standard(root: Path, cache: Path) -> None:
+    """Parses the headers of the standard library that src includes, once for all units."""
+    names: set[str] = set()
+    for path in files_below(root, ("src",), (".cpp", ".hpp")):
+        names.update(re.findall(r"^#include (<[^>]+>)", path.read_text("utf-8"), re.MULTILINE))
+    header = cache / "standard.hpp"
+    text = "".join(f"#include {name}\n" for name in sorted(names)) + f"// {_reader_hash()}\n"
+    if header.exists() and header.read_text(encoding="utf-8") == text:
+        return
+    standard(cache).unlink(missing_ok=True)
+    header.write_text(text, encoding="utf-8")
+    options = cindex.TranslationUnit.PARSE_INCOMPLETE
+    arguments = ["c++-header" if one == "c++" else one for one in _arguments()]
+    tree = cindex.Index.create().parse(str(header), args=arguments, options=options)
+    if not any(problem.severity >= cindex.Diagnostic.Error for problem in tree.diagnostics):
+        tree.save(str(standard(cache)))
+
+
+def parse(root: Path, unit: str, files: list[str], known: Path) -> tuple[Syntax, set[str]]:
+    """The facts of the files, and all files of the project that the unit includes."""
+    arguments = [*_arguments(), "-I", str(root / "src")]
+    if known.exists():
+        arguments += ["-include-pch", str(known)]
+    tree = cindex.Index.create().parse(str(root / unit), args=arguments)
     reader = _Reader(root, set(files))
     reader.walk(tree.cursor, None, "")
     included = {unit}
@@ -247,9 +274,10 @@ def parse(root: Path, unit: str, files: list[str]) -> tuple[Syntax, set[str]]:
             place = Place(source, entry.location.line)
             reader.facts.includes.append(IncludeFact(target, place))
     for problem in tree.diagnostics:
-        if problem.severity >= cindex.Diagnostic.Error:
-            file = reader.relative(problem.location.file.name if problem.location.file else unit)
-            place = Place(file or unit, problem.location.line or 1)
+        # With parsed headers libclang reports errors that lie in no file; they mean nothing.
+        if problem.severity >= cindex.Diagnostic.Error and problem.location.file:
+            file = reader.relative(problem.location.file.name)
+            place = Place(file or unit, problem.location.line if file else 1)
             reader.facts.errors.append((place, problem.spelling))
     return reader.facts, included
 
@@ -307,6 +335,8 @@ class _Reader:
             return
         if kind in _NAMES:
             self.reference(cursor, body, owner, place)
+        if kind == CursorKind.CALL_EXPR and cursor.spelling == "emplace" and body is not None:
+            self.emplacement(cursor, body, owner, place)
         if body is not None:
             self.assignment(cursor, body, place)
         self.walk(cursor, body, owner)
@@ -328,11 +358,27 @@ class _Reader:
             call = CallFact(function_id(target), _is_dynamic(cursor), place)
             body.calls.append(call)
 
+    def emplacement(self, cursor: Cursor, body: BodyFact, owner: str, place: Place) -> None:
+        """``field_.emplace(...)`` constructs the class that the field holds by value."""
+        held = next((part for part in cursor.walk_preorder() if self.is_field(part)), None)
+        if held is None:
+            return
+        for name in self.field_fact(held.referenced, place).classes:
+            constructor = f"{name}::{name.rsplit('::', maxsplit=1)[-1]}"
+            body.calls.append(CallFact(constructor, False, place))
+            if name.split("::", maxsplit=1)[0] != owner.split("::", maxsplit=1)[0]:
+                self.facts.names.append(NameFact(owner, name, "construct", place))
+
+    def is_field(self, cursor: Cursor) -> bool:
+        if cursor.kind != CursorKind.MEMBER_REF_EXPR or cursor.referenced is None:
+            return False
+        return bool(cursor.referenced.kind == CursorKind.FIELD_DECL)
+
     def name(self, owner: str, target: Cursor | None, how: str, place: Place) -> None:
         if target is None or self.place(target) is None:
             return
         named = class_name(target)
-        if named and named.split("::")[0] != owner.split("::")[0]:
+        if named and named.split("::")[0] != owner.split("::", maxsplit=1)[0]:
             self.facts.names.append(NameFact(owner, named, how, place))
 
     def assignment(self, cursor: Cursor, body: BodyFact, place: Place) -> None:
@@ -394,7 +440,9 @@ class _Reader:
         params = [(item.spelling, _short(item.type.spelling)) for item in _arguments_of(cursor)]
         above = _overridden(cursor)
         name = function_id(cursor).rsplit("::", 1)[-1]
-        constructor = cursor.kind == CursorKind.CONSTRUCTOR or name == owner.split("::")[-1]
+        constructor = (
+            cursor.kind == CursorKind.CONSTRUCTOR or name == owner.rsplit("::", maxsplit=1)[-1]
+        )
         virtual = cursor.is_virtual_method()
         pure = cursor.is_pure_virtual_method()
         if constructor:
@@ -413,7 +461,7 @@ class _Reader:
             id=f"{owner}::{name}",
             owner=owner,
             name=name,
-            signature=_signature(cursor, kind, name, result, params, pure),
+            signature=_signature(cursor, kind, result, params),
             access=cursor.access_specifier.name.lower(),
             kind=kind,
             result=result,
@@ -476,14 +524,13 @@ def _short(type_name: str) -> str:
     return type_name.replace(f"{NAMESPACE}::", "").replace(" &", "&").replace(" *", "*")
 
 
-def _signature(
-    cursor: Cursor, kind: str, name: str, result: str, params: list[tuple[str, str]], pure: bool
-) -> str:
+def _signature(cursor: Cursor, kind: str, result: str, params: list[tuple[str, str]]) -> str:
+    name = function_id(cursor).rsplit("::", 1)[-1]
     inner = ", ".join(f"{type_name} {param}".strip() for param, type_name in params)
     before = {"virtual": "virtual ", "pure": "virtual ", "static": "static "}.get(kind, "")
     after = " const" if cursor.is_const_method() else ""
     after += " override" if kind == "override" else ""
-    after += " = 0" if pure else ""
+    after += " = 0" if cursor.is_pure_virtual_method() else ""
     shown = f"{result} " if result else ""
     return f"{before}{shown}{name}({inner}){after}"
 

@@ -124,7 +124,7 @@ def method_of(symbol: str) -> str:
 
 @dataclass
 class Embedding:
-    """Where the nodes of a tree lie in one trace; ``failed`` is the first node that has no place."""
+    """Where the nodes of a tree lie in a trace; ``failed`` is the first node without a place."""
 
     rows: dict[int, int] = field(default_factory=dict)  # id() of the node -> row
     failed: TreeNode | None = None
@@ -175,10 +175,11 @@ def excerpt(rows: list[Row], placed: list[int]) -> tuple[list[TraceRow], int, di
         first = rows[first].parent
         last = max(last, rows[first].end)
     needed: set[int] = set()
-    for index in placed:
-        while index >= first and index not in needed:
-            needed.add(index)
-            index = rows[index].parent
+    for place in placed:
+        above = place
+        while above >= first and above not in needed:
+            needed.add(above)
+            above = rows[above].parent
     window = list(range(first, last))
     depth = max(rows[index].depth for index in window)
     while len(window) > SHOWN and depth > rows[first].depth:
@@ -187,7 +188,7 @@ def excerpt(rows: list[Row], placed: list[int]) -> tuple[list[TraceRow], int, di
     base = rows[first].depth
     if len(window) > SHOWN:
         end = max(placed) + 1
-        window = [index for index in window if index in needed or index < end][:]
+        window = [index for index in window if index in needed or index < end]
         free = [index for index in window if index not in needed]
         surplus = set(free[max(0, SHOWN - len(needed)) :])
         window = [index for index in window if index not in surplus]
