@@ -5,8 +5,10 @@
 #include <exception>
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "sim/host/HostRobot.hpp"
 #include "sim/host/HostTimebase.hpp"

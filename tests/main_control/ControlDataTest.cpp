@@ -1,0 +1,95 @@
+#include "main_control/ControlData.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wr::test {
+namespace {
+
+class ControlDataTest : public testing::Test {
+ protected:
+  [[nodiscard]] ReportData report() const {
+    return data.report(OperationStateId::Waiting, ModeId::PC, {.damaged = 5});
+  }
+
+  ControlData data;
+};
+
+/// @brief Before the first cycle there is nothing but zeros, and no source.
+TEST_F(ControlDataTest, BeginsEmpty) {
+  const ReportData expected{.operationState = 1, .readingMode = 1, .link = {.damaged = 5}};
+  EXPECT_EQ(report(), expected);
+  EXPECT_FALSE(data.setPoints().has_value());
+}
+
+/// @brief The source that is read takes force with the set-points, not before.
+/// @verifies FR-19
+TEST_F(ControlDataTest, FR19_SourceTakesForceWithTheSetPoints) {
+  data.saveModeId(ModeId::RC);
+  EXPECT_EQ(report().source, ReportData::kNoSource);
+  data.saveSetPoints({.orderId = 3});
+  EXPECT_EQ(report().source, 0);
+  data.saveModeId(ModeId::PC);
+  EXPECT_EQ(report().source, 0);
+  data.saveSetPoints({.orderId = 4});
+  EXPECT_EQ(report().source, 1);
+}
+
+/// @brief The report holds everything that was saved in the cycle.
+/// @verifies FR-61
+TEST_F(ControlDataTest, FR61_ReportHoldsTheCycle) {
+  data.beginCycle(Instant(123'456));
+  data.saveModeId(ModeId::PC);
+  data.saveSetPoints({.orderId = 9, .steering = Angle(-5)});
+  data.saveStop(true);
+  data.saveHeld(true);
+  data.saveOverrun();
+  data.measurements().steering = Angle(7);
+  data.outputs().turn = std::int8_t{-1};
+  const ReportData report = this->report();
+  EXPECT_EQ(report.cycle, 1U);
+  EXPECT_EQ(report.time, Instant(123'456));
+  EXPECT_EQ(report.setPoints.orderId, 9);
+  EXPECT_EQ(report.setPoints.steering, Angle(-5));
+  EXPECT_TRUE(report.stop && report.held && report.overran && report.orderRead);
+  EXPECT_EQ(report.overruns, 1);
+  EXPECT_EQ(report.measurements.steering, Angle(7));
+  EXPECT_EQ(report.outputs.turn, -1);
+  EXPECT_EQ(report.link.damaged, 5);
+}
+
+/// @brief The next cycle keeps the set-points, their source and the count of overruns, and forgets the
+/// rest.
+/// @verifies FR-14
+/// @verifies FR-62
+TEST_F(ControlDataTest, FR62_NextCycleForgetsWhatWasMeasured) {
+  data.beginCycle(Instant(1));
+  data.saveModeId(ModeId::RC);
+  data.saveSetPoints({.orderId = 9});
+  data.saveStop(true);
+  data.saveHeld(true);
+  data.saveOverrun();
+  data.measurements().steering = Angle(7);
+  data.outputs().turn = std::int8_t{-1};
+  data.beginCycle(Instant(2));
+  const ReportData expected{.cycle = 2,
+                            .time = Instant(2),
+                            .operationState = 1,
+                            .readingMode = 1,
+                            .source = 0,
+                            .setPoints = {.orderId = 9},
+                            .overruns = 1,
+                            .link = {.damaged = 5}};
+  EXPECT_EQ(report(), expected);
+}
+
+/// @brief The count of overruns stops at its greatest value.
+/// @verifies FR-4
+TEST_F(ControlDataTest, FR4_OverrunCountStopsAtItsGreatestValue) {
+  for (int i = 0; i < 65'540; ++i) {
+    data.saveOverrun();
+  }
+  EXPECT_EQ(report().overruns, 65'535);
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,129 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "communication/pc_connection/Connected.hpp"
+#include "communication/pc_connection/Disconnected.hpp"
+#include "communication/pc_connection/Handshaking.hpp"
+#include "communication/pc_connection/PcConnection.hpp"
+#include "communication/serialization/SerialReader.hpp"
+#include "main_control/MainController.hpp"
+#include "main_control/SpySystem.hpp"
+#include "sim/host/HostScheduler.hpp"
+#include "sim/host/HostSerialPort.hpp"
+#include "sim/host/HostThread.hpp"
+#include "sim/host/HostTimebase.hpp"
+#include "support/PcFrames.hpp"
+
+namespace wr::test {
+
+/// A mode that does as it is told, and notes what is asked of it.
+class FakeMode final : public Mode {
+ public:
+  explicit FakeMode(ModeId id) : Mode(id) {}
+
+  bool message = false;
+  bool stop = false;
+  int reads = 0;
+  int changes = 0;
+  Mode* next = this;
+
+  [[nodiscard]] bool newMessage() const override { return message; }
+  void read(MainController& mCtrl) override {
+    ++reads;
+    mCtrl.getData().saveModeId(id());
+    mCtrl.getData().saveSetPoints({.orderId = static_cast<std::uint16_t>(reads)});
+  }
+  void changeMode(MainController& mCtrl) override {
+    ++changes;
+    mCtrl.changeMode(*next);
+  }
+  [[nodiscard]] bool stopOrdered() const override { return stop; }
+};
+
+/// A state that notes the steps of the cycle, and changes to the state that it is given.
+class FakeState final : public OperationState {
+ public:
+  explicit FakeState(OperationStateId id) : OperationState(id) {}
+
+  std::vector<std::string> steps;
+  OperationState* next = this;
+
+  void control(MainController& mCtrl) override {
+    steps.emplace_back("control");
+    OperationState::control(mCtrl);
+  }
+  void write(MainController& mCtrl) override {
+    steps.emplace_back("write");
+    OperationState::write(mCtrl);
+  }
+
+ private:
+  void actionWithMsg(MainController& mCtrl, Mode& md) override {
+    steps.emplace_back("read with message");
+    md.read(mCtrl);
+    mCtrl.changeOpState(*next);
+  }
+  void actionNoMsg(MainController& mCtrl) override {
+    steps.emplace_back("read without message");
+    mCtrl.changeOpState(*next);
+  }
+};
+
+/// A main controller with a link to the PC, one spying control system, and fake modes and states.
+class ControllerFixture : public testing::Test {
+ protected:
+  ControllerFixture() { systems.add(system); }
+
+  // Connects the PC over the line. Nothing but the link is served.
+  void connect() {
+    port.arrive(pc.hello());
+    connection.service();
+    port.arrive(pc.confirm(sessionOf(bodies(port.takeSent()).at(0)).value()));
+    connection.service();
+  }
+
+  // The only report on the line.
+  PcReport sentReport() {
+    const std::vector<Bytes> sent = bodies(port.takeSent());
+    EXPECT_EQ(sent.size(), 1U);
+    return reportOf(sent.at(0)).value();
+  }
+
+  HostTimebase time;
+  HostSerialPort port;
+  HostScheduler scheduler;
+  HostThread thread{scheduler, 1};
+  SerialReader pcReader{time};
+  struct Link {
+    Link()
+        : handshaking(connected, disconnected),
+          disconnected(handshaking),
+          connected(handshaking, disconnected) {}
+    Handshaking handshaking;
+    Disconnected disconnected;
+    Connected connected;
+  } link;
+  PcConnection connection{port, time, pcReader, link.disconnected};
+  PcSender pc;
+  ControlData data;
+  ControlSystemPool systems;
+  SpySystem system;
+  FakeMode first{ModeId::RC};
+  FakeMode second{ModeId::PC};
+  FakeState state{OperationStateId::Working};
+  FakeState other{OperationStateId::Reconnecting};
+  std::array<Mode*, 2> modes{&first, &second};
+  MainController controller{{.thread = thread,
+                             .timebase = time,
+                             .data = data,
+                             .systems = systems,
+                             .connection = connection,
+                             .initialState = state,
+                             .initialMode = first,
+                             .modes = modes}};
+};
+
+}  // namespace wr::test

@@ -1,0 +1,198 @@
+#include "main_control/MainController.hpp"
+
+#include "main_control/ControllerFixture.hpp"
+#include "main_control/ControllerTimeOut.hpp"
+
+namespace wr::test {
+namespace {
+
+using MainControllerTest = ControllerFixture;
+using Steps = std::vector<std::string>;
+
+/// @brief A clock pulse before start runs no cycle and counts no overrun.
+/// @verifies FR-1
+TEST_F(MainControllerTest, FR1_NoCycleBeforeStart) {
+  controller.clockPulse();
+  EXPECT_EQ(data.cycle(), 0U);
+  EXPECT_EQ(thread.overruns(), 0);
+}
+
+/// @brief Each clock pulse runs one cycle.
+/// @verifies FR-1
+TEST_F(MainControllerTest, FR1_EachClockPulseRunsOneCycle) {
+  controller.start();
+  controller.clockPulse();
+  EXPECT_EQ(data.cycle(), 1U);
+  controller.clockPulse();
+  EXPECT_EQ(data.cycle(), 2U);
+}
+
+/// @brief The command of the cycle timer begins a cycle.
+/// @verifies FR-1
+TEST_F(MainControllerTest, FR1_TimeOutBeginsACycle) {
+  controller.start();
+  ControllerTimeOut timeOut(controller);
+  timeOut.execute();
+  EXPECT_EQ(data.cycle(), 1U);
+}
+
+/// @brief A cycle reads, then controls, then writes, each once.
+/// @verifies FR-2
+TEST_F(MainControllerTest, FR2_CycleReadsControlsWrites) {
+  controller.start();
+  controller.clockPulse();
+  EXPECT_EQ(state.steps, (Steps{"read without message", "control", "write"}));
+}
+
+/// @brief When the read changes the state, the new state controls and writes.
+/// @verifies FR-3
+TEST_F(MainControllerTest, FR3_StateAfterTheReadControlsAndWrites) {
+  state.next = &other;
+  controller.start();
+  controller.clockPulse();
+  EXPECT_EQ(state.steps, (Steps{"read without message"}));
+  EXPECT_EQ(other.steps, (Steps{"control", "write"}));
+}
+
+/// @brief The initial mode is that of the construction.
+/// @verifies FR-10
+TEST_F(MainControllerTest, FR10_BeginsWithTheInitialMode) {
+  EXPECT_EQ(&controller.getMode(), &first);
+}
+
+/// @brief Orders are asked of the mode that was set last.
+/// @verifies FR-11
+/// @verifies FR-12
+TEST_F(MainControllerTest, FR12_ReadsFromThePresentModeOnly) {
+  first.message = true;
+  second.message = true;
+  controller.changeMode(second);
+  controller.read();
+  EXPECT_EQ(first.reads, 0);
+  EXPECT_EQ(second.reads, 1);
+}
+
+/// @brief Without set-points the control systems are held although control is ordered.
+/// @verifies FR-22
+TEST_F(MainControllerTest, FR22_HoldsWithoutSetPoints) {
+  controller.applyControl();
+  EXPECT_EQ(system.calls, kHeld);
+}
+
+/// @brief With set-points the control systems follow them.
+/// @verifies FR-14
+TEST_F(MainControllerTest, FR14_AppliesTheSetPoints) {
+  data.saveSetPoints({.orderId = 77});
+  controller.applyControl();
+  EXPECT_EQ(system.calls, kControlled);
+  EXPECT_EQ(system.applied.orderId, 77);
+}
+
+/// @brief A stop of any mode holds the control systems; the state is not asked.
+/// @verifies FR-21
+TEST_F(MainControllerTest, FR21_StopOfAnyModeHolds) {
+  data.saveSetPoints({});
+  controller.start();
+  for (FakeMode* mode : {&first, &second}) {
+    system.calls.clear();
+    state.steps.clear();
+    mode->stop = true;
+    controller.clockPulse();
+    EXPECT_EQ(system.calls, kHeld);
+    EXPECT_EQ(state.steps, (Steps{"read without message", "write"}));
+    mode->stop = false;
+  }
+  system.calls.clear();
+  controller.clockPulse();
+  EXPECT_EQ(system.calls, kControlled);
+}
+
+/// @brief The report holds the state, the mode, the source and the set-points after the read.
+/// @verifies FR-60
+/// @verifies FR-61
+TEST_F(MainControllerTest, FR61_ReportTellsTheCycleAfterTheRead) {
+  connect();
+  controller.start();
+  controller.changeMode(second);
+  second.message = true;
+  state.next = &other;
+  time.advance(milliseconds(400));
+  controller.clockPulse();
+  const PcReport report = sentReport();
+  EXPECT_EQ(report.cycle, 1U);
+  EXPECT_EQ(report.time, 400U);
+  EXPECT_EQ(report.state, 3);
+  EXPECT_EQ(report.mode, 1);
+  EXPECT_EQ(report.source, 1);
+  EXPECT_EQ(report.orderId, 1);
+  EXPECT_TRUE(report.orderRead());
+}
+
+/// @brief Without a connection no report is sent.
+/// @verifies FR-60
+TEST_F(MainControllerTest, FR60_NoReportWithoutConnection) {
+  controller.start();
+  controller.clockPulse();
+  EXPECT_TRUE(port.takeSent().empty());
+}
+
+/// @brief The cycle serves the link before it reads, in the mode RC too.
+/// @verifies FR-35
+/// @verifies FR-37
+TEST_F(MainControllerTest, FR35_ServesTheLinkBeforeTheRead) {
+  controller.start();
+  port.arrive(pc.hello());
+  controller.clockPulse();
+  EXPECT_TRUE(sessionOf(bodies(port.takeSent()).at(0)).has_value());
+}
+
+/// @brief A clock pulse that comes during a cycle is an overrun of this cycle; one more cycle follows.
+/// @verifies FR-4
+TEST_F(MainControllerTest, FR4_PulseDuringACycleIsAnOverrun) {
+  connect();
+  controller.start();
+  int late = 1;
+  system.work = [&] {
+    if (late > 0) {
+      --late;
+      controller.clockPulse();
+    }
+  };
+  controller.clockPulse();
+  const std::vector<Bytes> sent = bodies(port.takeSent());
+  ASSERT_EQ(sent.size(), 2U);
+  EXPECT_TRUE(reportOf(sent[0])->overran());
+  EXPECT_FALSE(reportOf(sent[1])->overran());
+  EXPECT_EQ(reportOf(sent[1])->overruns, 1);
+}
+
+/// @brief Two clock pulses during a cycle are one cycle that overran.
+/// @verifies FR-4
+TEST_F(MainControllerTest, FR4_CycleOverrunsOnce) {
+  connect();
+  controller.start();
+  int late = 2;
+  system.work = [&] {
+    while (late > 0) {
+      --late;
+      controller.clockPulse();
+    }
+  };
+  controller.clockPulse();
+  const std::vector<Bytes> sent = bodies(port.takeSent());
+  ASSERT_EQ(sent.size(), 2U);
+  EXPECT_EQ(reportOf(sent[1])->overruns, 1);
+}
+
+/// @brief A control system that has not completed this cycle makes it an overrun.
+/// @verifies FR-5
+TEST_F(MainControllerTest, FR5_IncompleteControlSystemIsAnOverrun) {
+  connect();
+  controller.start();
+  system.completes = false;
+  controller.clockPulse();
+  EXPECT_TRUE(sentReport().overran());
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,193 @@
+#include "main_control/operation_states/OperationState.hpp"
+
+#include "main_control/ControllerFixture.hpp"
+#include "main_control/operation_states/Reconnecting.hpp"
+#include "main_control/operation_states/Waiting.hpp"
+#include "main_control/operation_states/WaitingN.hpp"
+#include "main_control/operation_states/Working.hpp"
+#include "services/SystemConstants.hpp"
+
+namespace wr::test {
+namespace {
+
+const int kN = SystemConstants::instance().waitingCycles();
+
+// Each state stands between fake successors, which tell by their steps whether they are current.
+class OperationStateTest : public ControllerFixture {
+ protected:
+  // Makes a state current, and the given mode the one that is read.
+  void enter(OperationState& entered) { controller.changeOpState(entered); }
+
+  void read(bool message) {
+    first.message = message;
+    controller.read();
+  }
+
+  // The state that controls after the reads so far.
+  bool isCurrent(FakeState& fake) {
+    fake.steps.clear();
+    controller.control();
+    return fake.steps == std::vector<std::string>{"control"};
+  }
+
+  bool noneIsCurrent() { return !isCurrent(state) && !isCurrent(other); }
+};
+
+/// @brief Working reads a message and stays.
+/// @verifies FR-13
+TEST_F(OperationStateTest, FR13_WorkingReadsAndStays) {
+  Working working(other);
+  enter(working);
+  read(true);
+  EXPECT_EQ(first.reads, 1);
+  EXPECT_TRUE(noneIsCurrent());
+}
+
+/// @brief Working sets the waiting state when there is no message, and reads nothing.
+/// @verifies FR-15
+TEST_F(OperationStateTest, FR15_WorkingSetsWaiting) {
+  Working working(other);
+  enter(working);
+  read(false);
+  EXPECT_EQ(first.reads, 0);
+  EXPECT_TRUE(isCurrent(other));
+}
+
+/// @brief Waiting stays until the N-th failed read, the one before it included, and then sets WaitingN.
+/// @verifies FR-15
+/// @verifies FR-16
+TEST_F(OperationStateTest, FR16_WaitingCountsFailedReads) {
+  Waiting waiting(state, other);
+  enter(waiting);
+  for (int failed = 2; failed < kN; ++failed) {
+    read(false);
+    EXPECT_TRUE(noneIsCurrent()) << failed;
+  }
+  read(false);
+  EXPECT_TRUE(isCurrent(other));
+}
+
+/// @brief Waiting reads a message, sets Working, and counts anew when it is entered again.
+/// @verifies FR-13
+/// @verifies FR-16
+TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterAMessage) {
+  Waiting waiting(state, other);
+  enter(waiting);
+  read(false);
+  read(true);
+  EXPECT_EQ(first.reads, 1);
+  EXPECT_TRUE(isCurrent(state));
+  enter(waiting);
+  for (int failed = 2; failed < kN; ++failed) {
+    read(false);
+  }
+  EXPECT_TRUE(noneIsCurrent());
+  read(false);
+  EXPECT_TRUE(isCurrent(other));
+}
+
+/// @brief Waiting counts anew after it has handed over to WaitingN.
+/// @verifies FR-16
+TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterItsEnd) {
+  Waiting waiting(state, other);
+  for (int round = 0; round < 2; ++round) {
+    enter(waiting);
+    for (int failed = 2; failed < kN; ++failed) {
+      read(false);
+      EXPECT_TRUE(noneIsCurrent());
+    }
+    read(false);
+    EXPECT_TRUE(isCurrent(other));
+  }
+}
+
+/// @brief WaitingN reads a message and sets Working.
+/// @verifies FR-13
+TEST_F(OperationStateTest, FR13_WaitingNReadsAndSetsWorking) {
+  WaitingN waitingN(state, other);
+  enter(waitingN);
+  read(true);
+  EXPECT_EQ(first.reads, 1);
+  EXPECT_TRUE(isCurrent(state));
+}
+
+/// @brief WaitingN sets Reconnecting when there is no message; the mode stays.
+/// @verifies FR-16
+TEST_F(OperationStateTest, FR16_WaitingNSetsReconnecting) {
+  WaitingN waitingN(state, other);
+  enter(waitingN);
+  read(false);
+  EXPECT_TRUE(isCurrent(other));
+  EXPECT_EQ(first.changes, 0);
+}
+
+/// @brief Reconnecting reads a message and sets Working; the mode stays.
+/// @verifies FR-13
+TEST_F(OperationStateTest, FR13_ReconnectingReadsAndSetsWorking) {
+  Reconnecting reconnecting(state);
+  enter(reconnecting);
+  read(true);
+  EXPECT_EQ(first.reads, 1);
+  EXPECT_EQ(first.changes, 0);
+  EXPECT_TRUE(isCurrent(state));
+}
+
+/// @brief Reconnecting changes the mode with each failed read, and stays.
+/// @verifies FR-17
+TEST_F(OperationStateTest, FR17_ReconnectingChangesTheMode) {
+  Reconnecting reconnecting(state);
+  first.next = &second;
+  second.next = &first;
+  enter(reconnecting);
+  read(false);
+  EXPECT_EQ(&controller.getMode(), &second);
+  read(false);
+  EXPECT_EQ(&controller.getMode(), &first);
+  EXPECT_TRUE(noneIsCurrent());
+}
+
+/// @brief Reconnecting holds the control systems although there are set-points.
+/// @verifies FR-18
+TEST_F(OperationStateTest, FR18_ReconnectingHolds) {
+  Reconnecting reconnecting(state);
+  data.saveSetPoints({});
+  reconnecting.control(controller);
+  EXPECT_EQ(system.calls, kHeld);
+}
+
+/// @brief Working and the waiting states apply the set-points that were read last.
+/// @verifies FR-14
+TEST_F(OperationStateTest, FR14_WorkingAndWaitingStatesApplyControl) {
+  Working working(other);
+  Waiting waiting(state, other);
+  WaitingN waitingN(state, other);
+  data.saveSetPoints({.orderId = 5});
+  for (OperationState* each :
+       std::initializer_list<OperationState*>{&working, &waiting, &waitingN}) {
+    system.calls.clear();
+    each->control(controller);
+    EXPECT_EQ(system.calls, kControlled);
+    EXPECT_EQ(system.applied.orderId, 5);
+  }
+}
+
+/// @brief Each state reports its own number.
+/// @verifies FR-61
+TEST_F(OperationStateTest, FR61_EachStateReportsItsNumber) {
+  Working working(other);
+  Waiting waiting(state, other);
+  WaitingN waitingN(state, other);
+  Reconnecting reconnecting(state);
+  connect();
+  int number = 0;
+  for (OperationState* each :
+       std::initializer_list<OperationState*>{&working, &waiting, &waitingN, &reconnecting}) {
+    each->write(controller);
+    EXPECT_EQ(sentReport().state, number);
+    EXPECT_EQ(static_cast<int>(each->id()), number);
+    ++number;
+  }
+}
+
+}  // namespace
+}  // namespace wr::test
