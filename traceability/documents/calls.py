@@ -89,13 +89,24 @@ class CallGraph:
             end
             for end in self.callers.get(method.id, [])
             if not end.method.startswith(outside) and end.method not in known
+            and not is_heir_constructor(module, method, end.method)
         ]
         known = {end.method for end in row.callees}
         for call in method.calls:
-            inside = call.target.startswith(outside)
+            inside = call.target.startswith(outside) or is_base_constructor(module, call.target)
             if not inside and call.target not in known and self.links.find_method(call.target):
                 known.add(call.target)
                 row.callees.append(End(call.target, call.virtual))
+
+
+def is_base_constructor(module: Module, method: str) -> bool:
+    owner, _, name = method.partition("::")
+    return owner == name and owner in module.bases
+
+
+def is_heir_constructor(module: Module, method: Method, caller: str) -> bool:
+    owner, _, name = caller.partition("::")
+    return method.kind == "constructor" and owner == name and owner in module.heirs
 
 
 def draw(rows: list[Row], links: Links) -> Drawing:

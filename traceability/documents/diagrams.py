@@ -19,7 +19,7 @@ from traceability.model.schema import Model, Module, PatternApplication, StateMa
 
 SVG = "{http://www.w3.org/2000/svg}"
 XLINK = "{http://www.w3.org/1999/xlink}"
-FORMAT = "3"  # part of the cache key: raise it when the finishing of the SVG changes
+FORMAT = "4"  # part of the cache key: raise it when the finishing of the SVG changes
 
 FAMILIES = {
     "Decorator": "decorator",
@@ -59,6 +59,8 @@ VARIABLES = {
 }
 MARKERS = {name: f"#FA{number:02X}5C" for number, name in enumerate(VARIABLES)}
 COLOURS = {MARKERS[name]: variable for name, variable in VARIABLES.items()}
+
+UNSET = "#A80036"  # what PlantUML draws edges with when it is given no colour
 
 # (role of one end, role of the other end, arrow): drawn when the one uses the other.
 RELATIONS = [
@@ -117,6 +119,8 @@ def preamble() -> list[str]:
         f"skinparam classAttributeFontColor {MARKERS['text']}",
         f"skinparam classStereotypeFontColor {MARKERS['soft']}",
         "skinparam classStereotypeFontSize 12",
+        "skinparam classStereotypeFontStyle plain",
+        "skinparam padding 3",
         f"skinparam stateFontColor {MARKERS['text']}",
         f"skinparam stateStartColor {MARKERS['line']}",
         "skinparam nodesep 34",
@@ -322,6 +326,11 @@ def restyle(element: ET.Element) -> None:
             style[name] = value
     for name, value in style.items():
         style[name] = f"var({COLOURS[value.upper()]})" if value.upper() in COLOURS else value
+    if style.get("stroke", "").upper() == UNSET:  # states take no colour for their edge
+        style["stroke"] = style.get("fill", "").replace("-fill)", ")")
+    if element.tag == "ellipse":  # the initial state
+        element.set("rx", "5")
+        element.set("ry", "5")
     for name in ("font-family", "filter"):
         element.attrib.pop(name, None)
     if element.tag == "text" and element.text:

@@ -89,7 +89,7 @@ class Names:
     def meth(self, identifier: str) -> Markup:
         name, _, method = identifier.partition("::")
         link = anchor(self.links.method(identifier), breakable(method), "meth")
-        return Markup('<span class="mm">{}<span class="dc">::</span>{}</span>').format(
+        return Markup('<span class="mm">{}<span class="dc">::</span><wbr>{}</span>').format(
             self.mod(name), link
         )
 

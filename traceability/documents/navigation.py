@@ -66,7 +66,8 @@ class Navigation:
         model = portal.model
         modules = [m for m in model.modules.values() if not m.datatype]
         trees = sum(requirement.tree is not None for requirement in model.requirements.values())
-        explain = [d for d in portal.docs if d.name in EXPLAIN]
+        tour = [d for d in portal.docs if d.name == "tour"]
+        explain = [d for d in portal.docs if d.name in EXPLAIN and d not in tour]
         use = [d for d in portal.docs if d.name not in EXPLAIN]
         understand = [
             Entry("architecture", "Architecture", "architecture.html"),
@@ -85,7 +86,7 @@ class Navigation:
             Entry("checks", "Checks", "checks/index.html", "", len(portal.checks)),
         ]
         self.groups = [
-            Group("understand", "Understand", [*map(entry, explain[:1]), *understand, *map(entry, explain[1:])]),
+            Group("understand", "Understand", [*map(entry, tour), *understand, *map(entry, explain)]),
             Group("verify", "Verify", verify),
             Group("build", "Build and use", [*map(entry, use), Entry("source", "Source", "source/index.html", "S")]),
         ]

@@ -61,9 +61,7 @@ def overview_pages(portal: Portal) -> Iterator[Page]:
 
 def home_page(portal: Portal) -> Page:
     example = portal.model.requirements.get(EXAMPLE)
-    method = None
-    if example and example.tree:
-        method = next((m for m in (real_method(portal, n) for n in leaves(example.tree)) if m), None)
+    method = best_method(portal, example) if example and example.tree else None
     return portal.page(
         "index",
         "The weeding robot's microcontroller software",
@@ -75,10 +73,12 @@ def home_page(portal: Portal) -> Page:
     )
 
 
-def leaves(node: TreeNode) -> list[TreeNode]:
-    """The nodes of a tree, the deepest first."""
-    below = [leaf for child in node.children for leaf in leaves(child)]
-    return [*below, node]
+def best_method(portal: Portal, requirement: Requirement) -> Method | None:
+    """The deepest method of the tree that satisfies the requirement."""
+    nodes = portal.flat(requirement.tree) if requirement.tree else []
+    methods = [m for m in (real_method(portal, node) for _, node in reversed(nodes)) if m]
+    wanted = [m for m in methods if requirement.id in m.satisfies]
+    return next(iter([*wanted, *methods]), None)
 
 
 def real_method(portal: Portal, node: TreeNode) -> Method | None:
