@@ -16,8 +16,12 @@ bool ControlThread::post() {
   if (body_.load() == nullptr) {
     return false;
   }
-  const std::uint32_t before = state_.fetch_or(kWaiting);
-  if (before == kIdle) {
+  if (accepted_.load() - ended_.load() > 1) {
+    overruns_.fetch_add(1);
+    return true;
+  }
+  const std::uint32_t before = accepted_.fetch_add(1);
+  if (before == ended_.load()) {
     pend();
   } else {
     overruns_.fetch_add(1);
@@ -31,12 +35,12 @@ std::uint16_t ControlThread::overruns() const {
 }
 
 void ControlThread::run() {
-  if ((state_.load() & kWaiting) == 0) {
+  if (accepted_.load() == ended_.load()) {
     return;
   }
-  state_.fetch_xor(kWaiting | kRunning);
   body_.load()->execute();
-  if ((state_.fetch_and(~kRunning) & kWaiting) != 0) {
+  const std::uint32_t ended = ended_.fetch_add(1) + 1;
+  if (accepted_.load() != ended) {
     pend();
   }
 }

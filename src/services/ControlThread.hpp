@@ -25,8 +25,7 @@ class ControlThread {
   void start(Command& body);
 
   /// @brief Asks for one activation of the body. When the activation before has not ended, an
-  /// overrun is counted. While the body runs, one more activation is kept and follows at once; while
-  /// an activation waits to begin, no further one is kept.
+  /// overrun is counted; the new activation follows, unless one is kept already.
   /// @return false when the thread has no body: nothing happens
   /// @isr{yes}
   /// @satisfies FR-4
@@ -51,12 +50,9 @@ class ControlThread {
   /// @isr{yes}
   virtual void pend() = 0;
 
-  static constexpr std::uint32_t kIdle = 0;
-  static constexpr std::uint32_t kWaiting = 1;  // an activation has not begun
-  static constexpr std::uint32_t kRunning = 2;  // an activation has begun and not ended
-
   std::atomic<Command*> body_{nullptr};
-  std::atomic<std::uint32_t> state_{kIdle};
+  std::atomic<std::uint32_t> accepted_{0};  // activations; only posts count them
+  std::atomic<std::uint32_t> ended_{0};     // activations; only run counts them
   std::atomic<std::uint32_t> overruns_{0};
 };
 
