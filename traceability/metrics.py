@@ -1,0 +1,89 @@
+"""The figures of a run: ``build/metrics.json``. What this run did not measure is null."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from traceability.model.schema import Finding, Model, Module
+from traceability.model.traces import nodes_of
+
+METRICS = Path("build/metrics.json")
+
+
+def write_metrics(root: Path, model: Model, measured: dict[str, Any] | None = None) -> Path:
+    """Writes the figures. ``measured`` adds what other steps of the run found, by key."""
+    path = root / METRICS
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figures = metrics(model) | (measured or {})
+    text = json.dumps(figures, indent=1, sort_keys=True) + "\n"
+    if not path.exists() or path.read_text(encoding="utf-8") != text:
+        path.write_text(text, encoding="utf-8")
+    return path
+
+
+def site_figures(site: Path, findings: Iterable[Finding]) -> dict[str, Any]:
+    """The figures of the built site, from the findings of its links."""
+    return {
+        "site.pages": len(list(site.rglob("*.html"))),
+        "site.dead_links": sum(1 for finding in findings if finding.check == "link-site"),
+    }
+
+
+def metrics(model: Model) -> dict[str, Any]:
+    designs = [module for module in model.modules.values() if not module.datatype]
+    requirements = list(model.requirements.values())
+    trees = [nodes_of(item.tree) for item in requirements if item.tree is not None]
+    fresh = not model.results_stale
+    tests = [test for test in model.tests.values() if test.result is not None]
+    applications = list(model.patterns.values())
+    decided = all(application.clauses for application in applications)
+    return {
+        "modules.design": len(designs),
+        "modules.with_secret": sum(1 for module in designs if module.secret),
+        "patterns.applications": len(applications),
+        "patterns.conforming": (
+            sum(all(clause.holds for clause in item.clauses) for item in applications)
+            if decided
+            else None
+        ),
+        "patterns.by_pattern": dict(Counter(item.pattern for item in applications)),
+        "requirements.total": len(requirements),
+        "requirements.verified": (
+            sum(item.state == "verified" for item in requirements) if fresh else None
+        ),
+        "requirements.suspect": None,
+        "trees.total": len(trees),
+        "trees.static": sum(all(node.reachable for node in nodes) for nodes in trees),
+        "trees.executed": (
+            sum(all(node.executed for node in nodes) for nodes in trees) if fresh else None
+        ),
+        "tests.total": len(tests) if fresh else None,
+        "tests.passed": sum(test.result == "passed" for test in tests) if fresh else None,
+        "coverage.line": _share(designs, "lines_covered", "lines_total") if fresh else None,
+        "coverage.branch": _share(designs, "branches_covered", "branches_total") if fresh else None,
+        "firmware.flash_bytes": _sum(designs, "flash_bytes"),
+        "firmware.ram_bytes": _sum(designs, "ram_bytes"),
+        "firmware.stack_bytes": None,
+        "bench.scenarios": None,
+        "drift.seeded": None,
+        "drift.caught": None,
+        "site.pages": None,
+        "site.dead_links": None,
+        "build.cold_s": None,
+        "build.edit_s": None,
+    }
+
+
+def _sum(modules: list[Module], name: str) -> int | None:
+    values = [value for module in modules if (value := getattr(module, name)) is not None]
+    return sum(values) if values else None
+
+
+def _share(modules: list[Module], part: str, whole: str) -> float | None:
+    """In per cent, with one digit."""
+    total = _sum(modules, whole)
+    return round(100 * (_sum(modules, part) or 0) / total, 1) if total else None
