@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
-from traceability.commands.steps import FailureError, Steps
+from traceability.commands.steps import Steps
 
 if TYPE_CHECKING:
     from traceability.model.schema import Finding, Model
@@ -79,15 +79,11 @@ def counted(findings: list[Finding]) -> str:
 
 def report(findings: list[Finding], steps: Steps) -> int:
     """Prints the findings and the failed steps; returns the exit code."""
-    for finding in sorted(findings, key=lambda one: (one.place.file, one.place.line, one.check)):
-        place = f"{finding.place.file}:{finding.place.line}"
-        print(f"{place}: [{finding.check}] {finding.text}; {finding.mend}")
+    from traceability.checks import message, sort
+
+    for finding in sort(findings):
+        print(message(finding))
     if steps.failed:
         print(f"failed: {', '.join(steps.failed)}")
     print(counted(findings))
     return 1 if findings or steps.failed else 0
-
-
-def require_none(findings: list[Finding]) -> None:
-    if findings:
-        raise FailureError(counted(findings))
