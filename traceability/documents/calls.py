@@ -88,7 +88,8 @@ class CallGraph:
         row.callers += [
             end
             for end in self.callers.get(method.id, [])
-            if not end.method.startswith(outside) and end.method not in known
+            if not end.method.startswith(outside)
+            and end.method not in known
             and not is_heir_constructor(module, method, end.method)
         ]
         known = {end.method for end in row.callees}
@@ -132,6 +133,6 @@ def draw(rows: list[Row], links: Links) -> Drawing:
 
 
 def curve(outer: float, middle: float, is_caller: bool) -> str:
-    if is_caller:
-        return f"M{LEFT + 6} {outer:g}C{LEFT + 26} {outer:g} {BOX_LEFT - 28} {middle:g} {BOX_LEFT - 7} {middle:g}"
-    return f"M{BOX_RIGHT} {middle:g}C{BOX_RIGHT + 22} {middle:g} {RIGHT - 30} {outer:g} {RIGHT - 9} {outer:g}"
+    start, end = (LEFT + 6, BOX_LEFT - 7) if is_caller else (BOX_RIGHT, RIGHT - 9)
+    first, last = (outer, middle) if is_caller else (middle, outer)
+    return f"M{start} {first:g}C{start + 21} {first:g} {end - 21} {last:g} {end} {last:g}"

@@ -19,7 +19,7 @@ from traceability.model.schema import Model, Module, PatternApplication, StateMa
 
 SVG = "{http://www.w3.org/2000/svg}"
 XLINK = "{http://www.w3.org/1999/xlink}"
-FORMAT = "4"  # part of the cache key: raise it when the finishing of the SVG changes
+FORMAT = "6"  # part of the cache key: raise it when the finishing of the SVG changes
 
 FAMILIES = {
     "Decorator": "decorator",
@@ -43,22 +43,22 @@ STATE_HUES = {
     "PC": "pc",
     "RC": "rc",
 }
+HUES = [
+    *(f"role-{name}" for name in ("abstraction", "concrete", "context", "decorator", "target")),
+    *(f"fsm-{name}" for name in ("working", "waiting", "reconnecting", "pc", "rc")),
+]
 VARIABLES = {
     "line": "--ink-2",
     "text": "--ink",
     "soft": "--ink-3",
     "plain": "--paper",
     "edge": "--rule",
-    **{f"role-{n}": f"--role-{n}" for n in "abstraction concrete context decorator target".split()},
-    **{
-        f"role-{n}-fill": f"--role-{n}-fill"
-        for n in "abstraction concrete context decorator target".split()
-    },
-    **{f"fsm-{n}": f"--fsm-{n}" for n in "working waiting reconnecting pc rc".split()},
-    **{f"fsm-{n}-fill": f"--fsm-{n}-fill" for n in "working waiting reconnecting pc rc".split()},
+    **{hue: f"--{hue}" for hue in HUES},
+    **{f"{hue}-fill": f"--{hue}-fill" for hue in HUES},
 }
 MARKERS = {name: f"#FA{number:02X}5C" for number, name in enumerate(VARIABLES)}
 COLOURS = {MARKERS[name]: variable for name, variable in VARIABLES.items()}
+COLOURS["#FFFFFF"] = "--paper"  # the inside of diamonds
 
 UNSET = "#A80036"  # what PlantUML draws edges with when it is given no colour
 
@@ -173,7 +173,9 @@ def class_lines(module: Module, roles: list[str], links: Links) -> list[str]:
         fill, line = MARKERS[f"role-{family}-fill"], MARKERS[f"role-{family}"]
         style = f"<<{', '.join(roles)}>> [[{links.module(module.name)}]] {fill} ##{line[1:]}"
     else:
-        style = f"[[{links.module(module.name)}]] {MARKERS['plain']} ##[dashed]{MARKERS['edge'][1:]}"
+        style = (
+            f"[[{links.module(module.name)}]] {MARKERS['plain']} ##[dashed]{MARKERS['edge'][1:]}"
+        )
     members = shown_members(module, roles[0]) if roles else []
     return [f"{keyword} {module.name} {style} {{", *(f"  {m}" for m in members), "}"]
 
@@ -333,9 +335,18 @@ def restyle(element: ET.Element) -> None:
         element.set("ry", "5")
     for name in ("font-family", "filter"):
         element.attrib.pop(name, None)
-    if element.tag == "text" and element.text:
-        element.text = element.text.replace("«", "").replace("»", "")
-        if element.get("font-style") == "italic":
-            element.attrib.pop("font-weight", None)
+    if element.tag == "text" and element.get("font-style") == "italic":
+        element.attrib.pop("font-weight", None)
+    if element.tag == "text" and (element.text or "").startswith("«"):
+        plain_role(element)
     if style:
         element.set("style", ";".join(f"{key}:{value}" for key, value in style.items()))
+
+
+def plain_role(element: ET.Element) -> None:
+    """A role without its quotation marks, in the middle of the room that was made for both."""
+    element.text = (element.text or "").strip("«»")
+    middle = float(element.get("x", "0")) + float(element.attrib.pop("textLength", "0")) / 2
+    element.attrib.pop("lengthAdjust", None)
+    element.set("x", f"{middle:g}")
+    element.set("text-anchor", "middle")

@@ -8,10 +8,10 @@ from typing import Any
 
 from docutils import nodes
 from docutils.parsers import Parser
-from docutils.parsers.rst.states import Inliner
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 from sphinx.util import logging
+from sphinx.util.docutils import SphinxRole
 
 from traceability.documents.links import ROOT, depth_prefix
 
@@ -31,31 +31,18 @@ class PageParser(Parser):
         document += nodes.raw("", body, format="html")
 
 
-class NameRole:
+class NameRole(SphinxRole):
     """A role such as ``:module:`RC```: the name of an element, linked to its page."""
 
-    def __init__(self, kind: str) -> None:
-        self.kind = kind
-
-    def __call__(
-        self,
-        _role: str,
-        rawtext: str,
-        text: str,
-        lineno: int,
-        inliner: Inliner,
-        options: dict[str, Any] | None = None,
-        content: list[str] | None = None,
-    ) -> tuple[list[nodes.Node], list[nodes.system_message]]:
-        environment: BuildEnvironment = inliner.document.settings.env
-        targets = environment.app.portal_targets  # type: ignore[attr-defined]
-        known = targets[self.kind].get(text.removesuffix("()"))
+    def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
+        targets = self.env.app.portal_targets  # type: ignore[attr-defined]
+        known = targets[self.name].get(self.text.removesuffix("()"))
         if known is None:
-            place = (environment.docname, lineno)
-            LOGGER.warning("unknown target: there is no %s %r", self.kind, text, location=place)
-            return [nodes.literal(rawtext, text)], []
-        html = known.replace(f'"{ROOT}', f'"{depth_prefix(environment.docname)}')
-        return [nodes.raw(rawtext, html, format="html")], []
+            text = f"unknown target: there is no {self.name} {self.text!r}"
+            LOGGER.warning(text, location=self.get_location())
+            return [nodes.literal(self.rawtext, self.text)], []
+        html = known.replace(f'"{ROOT}', f'"{depth_prefix(self.env.docname)}')
+        return [nodes.raw(self.rawtext, html, format="html")], []
 
 
 def load(app: Sphinx) -> None:
@@ -73,7 +60,12 @@ def mark_hand_written(app: Sphinx, doctree: nodes.document) -> None:
     name = app.env.docname
     if name.startswith("docs/"):
         title = next(iter(doctree.findall(nodes.title)), None)
-        facts = {"title": title.astext() if title else name, "nav": name, "prose": True, "orphan": ""}
+        facts = {
+            "title": title.astext() if title else name,
+            "nav": name,
+            "prose": True,
+            "orphan": "",
+        }
         app.env.metadata[name].update(facts)
 
 
@@ -81,7 +73,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_source_suffix(".page", "page")
     app.add_source_parser(PageParser)
     for kind in ROLES:
-        app.add_role(kind, NameRole(kind), override=True)
+        app.add_role(kind, NameRole(), override=True)
     app.connect("builder-inited", load)
     app.connect("env-get-outdated", hand_written)
     app.connect("doctree-read", mark_hand_written)

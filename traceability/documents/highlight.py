@@ -28,11 +28,10 @@ LEXERS = {
 }
 
 
-def css_class(token: _TokenType) -> str:
-    while token not in STANDARD_TYPES:
-        assert token.parent is not None
-        token = token.parent
-    return STANDARD_TYPES[token]
+def css_class(token: _TokenType) -> str | None:
+    """The short class of a token; a token without one takes its parent's."""
+    short = STANDARD_TYPES.get(token)
+    return short if short is not None or token.parent is None else css_class(token.parent)
 
 
 def lexer_for(path: str) -> Lexer:
@@ -40,10 +39,10 @@ def lexer_for(path: str) -> Lexer:
     return get_lexer_by_name(name, stripnl=False, ensurenl=True)
 
 
-def coloured_pieces(path: str, text: str) -> Iterator[tuple[str, str]]:
+def coloured_pieces(path: str, text: str) -> Iterator[tuple[str | None, str]]:
     for token, value in lexer_for(path).get_tokens(text):
         plain = token in Token.Text or token is Token.Name or token is Token.Punctuation
-        yield "" if plain else css_class(token), value
+        yield None if plain else css_class(token), value
 
 
 def highlighted_lines(path: str, text: str) -> list[str]:

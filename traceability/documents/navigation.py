@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -53,7 +54,7 @@ def hand_written(folder: Path) -> list[Doc]:
 def first_title(path: Path) -> str:
     """The text above the first underline of a page."""
     lines = path.read_text(encoding="utf-8").splitlines()
-    for above, line in zip(lines, lines[1:], strict=False):
+    for above, line in pairwise(lines):
         if above.strip() and len(line) > 2 and set(line) <= set("=-~#*^"):
             return above.strip()
     return path.stem
@@ -74,21 +75,37 @@ class Navigation:
             Entry("structure", "Module structure", "structure.html", "", len(modules)),
             Entry("guide", "Module guide", "guide.html", "G"),
             Entry("interfaces", "Interfaces", "interfaces.html", "I"),
-            Entry("datatypes", "Data types", "datatypes.html", "", len(model.modules) - len(modules)),
-            Entry("patterns", "Pattern applications", "patterns/index.html", "P", len(model.patterns)),
+            Entry(
+                "datatypes", "Data types", "datatypes.html", "", len(model.modules) - len(modules)
+            ),
+            Entry(
+                "patterns", "Pattern applications", "patterns/index.html", "P", len(model.patterns)
+            ),
             Entry("machines", "State machines", "machines.html", "", len(model.machines)),
             Entry("uses", "Uses", "uses.html"),
         ]
         verify = [
-            Entry("requirements", "Requirements", "requirements/index.html", "R", len(model.requirements)),
+            Entry(
+                "requirements",
+                "Requirements",
+                "requirements/index.html",
+                "R",
+                len(model.requirements),
+            ),
             Entry("trees", "Invocation trees", "trees.html", "", trees),
             Entry("tests", "Tests", "tests.html", "T", len(model.tests)),
             Entry("checks", "Checks", "checks/index.html", "", len(portal.checks)),
         ]
         self.groups = [
-            Group("understand", "Understand", [*map(entry, tour), *understand, *map(entry, explain)]),
+            Group(
+                "understand", "Understand", [*map(entry, tour), *understand, *map(entry, explain)]
+            ),
             Group("verify", "Verify", verify),
-            Group("build", "Build and use", [*map(entry, use), Entry("source", "Source", "source/index.html", "S")]),
+            Group(
+                "build",
+                "Build and use",
+                [*map(entry, use), Entry("source", "Source", "source/index.html", "S")],
+            ),
         ]
 
     def data(self) -> list[dict[str, object]]:

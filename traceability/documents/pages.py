@@ -12,6 +12,7 @@ from traceability.model.schema import (
     Method,
     Module,
     PatternApplication,
+    Place,
     Requirement,
     TreeNode,
 )
@@ -48,7 +49,11 @@ def overview_pages(portal: Portal) -> Iterator[Page]:
     yield portal.page("uses", "Uses", "uses", "uses", rows=use_rows(portal))
     yield portal.page("architecture", "Architecture", "architecture", "architecture", wide=True)
     yield portal.page(
-        "requirements/index", "Requirements", "requirements", "requirements", sections=sections(portal)
+        "requirements/index",
+        "Requirements",
+        "requirements",
+        "requirements",
+        sections=sections(portal),
     )
     yield portal.page("trees", "Invocation trees", "trees", "trees")
     yield portal.page("tests", "Tests", "tests", "tests", suites=suites(portal))
@@ -280,7 +285,7 @@ class UseRow:
     target: str
     why: str | None
     places: int
-    first: list[object]
+    first: list[Place]
 
 
 def use_rows(portal: Portal) -> list[UseRow]:

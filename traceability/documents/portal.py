@@ -72,7 +72,7 @@ class Portal:
             ),
         ]
         drawn = diagrams.draw(wanted, self.root / "build" / "diagrams")
-        return {name: Markup(svg) for name, svg in drawn.items()}  # noqa: S704
+        return {name: Markup(svg) for name, svg in drawn.items()}
 
     def _environment(self) -> Environment:
         loader = FileSystemLoader(self.root / "site" / "templates")
@@ -151,7 +151,7 @@ class Portal:
         lines = self.code.lines(place.file)
         last = place.end or place.line
         return [
-            (number, Markup(lines[number - 1]))  # noqa: S704
+            (number, Markup(lines[number - 1]))
             for number in range(place.line, min(last, len(lines)) + 1)
         ]
 

@@ -1,4 +1,4 @@
-"""The search index, the cards of the modules, and the targets of the roles of hand-written pages."""
+"""The search index, the cards of the modules, and the targets of hand-written pages."""
 
 from __future__ import annotations
 
@@ -57,14 +57,22 @@ def entries(portal: Portal) -> list[Entry]:
 
     for module in model.modules.values():
         group = "Data types" if module.datatype else "Modules"
-        add(group, kind(module), module.name, module.secret or module.brief, links.module(module.name))
+        add(
+            group,
+            kind(module),
+            module.name,
+            module.secret or module.brief,
+            links.module(module.name),
+        )
     for logic in model.logic_modules.values():
         add("Logic modules", "", logic.name, logic.brief, links.logic(logic.id))
     for application in model.patterns.values():
         text = f"{application.pattern}. {application.title}"
         add("Pattern applications", "P", application.id, text, links.pattern(application.id))
     for requirement in model.requirements.values():
-        add("Requirements", "R", requirement.id, requirement.text, links.requirement(requirement.id))
+        add(
+            "Requirements", "R", requirement.id, requirement.text, links.requirement(requirement.id)
+        )
     seen: set[str] = set()
     for module in model.modules.values():
         for method in module.methods:

@@ -9,8 +9,16 @@ from pathlib import Path
 from traceability.model.schema import Finding, Place
 
 COLOUR = re.compile(r"\x1b\[[0-9;]*m")
-MESSAGE = re.compile(r"^(?:(?P<file>[^:\n]+?)(?::(?P<line>\d+))?: )?(?:WARNING|ERROR|CRITICAL): (?P<text>.*)$")
-LINKS = ("undefined label", "unknown document", "unknown target", "label", "download file not readable")
+MESSAGE = re.compile(
+    r"^(?:(?P<file>[^:\n]+?)(?::(?P<line>\d+))?: )?(?:WARNING|ERROR|CRITICAL): (?P<text>.*)$"
+)
+LINKS = (
+    "undefined label",
+    "unknown document",
+    "unknown target",
+    "label",
+    "download file not readable",
+)
 
 
 class WarningCollector(io.StringIO):
