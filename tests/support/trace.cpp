@@ -1,0 +1,77 @@
+// Records which functions of the firmware each test calls. The build includes it only with WR_TRACE.
+//
+// Each test gives one file in the folder WR_TRACE_DIR, named <suite>.<test>.bin, with one little-endian
+// number of 64 bits for each event: the address of the function, with bit 63 set when the function
+// is left. After kMost events nothing more is recorded, and a file <suite>.<test>.truncated says so.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace {
+
+constexpr std::size_t kMost = 20000;
+constexpr std::uint64_t kExit = std::uint64_t{1} << 63U;
+
+std::array<std::uint64_t, kMost> events;
+std::size_t count = 0;
+bool truncated = false;
+thread_local bool recording = false;  // only the thread that runs the tests records
+
+void record(void* function, std::uint64_t kind) {
+  if (!recording) {
+    return;
+  }
+  if (count == kMost) {
+    truncated = true;
+    return;
+  }
+  events[count] = reinterpret_cast<std::uintptr_t>(function) | kind;
+  ++count;
+}
+
+class Recorder final : public testing::EmptyTestEventListener {
+  void OnTestStart(const testing::TestInfo& /*test*/) override {
+    count = 0;
+    truncated = false;
+    recording = true;
+  }
+
+  void OnTestEnd(const testing::TestInfo& test) override {
+    recording = false;
+    std::string name = std::string(test.test_suite_name()) + "." + test.name();
+    std::ranges::replace(name, '/', '_');
+    const std::filesystem::path folder = WR_TRACE_DIR;
+    std::filesystem::create_directories(folder);
+    std::ofstream file(folder / (name + ".bin"), std::ios::binary);
+    for (std::size_t i = 0; i < count; ++i) {
+      for (unsigned shift = 0; shift < 64; shift += 8) {
+        file.put(static_cast<char>(events[i] >> shift & 0xFFU));
+      }
+    }
+    std::filesystem::remove(folder / (name + ".truncated"));
+    if (truncated) {
+      std::ofstream(folder / (name + ".truncated"))
+          << "The record ends after " << kMost << " events.\n";
+    }
+  }
+};
+
+const bool registered = [] {
+  testing::UnitTest::GetInstance()->listeners().Append(new Recorder);
+  return true;
+}();
+
+}  // namespace
+
+extern "C" {
+
+void __cyg_profile_func_enter(void* function, void* /*callSite*/) { record(function, 0); }
+
+void __cyg_profile_func_exit(void* function, void* /*callSite*/) { record(function, kExit); }
+}
