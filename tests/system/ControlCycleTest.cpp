@@ -52,10 +52,10 @@ TEST_F(ControlCycleOfRobot, FR2_CycleReadsThenControlsThenWrites) {
   EXPECT_EQ(robot.report().velocity0, 432);
 }
 
-/// @brief A cycle that has not run when the next clock pulse comes is reported as an overrun, and is
+/// @brief A cycle that has not begun when the next clock pulse comes is reported as an overrun, and is
 /// followed by one cycle more.
 /// @verifies FR-4
-TEST_F(ControlCycleOfRobot, FR4_CycleThatIsNotEndedAtTheNextPulseIsAnOverrun) {
+TEST_F(ControlCycleOfRobot, FR4_CycleThatHasNotBegunAtTheNextPulseIsAnOverrun) {
   robot.connect();
   const std::uint32_t before = robot.report().cycle;
   HostThread busy(robot.robot.scheduler(), HostRobot::kMainPriority + 1);

@@ -94,8 +94,8 @@ struct Reference {
 // A source that speaks and is silent in runs of random length.
 class Runs {
  public:
-  Runs(int longestSpeech, int longestSilence)
-      : longestSpeech_(longestSpeech), longestSilence_(longestSilence) {}
+  Runs(bool speaks, int longestSpeech, int longestSilence)
+      : longestSpeech_(longestSpeech), longestSilence_(longestSilence), speaks_(speaks) {}
 
   bool next(std::mt19937& random) {
     if (left_ == 0) {
@@ -110,8 +110,8 @@ class Runs {
  private:
   int longestSpeech_;
   int longestSilence_;
+  bool speaks_;
   int left_ = 0;
-  bool speaks_ = false;
 };
 
 class Comparison {
@@ -120,9 +120,9 @@ class Comparison {
 
   // Runs one sequence; the robot and its reference go on from where the last sequence left them.
   void sequence() {
-    Runs rc(6, 14);
-    Runs pc(6, 14);
-    const int length = number(10, 30);
+    Runs rc(oneIn(2), 5, 12);
+    Runs pc(oneIn(2), 5, 12);
+    const int length = number(6, 18);
     for (int i = 0; i < length && !testing::Test::HasFatalFailure(); ++i) {
       oneCycle(rc.next(random_), pc.next(random_));
     }
