@@ -1,0 +1,216 @@
+"""Faults seeded in a copy of the tree are found at their place, with the right check."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+
+from traceability.checks import run_checks
+from traceability.model.schema import Finding
+from traceability.pipeline import build_model
+
+ROOT = Path(__file__).parents[3]
+COPIED = ("src", "tests", "requirements", "design", "traceability/doxygen", "build/model/cache")
+
+STATES = "src/main_control/operation_states"
+MODES = "src/main_control/operation_modes"
+
+
+def found(root: Path) -> set[tuple[str, int, str]]:
+    findings: list[Finding] = run_checks(build_model(root))
+    return {(one.place.file, one.place.line, one.check) for one in findings}
+
+
+@pytest.fixture(scope="module")
+def sound(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    root = tmp_path_factory.mktemp("sound") / "tree"
+    for name in COPIED:
+        if (ROOT / name).exists():
+            ignored = shutil.ignore_patterns("python", "standard.*", "__pycache__")
+            shutil.copytree(ROOT / name, root / name, ignore=ignored)
+    build_model(root)
+    return root
+
+
+@pytest.fixture(scope="module")
+def before(sound: Path) -> set[tuple[str, int, str]]:
+    return found(sound)
+
+
+@pytest.fixture
+def tree(sound: Path, tmp_path: Path) -> Path:
+    return Path(shutil.copytree(sound, tmp_path / "tree"))
+
+
+def line_of(path: Path, pattern: str) -> int:
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        if re.search(pattern, line):
+            return number
+    raise AssertionError(f"nothing matches {pattern} in {path}")
+
+
+def change(path: Path, pattern: str, replacement: str) -> None:
+    text = path.read_text(encoding="utf-8")
+    changed = re.sub(pattern, replacement, text, count=1, flags=re.MULTILINE | re.DOTALL)
+    assert changed != text, f"nothing matches {pattern} in {path}"
+    path.write_text(changed, encoding="utf-8")
+
+
+def test_sound_tree_has_findings_of_missing_results_only(
+    before: set[tuple[str, int, str]],
+) -> None:
+    assert {check for _, _, check in before} == {"req-stale"}
+
+
+FAULTS: list[tuple[str, str, str, str, str, str]] = [
+    # file, what is replaced, by what, check, file of the finding ("" = same), line of the finding
+    (f"{MODES}/RC.hpp", r"/// @secret.*?///$", "///", "module-secret", "", r"^class RC\b"),
+    (
+        f"{STATES}/Working.cpp",
+        r"  mCtrl\.changeOpState\(waiting_\);",
+        "  static_cast<void>(mCtrl);",
+        "tree-static",
+        "",
+        r"^void Working::actionNoMsg",
+    ),
+    (
+        f"{STATES}/Working.cpp",
+        r"^#include \"main_control/MainController.hpp\"$",
+        '#include "main_control/MainController.hpp"\n#include "devices/FirstTimer.hpp"',
+        "uses-allowed",
+        "",
+        "FirstTimer.hpp",
+    ),
+    (
+        "src/communication/serialization/OrderMessage.hpp",
+        r" : public Serializable",
+        "",
+        "pattern-serializer-derives",
+        "",
+        "^class OrderMessage",
+    ),
+    (
+        f"{MODES}/ModeDecorator.hpp",
+        r"  Mode& wrapped_;",
+        "  ModeDecorator& wrapped_;",
+        "pattern-decorator-holds",
+        "",
+        "^class ModeDecorator",
+    ),
+    (
+        f"{MODES}/RC.hpp",
+        r"@role\{reading-modes, Concrete State\}",
+        "@role{reading-modes, Concret State}",
+        "pattern-role-unknown",
+        "",
+        "Concret State",
+    ),
+    (
+        f"{MODES}/RC.hpp",
+        r"^/// @role\{reading-modes, Concrete State\}\n",
+        "",
+        "pattern-role-missing",
+        "",
+        r"^class RC\b",
+    ),
+    (
+        f"{STATES}/OperationState.hpp",
+        r"^  void read\(MainController& mCtrl\);",
+        "  virtual void read(MainController& mCtrl);",
+        "pattern-template-nonvirtual",
+        "",
+        "^class OperationState",
+    ),
+    (
+        f"{STATES}/Waiting.hpp",
+        r"^ private:",
+        " private:\n  class Working* after_ = nullptr;",
+        "pattern-state-successor",
+        "",
+        "after_",
+    ),
+    (
+        "src/services/SystemConstants.hpp",
+        r" private:\n  constexpr SystemConstants\(\) = default;",
+        "  constexpr SystemConstants() = default;\n\n private:",
+        "pattern-singleton-constructor",
+        "",
+        r"constexpr SystemConstants\(\) = default",
+    ),
+    (
+        "src/main_control/ControllerTimeOut.cpp",
+        r"mCtrl_\.clockPulse\(\);",
+        "",
+        "pattern-command-receiver",
+        "src/main_control/ControllerTimeOut.hpp",
+        "^class ControllerTimeOut",
+    ),
+    (
+        f"{MODES}/PC.hpp",
+        r"@satisfies FR-\d+",
+        "@satisfies FR-999",
+        "req-unknown",
+        "",
+        "FR-999",
+    ),
+    (
+        f"{MODES}/PC.hpp",
+        r"^  /// @param wrapped [^\n]*\n",
+        "",
+        "module-spec",
+        "",
+        r"^  PC\(",
+    ),
+    (
+        "design/trees/reading_orders.tree",
+        r"Working::actionNoMsg",
+        "Working::actionNoMessage",
+        "tree-node",
+        "",
+        "actionNoMessage",
+    ),
+    (
+        "design/uses.toml",
+        r"\Z",
+        '\n[[allow]]\nfrom = "devices"\nto = "construction"\nwhy = "No reason."\n',
+        "uses-unused",
+        "",
+        "LAST",
+    ),
+]
+
+
+@pytest.mark.parametrize("fault", FAULTS, ids=[f"{one[3]}-{Path(one[0]).stem}" for one in FAULTS])
+def test_seeded_fault_is_found_at_its_place(
+    fault: tuple[str, str, str, str, str, str], tree: Path, before: set[tuple[str, int, str]]
+) -> None:
+    file, pattern, replacement, check, other, line = fault
+    change(tree / file, pattern, replacement)
+    place = other or file
+    if line == "LAST":
+        number = len((tree / place).read_text(encoding="utf-8").splitlines()) - 3
+    else:
+        number = line_of(tree / place, line)
+    new = found(tree) - before
+    near = {(name, at, kind) for name, at, kind in new if name == place and kind == check}
+    assert any(abs(at - number) <= 3 for _, at, _ in near), sorted(new)
+
+
+def test_removed_verifying_tag_is_found_at_the_test(
+    tree: Path, before: set[tuple[str, int, str]]
+) -> None:
+    path = next(
+        path
+        for path in sorted((tree / "tests").rglob("*.cpp"))
+        if re.search(r"FR15_\w+\)", path.read_text(encoding="utf-8"))
+    )
+    lines = path.read_text(encoding="utf-8").splitlines()
+    test = next(number for number, line in enumerate(lines) if re.search(r"^TEST.*FR15_", line))
+    tag = max(number for number in range(test) if "@verifies FR-15" in lines[number])
+    del lines[tag]
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    file = str(path.relative_to(tree))
+    assert (file, test, "req-name") in found(tree) - before

@@ -1,0 +1,419 @@
+"""A small tree of sources, with the shape of the real one: two modes, two states, one test."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+FILES = {
+    "requirements/reading.dox": """\
+/** @page requirements-reading Reading orders
+  How orders are read.
+*/
+
+/**
+@requirement FR-15 The system shall set a waiting state if no message can be read.
+
+@rationale A lost message is not yet a lost link.
+
+@source The paper.
+
+@verification Test.
+
+@priority high
+*/
+""",
+    "src/main_control/MainController.cpp": """\
+#include "main_control/MainController.hpp"
+
+#include "main_control/operation_states/OperationState.hpp"
+
+namespace wr {
+
+MainController::MainController(OperationState& initial, Mode& mode)
+    : opSt_(&initial), mode_(&mode) {}
+
+void MainController::read() { opSt_->read(*this); }
+
+void MainController::changeOpState(OperationState& next) { opSt_ = &next; }
+
+void MainController::changeMode(Mode& next) { mode_ = &next; }
+
+}  // namespace wr
+""",
+    "src/main_control/MainController.hpp": """\
+#pragma once
+
+namespace wr {
+
+class Mode;
+class OperationState;
+
+/// @brief Runs the control cycle.
+///
+/// @function Holds the current state and the current mode.
+///
+/// @secret The order of the steps of a cycle.
+///
+/// @role{reading-modes, Context}
+/// @role{operation-states, Context}
+class MainController {
+ public:
+  /// @brief Makes a controller.
+  /// @param initial the first state
+  /// @param mode the first mode
+  MainController(OperationState& initial, Mode& mode);
+
+  /// @brief Reads one order.
+  /// @pre The controller is started.
+  /// @isr{no}
+  void read();
+
+  /// @brief Changes the state.
+  /// @param next the new state
+  void changeOpState(OperationState& next);
+
+  /// @brief Changes the mode.
+  /// @param next the new mode
+  void changeMode(Mode& next);
+
+  /// @brief The current mode.
+  /// @return the mode
+  [[nodiscard]] Mode& getMode() const { return *mode_; }
+
+ private:
+  OperationState* opSt_;
+  Mode* mode_;
+};
+
+}  // namespace wr
+""",
+    "src/main_control/module.dox": """\
+/** @dir src/main_control
+@brief MainControl runs the cycle.
+
+@function Runs the control cycle.
+
+@secret That the cycle is a state machine.
+*/
+""",
+    "src/main_control/operation_modes/Mode.hpp": """\
+#pragma once
+
+namespace wr {
+
+class MainController;
+
+/// @brief One source of orders.
+///
+/// @function Reads orders.
+///
+/// @secret From where an order comes.
+///
+/// @patternapp{reading-modes, State, Reading modes}
+/// @why The way of reading depends on the source.
+/// @changes A new source; a changed protocol.
+///
+/// @role{reading-modes, State}
+class Mode {
+ public:
+  /// @brief Whether an order has come.
+  /// @return true when there is one
+  /// @satisfies FR-15
+  [[nodiscard]] virtual bool newMessage() const = 0;
+
+  /// @brief Changes to the other mode.
+  /// @param mCtrl the controller
+  virtual void changeMode(MainController& mCtrl) = 0;
+
+  Mode(const Mode&) = delete;
+  Mode& operator=(const Mode&) = delete;
+
+ protected:
+  Mode() = default;
+  ~Mode() = default;
+};
+
+}  // namespace wr
+""",
+    "src/main_control/operation_modes/PC.cpp": """\
+#include "main_control/operation_modes/PC.hpp"
+
+#include "main_control/MainController.hpp"
+
+namespace wr {
+
+bool PC::newMessage() const { return false; }
+
+void PC::changeMode(MainController& mCtrl) { mCtrl.changeMode(other_); }
+
+}  // namespace wr
+""",
+    "src/main_control/operation_modes/PC.hpp": """\
+#pragma once
+
+#include "main_control/operation_modes/Mode.hpp"
+
+namespace wr {
+
+/// @brief Orders from the PC.
+///
+/// @function Reads orders from the PC.
+///
+/// @secret How the PC shows a new order.
+///
+/// @role{reading-modes, Concrete State}
+class PC final : public Mode {
+ public:
+  /// @brief Makes the mode.
+  /// @param other the other mode [one that exists]
+  explicit PC(Mode& other) : other_(other) {}
+
+  [[nodiscard]] bool newMessage() const override;
+  void changeMode(MainController& mCtrl) override;
+
+ private:
+  Mode& other_;
+};
+
+}  // namespace wr
+""",
+    "src/main_control/operation_modes/RC.cpp": """\
+#include "main_control/operation_modes/RC.hpp"
+
+#include "main_control/MainController.hpp"
+
+namespace wr {
+
+bool RC::newMessage() const { return false; }
+
+void RC::changeMode(MainController& mCtrl) { mCtrl.changeMode(other_); }
+
+}  // namespace wr
+""",
+    "src/main_control/operation_modes/RC.hpp": """\
+#pragma once
+
+#include "main_control/operation_modes/Mode.hpp"
+
+namespace wr {
+
+/// @brief Orders from the RC.
+///
+/// @function Reads orders from the RC.
+///
+/// @secret How the RC shows a new order.
+///
+/// @role{reading-modes, Concrete State}
+class RC final : public Mode {
+ public:
+  /// @brief Makes the mode.
+  /// @param other the other mode [one that exists]
+  explicit RC(Mode& other) : other_(other) {}
+
+  [[nodiscard]] bool newMessage() const override;
+  void changeMode(MainController& mCtrl) override;
+
+ private:
+  Mode& other_;
+};
+
+}  // namespace wr
+""",
+    "src/main_control/operation_modes/module.dox": """\
+/** @dir src/main_control/operation_modes
+@brief OperationModes reads orders.
+
+@function Reads orders from one source.
+
+@secret Where orders come from.
+*/
+""",
+    "src/main_control/operation_states/OperationState.cpp": """\
+#include "main_control/operation_states/OperationState.hpp"
+
+#include "main_control/MainController.hpp"
+#include "main_control/operation_modes/Mode.hpp"
+
+namespace wr {
+
+void OperationState::read(MainController& mCtrl) {
+  Mode& md = mCtrl.getMode();
+  if (md.newMessage()) {
+    actionWithMsg(mCtrl, md);
+  } else {
+    actionNoMsg(mCtrl, md);
+  }
+}
+
+}  // namespace wr
+""",
+    "src/main_control/operation_states/OperationState.hpp": """\
+#pragma once
+
+namespace wr {
+
+class MainController;
+class Mode;
+
+/// @brief What the controller does in a cycle.
+///
+/// @function Reads an order and acts on it.
+///
+/// @secret Which steps depend on the state.
+///
+/// @patternapp{operation-states, State, Operation states of the main controller}
+/// @why The behaviour depends on the state.
+/// @changes A new state.
+///
+/// @patternapp{read-orders, Template Method, Read orders in the operation states}
+/// @why The steps are the same in each state.
+/// @changes How a step is done.
+///
+/// @role{operation-states, State}
+/// @role{read-orders, Abstract Class}
+class OperationState {
+ public:
+  /// @brief Reads one order.
+  /// @param mCtrl the controller
+  /// @satisfies FR-15
+  void read(MainController& mCtrl);
+
+ protected:
+  /// @brief What is done with a message.
+  /// @param mCtrl the controller
+  /// @param md the mode
+  virtual void actionWithMsg(MainController& mCtrl, Mode& md) = 0;
+  /// @brief What is done without a message.
+  /// @param mCtrl the controller
+  /// @param md the mode
+  virtual void actionNoMsg(MainController& mCtrl, Mode& md) = 0;
+  OperationState() = default;
+  ~OperationState() = default;
+};
+
+}  // namespace wr
+""",
+    "src/main_control/operation_states/Waiting.cpp": """\
+#include "main_control/operation_states/Waiting.hpp"
+
+#include "main_control/MainController.hpp"
+#include "main_control/operation_modes/Mode.hpp"
+
+namespace wr {
+
+void Waiting::actionWithMsg(MainController& mCtrl, Mode& md) { md.changeMode(mCtrl); }
+
+void Waiting::actionNoMsg(MainController& mCtrl, Mode& /*md*/) { mCtrl.changeOpState(next_); }
+
+}  // namespace wr
+""",
+    "src/main_control/operation_states/Waiting.hpp": """\
+#pragma once
+
+#include "main_control/operation_states/OperationState.hpp"
+
+namespace wr {
+
+/// @brief The state Waiting.
+///
+/// @function Acts in Waiting.
+///
+/// @secret What follows Waiting.
+///
+/// @role{operation-states, Concrete State}
+/// @role{read-orders, Concrete Class}
+/// @role{reading-modes, Context}
+class Waiting final : public OperationState {
+ public:
+  /// @brief Makes the state.
+  /// @param next the next state
+  explicit Waiting(OperationState& next) : next_(next) {}
+
+ private:
+  void actionWithMsg(MainController& mCtrl, Mode& md) override;
+  void actionNoMsg(MainController& mCtrl, Mode& md) override;
+
+  OperationState& next_;
+};
+
+}  // namespace wr
+""",
+    "src/main_control/operation_states/Working.cpp": """\
+#include "main_control/operation_states/Working.hpp"
+
+#include "main_control/MainController.hpp"
+#include "main_control/operation_modes/Mode.hpp"
+
+namespace wr {
+
+void Working::actionWithMsg(MainController& mCtrl, Mode& md) { md.changeMode(mCtrl); }
+
+void Working::actionNoMsg(MainController& mCtrl, Mode& /*md*/) { mCtrl.changeOpState(next_); }
+
+}  // namespace wr
+""",
+    "src/main_control/operation_states/Working.hpp": """\
+#pragma once
+
+#include "main_control/operation_states/OperationState.hpp"
+
+namespace wr {
+
+/// @brief The state Working.
+///
+/// @function Acts in Working.
+///
+/// @secret What follows Working.
+///
+/// @role{operation-states, Concrete State}
+/// @role{read-orders, Concrete Class}
+/// @role{reading-modes, Context}
+class Working final : public OperationState {
+ public:
+  /// @brief Makes the state.
+  /// @param next the next state
+  explicit Working(OperationState& next) : next_(next) {}
+
+ private:
+  void actionWithMsg(MainController& mCtrl, Mode& md) override;
+  void actionNoMsg(MainController& mCtrl, Mode& md) override;
+
+  OperationState& next_;
+};
+
+}  // namespace wr
+""",
+    "src/main_control/operation_states/module.dox": """\
+/** @dir src/main_control/operation_states
+@brief OperationStates acts on the cycle.
+
+@function Acts on the cycle.
+
+@secret Which operation states there are.
+*/
+""",
+    "tests/main_control/WorkingTest.cpp": """\
+#include <gtest/gtest.h>
+
+/// @brief Without a message the controller waits.
+/// @verifies FR-15
+TEST(Working, WaitsWithoutMessage) {
+  EXPECT_TRUE(true);
+}
+""",
+    "design/trees/reading.tree": """\
+FR-15
+MainController::read
+  Working::read
+    Working::actionNoMsg
+      MainController::changeOpState
+""",
+}
+
+
+def write_tree(root: Path) -> Path:
+    for name, text in FILES.items():
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    return root

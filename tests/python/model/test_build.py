@@ -1,0 +1,122 @@
+"""The model of a small tree of sources."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.python.model.small_tree import write_tree
+from traceability.model.schema import Model
+from traceability.pipeline import build_model
+from traceability.sources import source_hash
+
+
+@pytest.fixture(scope="module")
+def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return write_tree(tmp_path_factory.mktemp("small"))
+
+
+@pytest.fixture(scope="module")
+def model(tree: Path) -> Model:
+    return build_model(tree)
+
+
+def test_texts_come_from_the_comment_above_the_class(model: Model) -> None:
+    rc = model.modules["RC"]
+    assert rc.brief == "Orders from the RC."
+    assert rc.function == "Reads orders from the RC."
+    assert rc.secret == "How the RC shows a new order."
+    assert rc.logic == "main_control/operation_modes"
+    assert rc.source == "src/main_control/operation_modes/RC.cpp"
+
+
+def test_bases_heirs_and_abstractness_come_from_the_code(model: Model) -> None:
+    assert model.modules["RC"].bases == ["Mode"]
+    assert model.modules["Mode"].heirs == ["PC", "RC"]
+    assert model.modules["Mode"].abstract
+    assert not model.modules["RC"].abstract
+
+
+def test_override_without_comment_inherits_the_specification(model: Model) -> None:
+    method = next(m for m in model.modules["RC"].methods if m.name == "changeMode")
+    assert method.kind == "override"
+    assert method.inherited_from == "Mode::changeMode"
+    assert [(p.name, p.type, p.text) for p in method.params] == [
+        ("mCtrl", "MainController&", "the controller")
+    ]
+    assert method.satisfies == []
+
+
+def test_calls_reach_all_overriders(model: Model) -> None:
+    read = next(m for m in model.modules["OperationState"].methods if m.name == "read")
+    call = next(c for c in read.calls if c.target == "Mode::newMessage")
+    assert call.virtual
+    assert call.targets == ["Mode::newMessage", "PC::newMessage", "RC::newMessage"]
+    change = next(m for m in model.modules["MainController"].methods if m.name == "changeOpState")
+    assert change.called_by == ["Waiting::actionNoMsg", "Working::actionNoMsg"]
+
+
+def test_roles_stand_at_their_lines(model: Model, tree: Path) -> None:
+    binding = model.modules["RC"].roles[0]
+    line = (tree / binding.place.file).read_text().splitlines()[binding.place.line - 1]
+    assert line == "/// @role{reading-modes, Concrete State}"
+
+
+def test_two_applications_above_one_class(model: Model) -> None:
+    states, orders = model.patterns["operation-states"], model.patterns["read-orders"]
+    assert states.pattern == "State"
+    assert states.changes == "A new state."
+    assert orders.pattern == "Template Method"
+    assert orders.title == "Read orders in the operation states"
+    assert {r.module for r in orders.roles} == {"OperationState", "Working", "Waiting"}
+
+
+def test_requirement_with_section_method_and_test(model: Model) -> None:
+    requirement = model.requirements["FR-15"]
+    assert requirement.section == "Reading orders"
+    assert requirement.rationale == "A lost message is not yet a lost link."
+    assert requirement.satisfied_by == ["Mode::newMessage", "OperationState::read"]
+    assert requirement.verified_by == ["Working.WaitsWithoutMessage"]
+    assert requirement.state == "unverified"
+    assert model.tests["Working.WaitsWithoutMessage"].result is None
+    assert model.results_stale
+
+
+def test_heir_in_a_tree_resolves_to_the_inherited_method(model: Model) -> None:
+    tree = model.requirements["FR-15"].tree
+    assert tree is not None
+    working = tree.children[0]
+    assert (working.label, working.resolved) == ("Working::read", "OperationState::read")
+    assert working.reachable
+    assert working.children[0].reachable
+    assert working.executed is None
+
+
+def test_results_count_only_for_the_sources_they_were_made_from(tree: Path) -> None:
+    results = tree / "build" / "results"
+    results.mkdir(parents=True, exist_ok=True)
+    record = {"name": "WaitsWithoutMessage", "status": "RUN", "result": "COMPLETED"}
+    suite = {"name": "Working", "testsuite": [record | {"time": "0.002s"}]}
+    (results / "trace.json").write_text(json.dumps({"testsuites": [suite]}))
+    (results / "trace.hash").write_text(json.dumps({"sources": source_hash(tree)}))
+    assert not build_model(tree).results_stale
+    test = build_model(tree).tests["Working.WaitsWithoutMessage"]
+    assert (test.result, test.milliseconds) == ("passed", 2.0)
+    path = tree / "src/main_control/operation_modes/RC.cpp"
+    path.write_text(path.read_text() + "\n// changed\n")
+    assert build_model(tree).results_stale
+
+
+def test_only_units_that_include_a_changed_header_are_read_again(tmp_path: Path) -> None:
+    root = write_tree(tmp_path)
+    build_model(root)
+    cache = root / "build" / "model" / "cache"
+    before = {path.name: path.stat().st_mtime_ns for path in cache.glob("*.json")}
+    header = root / "src/main_control/operation_modes/RC.hpp"
+    header.write_text(header.read_text() + "\n")
+    build_model(root)
+    after = {path.name: path.stat().st_mtime_ns for path in cache.glob("*.json")}
+    changed = {name for name, time in after.items() if before[name] != time}
+    assert changed == {"src__main_control__operation_modes__RC.cpp.json"}

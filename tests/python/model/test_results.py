@@ -1,0 +1,56 @@
+"""Results, coverage and sizes, as the tools write them."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from traceability.model.results import read_coverage, read_results, read_sizes
+
+
+def write(root: Path, name: str, data: Any) -> None:
+    path = root / "build" / "results" / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(data), encoding="utf-8")
+
+
+def test_nothing_measured_is_nothing(tmp_path: Path) -> None:
+    assert read_results(tmp_path) == {}
+    assert read_coverage(tmp_path) == {}
+    assert read_sizes(tmp_path) == {}
+
+
+def test_one_failed_instance_fails_a_parameterised_test(tmp_path: Path) -> None:
+    base = {"status": "RUN", "result": "COMPLETED", "time": "0.001s"}
+    failure = {"failures": [{"failure": "expected 1"}]}
+    cases = [base | {"name": "T/0"} | failure, base | {"name": "T/1"}]
+    suite = {"name": "All/Suite", "testsuite": cases}
+    write(tmp_path, "trace.json", {"testsuites": [suite]})
+    result = read_results(tmp_path)["Suite.T"]
+    assert (result.result, result.message, result.milliseconds) == ("failed", "expected 1", 2.0)
+
+
+def test_skipped_and_disabled_tests_did_not_pass(tmp_path: Path) -> None:
+    cases = [
+        {"name": "A", "status": "RUN", "result": "SKIPPED", "time": "0s"},
+        {"name": "B", "status": "NOTRUN", "result": "SUPPRESSED", "time": "0s"},
+    ]
+    write(tmp_path, "trace.json", {"testsuites": [{"name": "S", "testsuite": cases}]})
+    assert {name: result.result for name, result in read_results(tmp_path).items()} == {
+        "S.A": "skipped",
+        "S.B": "skipped",
+    }
+
+
+def test_coverage_adds_the_instances_of_a_line(tmp_path: Path) -> None:
+    branches = [{"count": 0}, {"count": 3}]
+    lines: list[dict[str, Any]] = [
+        {"line_number": 4, "count": 2, "branches": branches},
+        {"line_number": 4, "count": 1, "branches": []},
+        {"line_number": 5, "count": 0, "branches": []},
+    ]
+    write(tmp_path, "coverage.json", {"files": [{"file": "src/a.cpp", "lines": lines}]})
+    coverage = read_coverage(tmp_path)["src/a.cpp"]
+    assert coverage.lines == {4: 3, 5: 0}
+    assert coverage.branches == {4: (1, 2)}

@@ -1,0 +1,121 @@
+"""Recorded calls, and the embedding of trees in them."""
+
+from __future__ import annotations
+
+import struct
+from pathlib import Path
+
+import pytest
+
+from traceability.model.schema import Place, TreeNode
+from traceability.model.traces import EXIT, Row, Traces, embed, excerpt, method_of
+
+
+@pytest.mark.parametrize(
+    ("symbol", "method"),
+    [
+        ("wr::RC::read(wr::MainController&)", "RC::read"),
+        ("wr::Pipe<wr::Quantity<wr::Tag, int> >::write(int const&, wr::Instant)", "Pipe::write"),
+        ("wr::MainController::Cycle::execute()", "MainController::Cycle::execute"),
+        ("wr::RC::newMessage() const", "RC::newMessage"),
+        ("wr::MainController::MainController(wr::Mode&)", "MainController::MainController"),
+        ("void wr::Pipe<int>::each<long>(long)", "Pipe::each"),
+        ("wr::Instant::operator<=>(wr::Instant) const", ""),
+        ("std::array<wr::Mode*, 2ul>::begin()", ""),
+        ("wr::assertionFailed(wr::AssertId)", ""),
+        ("wr::RC::read()::{lambda()#1}::operator()() const", ""),
+    ],
+)
+def test_symbols(symbol: str, method: str) -> None:
+    found = method_of(symbol)
+    assert found == method or (not method and "operator" in found)
+
+
+def recorded(tmp_path: Path, calls: str) -> list[Row]:
+    """``a(b c(d))`` written as events, read back."""
+    traces = Traces(tmp_path)
+    addresses: dict[str, int] = {}
+    events: list[int] = []
+    stack: list[int] = []
+    for word in calls.replace("(", " ( ").replace(")", " ) ").split():
+        if word == "(":
+            continue
+        if word == ")":
+            events.append(stack.pop() | EXIT)
+            continue
+        address = addresses.setdefault(word, 4096 + len(addresses))
+        events.append(address)
+        stack.append(address)
+    traces.symbols = {address: f"M::{name}" for name, address in addresses.items()}
+    file = traces.file("S.T")
+    file.parent.mkdir(parents=True)
+    file.write_bytes(struct.pack(f"<{len(events)}Q", *events))
+    return traces.rows("S.T", lambda method: not method.startswith("M::x"))
+
+
+def node(text: str) -> TreeNode:
+    """``a(b c(d))`` as a tree; ``>b`` is posted."""
+    place = Place("t.tree", 1)
+    stack: list[TreeNode] = []
+    root: TreeNode | None = None
+    last: TreeNode | None = None
+    for word in text.replace("(", " ( ").replace(")", " ) ").split():
+        if word == "(":
+            assert last is not None
+            stack.append(last)
+        elif word == ")":
+            stack.pop()
+        else:
+            kind = "post" if word.startswith(">") else "call"
+            method = f"M::{word.removeprefix('>')}"
+            last = TreeNode(method, "M", word, method, kind, place)
+            if stack:
+                stack[-1].children.append(last)
+            root = root or last
+    assert root is not None
+    return root
+
+
+def fits(tree: TreeNode, rows: list[Row]) -> str | None:
+    found = embed(tree, rows, lambda one: {one.resolved or ""})
+    return found.failed.label if found.failed else None
+
+
+def test_rows_keep_depth_and_extent_without_unwanted_calls(tmp_path: Path) -> None:
+    rows = recorded(tmp_path, "a(x(b()) c())")
+    assert [(row.depth, row.method, row.end) for row in rows] == [
+        (0, "M::a", 3),
+        (1, "M::b", 2),
+        (1, "M::c", 3),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("tree", "calls", "failed"),
+    [
+        ("a(b c)", "a(b() c())", None),
+        ("a(b c)", "a(c() b())", "M::c"),
+        ("a(b(c))", "a(b() c())", "M::c"),
+        ("a(b(c))", "a(d(b(d(c()))))", None),
+        ("a(b)", "a() b()", "M::b"),
+        ("a(>b)", "a() b()", None),
+        ("a(>b)", "b() a()", "M::b"),
+        ("a(b c)", "a(b(c()))", "M::c"),
+        ("a(b)", "a() a(b())", None),
+        ("a(b)", "c()", "M::a"),
+    ],
+)
+def test_embedding(tmp_path: Path, tree: str, calls: str, failed: str | None) -> None:
+    assert fits(node(tree), recorded(tmp_path, calls)) == failed
+
+
+def test_excerpt_is_short_and_keeps_the_placed_rows(tmp_path: Path) -> None:
+    many = " ".join("d(e())" for _ in range(100))
+    rows = recorded(tmp_path, f"a({many} b({many} c()))")
+    tree = node("a(b(c))")
+    found = embed(tree, rows, lambda one: {one.resolved or ""})
+    placed = sorted(found.rows.values())
+    shown, first, numbers = excerpt(rows, placed)
+    assert first == 0
+    assert len(shown) <= 60
+    assert [shown[numbers[index]].method for index in placed] == ["M::a", "M::b", "M::c"]
