@@ -104,13 +104,13 @@ def run_tests(root: Path, preset: str, log: TextIO) -> tuple[Counts, bool]:
     results.parent.mkdir(parents=True, exist_ok=True)
     results.unlink(missing_ok=True)
     stamp.unlink(missing_ok=True)
-    tests = root / "build" / preset / "tests"
-    shutil.rmtree(tests / "traces", ignore_errors=True)
-    for counter in (root / "build" / preset).rglob("*.gcda"):
+    binaries = root / "build" / preset
+    shutil.rmtree(binaries / "traces", ignore_errors=True)
+    for counter in binaries.rglob("*.gcda"):
         counter.unlink()
     ended = ""
     try:
-        run(log, [tests / "firmware_tests", f"--gtest_output=json:{results}"])
+        run(log, [binaries / "tests" / "firmware_tests", f"--gtest_output=json:{results}"])
     except FailureError as error:
         ended = str(error)
     if not results.exists():

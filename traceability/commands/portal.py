@@ -51,8 +51,8 @@ def traced_tests(root: Path, steps: Steps) -> None:
 
 def covered_tests(root: Path, steps: Steps) -> None:
     def action(log: TextIO) -> str:
-        note = require_counts(*run_tests(root, "coverage", log))
+        counts, fresh = run_tests(root, "coverage", log)
         measure_coverage(root, log)
-        return note
+        return require_counts(counts, fresh)
 
     steps.run("tests (coverage)", action)

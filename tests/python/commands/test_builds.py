@@ -97,7 +97,7 @@ def test_a_crash_before_the_results_is_a_failure(root: Path) -> None:
 
 
 def test_traces_of_the_run_before_are_removed(root: Path) -> None:
-    old = root / "build/trace/tests/traces/Old.Test.bin"
+    old = root / "build/trace/traces/Old.Test.bin"
     old.parent.mkdir()
     old.touch()
     run_tests(root)
