@@ -59,7 +59,9 @@ def metrics(model: Model) -> dict[str, Any]:
         "trees.total": len(trees),
         "trees.static": sum(all(node.reachable for node in nodes) for nodes in trees),
         "trees.executed": (
-            sum(all(node.executed for node in nodes) for nodes in trees) if fresh else None
+            sum(all(n.executed for n in nodes if n.recordable) for nodes in trees)
+            if fresh
+            else None
         ),
         "tests.total": len(tests) if fresh else None,
         "tests.passed": sum(test.result == "passed" for test in tests) if fresh else None,

@@ -173,7 +173,8 @@ _FIXED = [
         "Each tree was executed",
         "The tree embeds in the recorded calls of a test that passed and that verifies the "
         "requirement: each child within the call of its parent, in order.",
-        "calls that the compiler inlined; trees are not compared while results are stale.",
+        "operations that the platform implements, such as those of a port, are not recorded; "
+        "nothing is compared while results are stale.",
         "correct the tree, or test the requirement so that the calls are made.",
     ),
     Check(

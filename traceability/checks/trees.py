@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from traceability.model.build import Facts, accepted
 from traceability.model.schema import Finding, Model, Place, Requirement, TreeNode
-from traceability.model.traces import nodes_of
+from traceability.model.traces import nodes_of, recorded_nodes
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
@@ -81,7 +81,7 @@ def _executed(requirement: Requirement, model: Model) -> list[Finding]:
     nodes = nodes_of(requirement.tree)
     if not passed or any(node.resolved is None or not node.reachable for node in nodes):
         return []
-    failed = next((node for node in nodes if not node.executed), None)
+    failed = next((node for node in recorded_nodes(requirement.tree) if not node.executed), None)
     if failed is None:
         return []
     return [

@@ -32,7 +32,14 @@ from traceability.model.schema import (
     Use,
 )
 from traceability.model.syntax import BodyFact, ClassFact, MethodFact, Syntax, read_syntax
-from traceability.model.traces import Traces, embed, excerpt, nodes_of, read_traces
+from traceability.model.traces import (
+    Traces,
+    embed,
+    excerpt,
+    nodes_of,
+    read_traces,
+    recorded_nodes,
+)
 from traceability.sources import files_below, source_hash
 
 TEST_MACRO = re.compile(r"^TEST(?:_F|_P)?\(\s*(\w+)\s*,\s*(\w+)\s*\)")
@@ -540,6 +547,7 @@ def _resolve(tree: TreeNode, facts: Facts) -> None:
         owner, _, name = node.label.rpartition("::")
         method = facts.method(owner, name)
         node.resolved = method.id if method else None
+        node.recordable = bool(accepted(node, facts) or node.children or method is None)
 
 
 def accepted(node: TreeNode, facts: Facts) -> set[str]:
@@ -603,18 +611,18 @@ def _execute(
         rows = recorded[name]
         found = embed(tree, rows, lambda node: accepted(node, facts))
         if found.failed is None:
-            for node in nodes_of(tree):
+            for node in recorded_nodes(tree):
                 node.executed = True
             requirement.trace_test = name
             placed = sorted(found.rows.values())
             shown, requirement.trace_start, numbers = excerpt(rows, placed)
             requirement.trace = shown
-            for node in nodes_of(tree):
+            for node in recorded_nodes(tree):
                 node.trace_row = numbers.get(found.rows[id(node)])
             return
         if failed is None or order[id(found.failed)] > order[id(failed)]:
             failed = found.failed
-    for node in nodes_of(tree):
+    for node in recorded_nodes(tree):
         node.executed = failed is not None and order[id(node)] < order[id(failed)]
 
 
@@ -645,6 +653,6 @@ def _reasons(model: Model, requirement: Requirement) -> list[str]:
         return [*reasons, "it has no tree of invocations"]
     nodes = nodes_of(requirement.tree)
     reasons += [f"no call reaches {node.label}" for node in nodes if not node.reachable]
-    if not all(node.executed for node in nodes):
+    if not all(node.executed for node in recorded_nodes(requirement.tree)):
         reasons.append("no passing test executed its tree")
     return reasons

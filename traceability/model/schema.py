@@ -161,6 +161,7 @@ class TreeNode:
     place: Place
     reachable: bool | None = None
     executed: bool | None = None
+    recordable: bool = True  # False when only the platform implements it, outside the trace
     trace_row: int | None = None  # row of the recorded trace that this node matches
     children: list[TreeNode] = field(default_factory=list)
 

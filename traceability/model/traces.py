@@ -14,7 +14,7 @@ from pathlib import Path
 from traceability.model.schema import TraceRow, TreeNode
 
 EXECUTABLE = Path("build/trace/tests/firmware_tests")
-TRACES = Path("build/trace/tests/traces")
+TRACES = Path("build/trace/traces")
 EXIT = 1 << 63
 SHOWN = 60
 
@@ -146,6 +146,8 @@ def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str
             placed = {id(node): index}
             position = index + 1
             for child in node.children:
+                if not child.recordable:
+                    continue
                 last = len(rows) if child.kind == "post" else rows[index].end
                 found = fit(child, position, last)
                 if found is None:
@@ -165,6 +167,10 @@ def nodes_of(tree: TreeNode) -> list[TreeNode]:
     for child in tree.children:
         found += nodes_of(child)
     return found
+
+
+def recorded_nodes(tree: TreeNode) -> list[TreeNode]:
+    return [node for node in nodes_of(tree) if node.recordable]
 
 
 def excerpt(rows: list[Row], placed: list[int]) -> tuple[list[TraceRow], int, dict[int, int]]:
