@@ -10,9 +10,11 @@ sys.path.insert(0, str(HERE.parent))
 
 project = "Weeding robot"
 copyright = ""  # noqa: A001
-extensions = ["traceability.documents.extension"]
+extensions = ["breathe", "traceability.documents.extension"]
+breathe_projects = {"firmware": str(PAGES / "_doxygen")}
+breathe_default_project = "firmware"
 root_doc = "index"
-exclude_patterns = ["_static"]
+exclude_patterns = ["_static", "_doxygen"]
 source_suffix = {".rst": "restructuredtext", ".page": "page"}
 highlight_language = "none"
 pygments_style = "default"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -14,10 +15,14 @@ from sphinx.util.docutils import docutils_namespace, patch_docutils
 from traceability.documents import search
 from traceability.documents.diagrams import DiagramError
 from traceability.documents.links import ROOT, depth_prefix
-from traceability.documents.pages import all_pages
+from traceability.documents.pages import all_pages, doxygen_file
 from traceability.documents.portal import CheckText, Page, Portal
 from traceability.documents.sphinx_warnings import WarningCollector
 from traceability.model.schema import Finding, Model, Place
+
+UNKNOWN_TO_BREATHE = re.compile(
+    r"\s*<(satisfies|verifies|innerclass)\b.*?</\1>|<wr-[^>]*/>", re.DOTALL
+)
 
 
 @dataclass
@@ -58,6 +63,7 @@ def write_sources(portal: Portal, pages: Path) -> set[str]:
         kept.add(page.name)
         write_changed(pages / f"{page.name}.page", source_of(page))
     kept |= copy_docs(portal.root / "docs", pages)
+    copy_doxygen(portal, pages / "_doxygen")
     write_changed(pages / "links.json", json.dumps(search.targets(portal), sort_keys=True))
     write_changed(pages / "navigation.json", json.dumps(portal.navigation.data()))
     write_changed(pages / "_static" / "portal.js", search.script(portal))
@@ -69,9 +75,25 @@ def write_sources(portal: Portal, pages: Path) -> set[str]:
 
 def source_of(page: Page) -> str:
     """The facts about a page in one line, then its body, with links that fit its place."""
-    facts = {"title": page.title, "nav": page.nav, "wide": page.wide}
+    facts = {"title": page.title, "nav": page.nav, "wide": page.wide, "api": page.api}
     body = page.body.replace(f'"{ROOT}', f'"{depth_prefix(page.name)}')
     return f"{json.dumps(facts)}\n{body}"
+
+
+def copy_doxygen(portal: Portal, target: Path) -> None:
+    """What Breathe needs: the classes of the modules, without what it does not know.
+
+    Breathe reads a class again when its file is newer, so only changed files are replaced.
+    """
+    compounds = []
+    for module in portal.designs:
+        if path := doxygen_file(portal, module):
+            text = UNKNOWN_TO_BREATHE.sub("", path.read_text(encoding="utf-8"))
+            write_changed(target / path.name, text)
+            name = f"<name>{module.qualified}</name>"
+            compounds.append(f'<compound refid="{path.stem}" kind="class">{name}</compound>')
+    index = f"<doxygenindex version='1.9.8'>{''.join(compounds)}</doxygenindex>"
+    write_changed(target / "index.xml", index)
 
 
 def copy_docs(docs: Path, pages: Path) -> set[str]:

@@ -163,7 +163,7 @@ def shown_members(module: Module, role: str) -> list[str]:
         style = f"//{method.name}()//" if method.kind == "pure" else f"{method.name}()"
         seen.setdefault(method.name, style)
     members = list(seen.values())
-    return members if len(members) <= 7 else [*members[:6], f"{len(members) - 6} more"]
+    return members if len(members) <= 7 else [*members[:6], f"{{method}} {len(members) - 6} more"]
 
 
 def class_lines(module: Module, roles: list[str], links: Links) -> list[str]:

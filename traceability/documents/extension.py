@@ -8,6 +8,7 @@ from typing import Any
 
 from docutils import nodes
 from docutils.parsers import Parser
+from docutils.parsers.rst import Parser as RstParser
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 from sphinx.util import logging
@@ -16,6 +17,7 @@ from sphinx.util.docutils import SphinxRole
 from traceability.documents.links import ROOT, depth_prefix
 
 LOGGER = logging.getLogger(__name__)
+API_MARK = "<!-- what Doxygen says -->"
 ROLES = ("module", "logic", "method", "requirement", "pattern", "check", "test", "source")
 
 
@@ -27,8 +29,19 @@ class PageParser(Parser):
     def parse(self, inputstring: str, document: nodes.document) -> None:
         facts, _, body = inputstring.partition("\n")
         environment: BuildEnvironment = document.settings.env
-        environment.metadata[environment.docname].update(json.loads(facts), orphan="")
-        document += nodes.raw("", body, format="html")
+        values = json.loads(facts)
+        environment.metadata[environment.docname].update(values, orphan="")
+        before, _, after = body.partition(API_MARK)
+        document += nodes.raw("", before, format="html")
+        if values["api"]:
+            self.add_api(values["api"], document)
+        if after:
+            document += nodes.raw("", after, format="html")
+
+    def add_api(self, name: str, document: nodes.document) -> None:
+        """What Doxygen says of a class, as Breathe shows it."""
+        text = f".. doxygenclass:: {name}\n   :members:\n   :protected-members:\n"
+        RstParser().parse(text, document)
 
 
 class NameRole(SphinxRole):

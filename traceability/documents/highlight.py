@@ -12,6 +12,7 @@ from pygments.lexer import Lexer
 from pygments.lexers import get_lexer_by_name
 from pygments.token import STANDARD_TYPES, Token, _TokenType
 
+CLASSES: dict[object, str] = {**STANDARD_TYPES}
 LEXERS = {
     ".hpp": "cpp",
     ".cpp": "cpp",
@@ -30,7 +31,7 @@ LEXERS = {
 
 def css_class(token: _TokenType) -> str | None:
     """The short class of a token; a token without one takes its parent's."""
-    short = STANDARD_TYPES.get(token)
+    short = CLASSES.get(token)
     return short if short is not None or token.parent is None else css_class(token.parent)
 
 

@@ -174,6 +174,11 @@ class Names:
         return Markup(ID_OR_CODE.sub(name, html))
 
 
+def gist(brief: str) -> str:
+    """What a brief says after the name that it begins with; empty when it says no more."""
+    return brief.partition(": ")[2].removesuffix("</p>")
+
+
 def glyph(kind: str, word: str) -> Markup:
     """A verdict is a mark and a word, never a colour alone."""
     return Markup('<span class="v {}">{}</span>').format(kind, word)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from traceability.documents import calls
 from traceability.documents.links import logic_anchor
@@ -17,6 +18,8 @@ from traceability.model.schema import (
     TreeNode,
 )
 
+XML = "build/model/xml"
+ANY = "*"  # in an allowed use: every logic module
 EXAMPLE = "FR-15"  # the requirement that the first page follows
 
 
@@ -103,6 +106,7 @@ def module_page(portal: Portal, module: Module) -> Page:
         module.name,
         "structure",
         "module",
+        api=module.qualified if doxygen_file(portal, module) else "",
         module=module,
         logic=logic,
         rows=rows,
@@ -116,6 +120,12 @@ def module_page(portal: Portal, module: Module) -> Page:
         ancestors=ancestors(portal, module),
         bars=coverage_bars(portal, module),
     )
+
+
+def doxygen_file(portal: Portal, module: Module) -> Path | None:
+    """Doxygen's file on a class."""
+    path = portal.root / XML / f"class{module.qualified.replace('::', '_1_1')}.xml"
+    return path if path.is_file() else None
 
 
 def ancestors(portal: Portal, module: Module) -> list[str]:
@@ -292,9 +302,15 @@ def use_rows(portal: Portal) -> list[UseRow]:
     """Allowed and actual uses side by side."""
     allowed = {(use.source, use.target): use.why for use in portal.model.allowed_uses}
     actual = {(use.source, use.target): use.places for use in portal.model.uses}
+    pairs = {pair for pair in allowed if pair[0] != ANY} | set(actual)
     return [
-        UseRow(*pair, allowed.get(pair), len(actual.get(pair, [])), [*actual.get(pair, [])][:2])
-        for pair in sorted({*allowed, *actual})
+        UseRow(
+            *pair,
+            allowed.get(pair, allowed.get((ANY, pair[1]))),
+            len(actual.get(pair, [])),
+            [*actual.get(pair, [])][:2],
+        )
+        for pair in sorted(pairs)
     ]
 
 

@@ -36,6 +36,7 @@ class Page:
     body: str
     nav: str
     wide: bool = False
+    api: str = ""  # class of which Breathe shows what Doxygen says
 
 
 class Portal:
@@ -84,6 +85,7 @@ class Portal:
             lstrip_blocks=True,
         )
         environment.filters["text"] = self.names.text
+        environment.filters["gist"] = names.gist
         environment.globals.update(
             model=self.model,
             portal=self,
@@ -97,10 +99,18 @@ class Portal:
         return environment
 
     def page(
-        self, name: str, title: str, nav: str, template: str, *, wide: bool = False, **values: Any
+        self,
+        name: str,
+        title: str,
+        nav: str,
+        template: str,
+        *,
+        wide: bool = False,
+        api: str = "",
+        **values: Any,
     ) -> Page:
         body = self.templates.get_template(f"{template}.html").render(**values)
-        return Page(name, title, body, nav, wide)
+        return Page(name, title, body, nav, wide, api)
 
     # ---- derived facts --------------------------------------------------------
 
