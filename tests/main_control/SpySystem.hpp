@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,11 +27,25 @@ class SpySystem final : public ControlSystem {
   }
 
   void collect(Measurements& measurements, Outputs& out) const override {
-    measurements = measured;
-    out = outputs;
+    give(measured.steering, measurements.steering);
+    give(outputs.turn, out.turn);
+    for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+      give(measured.wheels[wheel].velocity, measurements.wheels[wheel].velocity);
+      give(measured.wheels[wheel].current, measurements.wheels[wheel].current);
+      give(measured.wheels[wheel].position, measurements.wheels[wheel].position);
+      give(outputs.tensions[wheel], out.tensions[wheel]);
+    }
   }
 
  private:
+  // Adds a value that exists; one that is missing leaves the target as it is.
+  template <class T>
+  static void give(const std::optional<T>& value, std::optional<T>& target) {
+    if (value) {
+      target = value;
+    }
+  }
+
   void measure() override { calls.emplace_back("measure"); }
   void apply(const SetPoints& setPoints) override {
     calls.emplace_back("apply");
