@@ -2,68 +2,70 @@
 
 from __future__ import annotations
 
-from html.parser import HTMLParser
+import html
+import posixpath
+import re
+from dataclasses import dataclass
 from pathlib import Path
-from urllib.parse import unquote, urlsplit
+from urllib.parse import unquote
 
 from traceability.model.schema import Finding, Model, Place
 
-ATTRIBUTES = {"href", "src", "xlink:href", "data", "poster"}
+TAG = re.compile(r"<[A-Za-z](?:[^>\"']|\"[^\"]*\"|'[^']*')*>")
+ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|'[^']*')""")
 
 
-class _Page(HTMLParser):
-    def __init__(self) -> None:
-        super().__init__(convert_charrefs=True)
-        self.anchors: set[str] = {"", "top"}
-        self.links: list[tuple[str, int]] = []
-        self.base = ""
+@dataclass
+class _Page:
+    text: str
+    anchors: set[str]
+    links: dict[str, int]  # link -> place in the text
 
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        for name, value in attrs:
-            if value is None:
-                continue
-            if name == "id" or (name == "name" and tag == "a"):
-                self.anchors.add(value)
-            elif name in ATTRIBUTES and value != "":
-                self.links.append((value, self.getpos()[0]))
 
-    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.handle_starttag(tag, attrs)
+def _read(path: Path) -> _Page:
+    page = _Page(path.read_text(encoding="utf-8", errors="replace"), {"", "top"}, {})
+    for tag in TAG.finditer(page.text):
+        for attribute in ATTRIBUTE.finditer(tag[0]):
+            name, value = attribute[1], html.unescape(attribute[2][1:-1])
+            if name == "id" or (name == "name" and tag[0].startswith("<a ")):
+                page.anchors.add(value)
+            elif name != "name" and value:
+                page.links.setdefault(value, tag.start())
+    return page
 
 
 def dead_links(site: Path) -> list[tuple[Path, int, str, str]]:
     """Page, line, link and reason of each dead link."""
-    pages: dict[Path, _Page] = {}
-    for path in sorted([*site.rglob("*.html"), *site.rglob("*.svg")]):
-        page = _Page()
-        page.feed(path.read_text(encoding="utf-8", errors="replace"))
-        pages[path.resolve()] = page
+    root = str(site.resolve())
+    files = {str(path) for path in Path(root).rglob("*") if path.is_file()}
+    pages = {file: _read(Path(file)) for file in sorted(files) if file.endswith((".html", ".svg"))}
     found: list[tuple[Path, int, str, str]] = []
-    for path, page in pages.items():
-        for link, line in dict(page.links).items():
-            reason = _dead(path, link, pages, site.resolve())
+    for file, page in pages.items():
+        for link, start in page.links.items():
+            reason = _dead(file, link, pages, files, root)
             if reason:
-                found.append((path, line, link, reason))
+                line = page.text.count("\n", 0, start) + 1
+                found.append((Path(file), line, link, reason))
     return found
 
 
-def _dead(path: Path, link: str, pages: dict[Path, _Page], site: Path) -> str:
-    parts = urlsplit(link)
-    if parts.scheme or parts.netloc:
+def _dead(file: str, link: str, pages: dict[str, _Page], files: set[str], root: str) -> str:
+    path, _, fragment = link.partition("#")
+    path = path.partition("?")[0]
+    if re.match(r"[a-z][a-z0-9+.-]*:|//", path, re.IGNORECASE):
         return ""
-    target = path
-    if parts.path:
-        start = site if parts.path.startswith("/") else path.parent
-        target = (start / unquote(parts.path).lstrip("/")).resolve()
-        if target.is_dir():
-            target /= "index.html"
-    if not target.is_relative_to(site):
+    target = file
+    if path:
+        start = root if path.startswith("/") else posixpath.dirname(file)
+        target = posixpath.normpath(f"{start}/{unquote(path)}")
+    if not f"{target}/".startswith(f"{root}/"):
         return "it leads out of the site"
-    if not target.is_file():
+    if target not in files:
+        target = f"{target}/index.html"
+    if target not in files:
         return "there is no such file"
-    fragment = unquote(parts.fragment)
-    if target in pages and fragment not in pages[target].anchors:
-        return f"the page has no anchor '{fragment}'"
+    if target in pages and unquote(fragment) not in pages[target].anchors:
+        return f"the page has no anchor '{unquote(fragment)}'"
     return ""
 
 

@@ -47,3 +47,10 @@ def test_missing_page_is_found_in_diagrams_too(site: Path) -> None:
 def test_link_out_of_the_site(site: Path) -> None:
     (site / "a.html").write_text('<img src="../outside.png">')
     assert reasons(site) == [("a.html", "../outside.png")]
+
+
+def test_code_that_shows_a_link_is_no_link(site: Path) -> None:
+    (site / "code.html").write_text(
+        "<pre>&lt;a href=\"nowhere.html\"&gt;</pre><a title='a>b'>x</a>"
+    )
+    assert dead_links(site) == []
