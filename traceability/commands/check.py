@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
@@ -30,10 +31,16 @@ def check(root: Path) -> int:
     return report(findings, steps)
 
 
-def make_documents(root: Path, steps: Steps) -> list[Finding]:
-    """Model, checks, site and links: four steps. A failed step leaves out those that need it."""
+def make_documents(
+    root: Path, steps: Steps, figures: Callable[[], dict[str, float]] = dict
+) -> list[Finding]:
+    """Model, checks, site and links: four steps. A failed step leaves out those that need it.
+
+    ``figures`` tells, at the end, what the command itself measured.
+    """
     from traceability.checks import run_checks, run_link_checks
     from traceability.documents.build import build_site
+    from traceability.metrics import site_figures, write_metrics
     from traceability.pipeline import build_model
 
     model: Model | None = None
@@ -57,8 +64,10 @@ def make_documents(root: Path, steps: Steps) -> list[Finding]:
 
     def check_links(_log: TextIO) -> str:
         assert model is not None
-        found = run_link_checks(model, root / "build" / "site")
+        site = root / "build" / "site"
+        found = run_link_checks(model, site)
         findings.extend(found)
+        write_metrics(root, model, {**site_figures(site, findings), **figures()})
         return counted(found)
 
     if not steps.run("model", make_model):

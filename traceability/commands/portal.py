@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import time
 from pathlib import Path
 from typing import TextIO
 
@@ -35,12 +36,15 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 
 def portal(root: Path, options: argparse.Namespace) -> int:
+    start = time.monotonic()
+    cold = not (root / "build").exists() and not options.docs_only
     steps = Steps(root, DOCUMENT_STEPS + (0 if options.docs_only else BUILD_STEPS))
     if not options.docs_only:
         build_firmware(root, steps)
         traced_tests(root, steps)
         covered_tests(root, steps)
-    code = report(make_documents(root, steps), steps)
+    figures = (lambda: {"build.cold_s": round(time.monotonic() - start, 1)}) if cold else dict
+    code = report(make_documents(root, steps, figures), steps)
     print(f"The portal is in {root / 'build' / 'site'}")
     return code if options.no_serve else serve(root, options.port)
 
