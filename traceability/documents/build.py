@@ -16,7 +16,7 @@ from traceability.documents import search
 from traceability.documents.diagrams import DiagramError
 from traceability.documents.links import ROOT, depth_prefix
 from traceability.documents.pages import all_pages, doxygen_file
-from traceability.documents.portal import CheckText, Page, Portal
+from traceability.documents.portal import SITE, CheckText, Page, Portal
 from traceability.documents.sphinx_warnings import WarningCollector
 from traceability.model.schema import Finding, Model, Place
 
@@ -35,6 +35,7 @@ class SiteResult:
 
 def build_site(root: Path, model: Model, findings: list[Finding]) -> SiteResult:
     """Brings ``build/site`` up to date with the model."""
+    root = root.resolve()
     pages = root / "build" / "pages"
     try:
         portal = Portal(root, model, findings, check_texts())
@@ -42,7 +43,7 @@ def build_site(root: Path, model: Model, findings: list[Finding]) -> SiteResult:
         mend = "correct what the diagram is made from, see the message of PlantUML"
         return SiteResult(0, [Finding(Place("design", 0), "doc-diagram", str(error), mend)])
     kept = write_sources(portal, pages)
-    warnings = run_sphinx(root, pages)
+    warnings = run_sphinx(portal, pages)
     remove_others(root / "build" / "site", {f"{name}.html" for name in kept})
     return SiteResult(len(kept), warnings)
 
@@ -65,7 +66,6 @@ def write_sources(portal: Portal, pages: Path) -> set[str]:
     kept |= copy_docs(portal.root / "docs", pages)
     copy_doxygen(portal, pages / "_doxygen")
     write_changed(pages / "links.json", json.dumps(search.targets(portal), sort_keys=True))
-    write_changed(pages / "navigation.json", json.dumps(portal.navigation.data()))
     write_changed(pages / "_static" / "portal.js", search.script(portal))
     for path in pages.rglob("*.page"):
         if str(path.relative_to(pages).with_suffix("")) not in kept:
@@ -119,19 +119,24 @@ def write_changed(path: Path, content: str | bytes) -> None:
 # ---- Sphinx ------------------------------------------------------------------
 
 
-def run_sphinx(root: Path, pages: Path) -> list[Finding]:
+def run_sphinx(portal: Portal, pages: Path) -> list[Finding]:
+    root = portal.root
     collector = WarningCollector(root, pages)
     state = root / "build" / "pages-cache" / "sphinx"
     with patch_docutils(), docutils_namespace():
         app = Sphinx(
             srcdir=pages,
-            confdir=root / "site",
+            confdir=SITE,
             outdir=root / "build" / "site",
             doctreedir=state,
             buildername="html",
             status=None,
             warning=collector,
-            keep_going=True,
+            confoverrides={
+                "html_context": {"groups": portal.navigation.data()},
+                "html_static_path": [str(pages / "_static")],
+                "breathe_projects": {"firmware": str(pages / "_doxygen")},
+            },
         )
         app.build()
     return collector.findings()

@@ -18,7 +18,6 @@ from traceability.documents.links import ROOT, depth_prefix
 
 LOGGER = logging.getLogger(__name__)
 API_MARK = "<!-- what Doxygen says -->"
-ROLES = ("module", "logic", "method", "requirement", "pattern", "check", "test", "source")
 
 
 class PageParser(Parser):
@@ -47,9 +46,12 @@ class PageParser(Parser):
 class NameRole(SphinxRole):
     """A role such as ``:module:`RC```: the name of an element, linked to its page."""
 
+    def __init__(self, targets: dict[str, str]) -> None:
+        super().__init__()
+        self.targets = targets
+
     def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
-        targets = self.env.app.portal_targets  # type: ignore[attr-defined]
-        known = targets[self.name].get(self.text.removesuffix("()"))
+        known = self.targets.get(self.text.removesuffix("()"))
         if known is None:
             text = f"unknown target: there is no {self.name} {self.text!r}"
             LOGGER.warning(text, location=self.get_location())
@@ -59,8 +61,9 @@ class NameRole(SphinxRole):
 
 
 def load(app: Sphinx) -> None:
-    targets = Path(app.srcdir) / "links.json"
-    app.portal_targets = json.loads(targets.read_text(encoding="utf-8"))  # type: ignore[attr-defined]
+    links = Path(app.srcdir) / "links.json"
+    for kind, targets in json.loads(links.read_text(encoding="utf-8")).items():
+        app.add_role(kind, NameRole(targets), override=True)
     app.builder.search = False  # type: ignore[attr-defined]
 
 
@@ -85,8 +88,6 @@ def mark_hand_written(app: Sphinx, doctree: nodes.document) -> None:
 def setup(app: Sphinx) -> dict[str, Any]:
     app.add_source_suffix(".page", "page")
     app.add_source_parser(PageParser)
-    for kind in ROLES:
-        app.add_role(kind, NameRole(), override=True)
     app.connect("builder-inited", load)
     app.connect("env-get-outdated", hand_written)
     app.connect("doctree-read", mark_hand_written)

@@ -10,9 +10,10 @@ from pathlib import Path
 
 from pygments.lexer import Lexer
 from pygments.lexers import get_lexer_by_name
-from pygments.token import STANDARD_TYPES, Token, _TokenType
+from pygments.token import STANDARD_TYPES, _TokenType
 
-CLASSES: dict[object, str] = {**STANDARD_TYPES}
+PLAIN = {"", "w", "n", "p"}  # names, punctuation and space keep the colour of the text
+CLASSES = dict(STANDARD_TYPES.items())
 LEXERS = {
     ".hpp": "cpp",
     ".cpp": "cpp",
@@ -42,8 +43,8 @@ def lexer_for(path: str) -> Lexer:
 
 def coloured_pieces(path: str, text: str) -> Iterator[tuple[str | None, str]]:
     for token, value in lexer_for(path).get_tokens(text):
-        plain = token in Token.Text or token is Token.Name or token is Token.Punctuation
-        yield None if plain else css_class(token), value
+        name = css_class(token)
+        yield None if name in PLAIN else name, value
 
 
 def highlighted_lines(path: str, text: str) -> list[str]:

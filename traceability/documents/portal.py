@@ -17,6 +17,8 @@ from traceability.documents.links import Links
 from traceability.documents.navigation import Navigation, hand_written
 from traceability.model.schema import Finding, Model, Module, Place, Requirement, Test, TreeNode
 
+SITE = Path(__file__).resolve().parents[2] / "site"
+
 
 @dataclass
 class CheckText:
@@ -76,7 +78,7 @@ class Portal:
         return {name: Markup(svg) for name, svg in drawn.items()}
 
     def _environment(self) -> Environment:
-        loader = FileSystemLoader(self.root / "site" / "templates")
+        loader = FileSystemLoader(SITE / "templates")
         environment = Environment(
             loader=loader,
             autoescape=True,
@@ -138,7 +140,11 @@ class Portal:
     def trees_executed(self) -> int | None:
         if self.model.results_stale:
             return None
-        return sum(all(n.executed for _, n in self.flat(r.tree)) for r in self.trees if r.tree)
+        return sum(
+            all(node.executed for _, node in self.flat(r.tree) if node.recordable)
+            for r in self.trees
+            if r.tree
+        )
 
     def flat(self, node: TreeNode, depth: int = 0) -> list[tuple[int, TreeNode]]:
         """The nodes of a tree with their depth, from the root."""

@@ -64,7 +64,7 @@
       `<dl><dt>secret</dt><dd>${escape(module.secret)}</dd>${roles ? `<dt>roles</dt><dd>${roles}</dd>` : ""}</dl>` +
       `<div class="words">${VIEWS.filter((v) => module.views.includes(v[0])).map((v) => `<a href="${viewOf(name, v[2])}"><span class="key" aria-hidden="true">${v[0]}</span>${v[1]}</a>`).join("")}</div>`;
     link.setAttribute("aria-details", "card");
-    document.body.append(card);
+    link.after(card);
     const at = link.getClientRects()[0], height = card.offsetHeight;
     const below = at.bottom + height + 12 < innerHeight || at.top < height + 12;
     card.style.left = Math.max(12, Math.min(at.left, innerWidth - card.offsetWidth - 12)) + "px";

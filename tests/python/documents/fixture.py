@@ -1,0 +1,164 @@
+"""A small project with a model of its own: enough for every kind of page."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from traceability.model.schema import (
+    AllowedUse,
+    ArchitectureElement,
+    Call,
+    Clause,
+    LogicModule,
+    Method,
+    Model,
+    Module,
+    Param,
+    PatternApplication,
+    Place,
+    Requirement,
+    RoleBinding,
+    StateMachine,
+    Test,
+    TraceRow,
+    Transition,
+    TreeNode,
+    Use,
+)
+
+MODES = "main_control/operation_modes"
+HEADER = "#pragma once\n\nnamespace wr {\nclass {name} {{\n public:\n  void read();\n}};\n}}\n"
+SOURCE = "namespace wr {\n\nvoid {name}::read() {{\n  act();\n}}\n}}\n"
+
+
+def make_project(root: Path) -> Model:
+    """Writes the files of the project and returns its model."""
+    for name in ("MainController", "Mode", "RC"):
+        folder = root / "src" / (MODES if name != "MainController" else "main_control")
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / f"{name}.hpp").write_text(HEADER.replace("{name}", name).replace("{{", "{"))
+        (folder / f"{name}.cpp").write_text(SOURCE.replace("{name}", name).replace("{{", "{"))
+    docs = root / "docs"
+    docs.mkdir(exist_ok=True)
+    (docs / "tour.rst").write_text("Tour\n====\n\nSee :module:`RC` and :method:`RC::read`.\n")
+    return make_model()
+
+
+def make_model() -> Model:
+    model = Model("0123456789abcdef", "0.1", "hash", "hash")
+    model.logic_modules = {
+        "main_control": LogicModule(
+            "main_control", "MainControl", None, "<p>Main Control.</p>", "<p>Runs the cycle.</p>",
+            "<p>The steps.</p>", Place("src/main_control/module.dox", 1),
+            ["MainController"], [MODES],
+        ),
+        MODES: LogicModule(
+            MODES, "OperationModes", "main_control", "<p>Modes: where orders come from.</p>",
+            "<p>Reads.</p>", "<p>The sources.</p>", Place(f"src/{MODES}/module.dox", 1),
+            ["Mode", "RC"],
+        ),
+    }  # fmt: skip
+    controller = make_module("MainController", "main_control", False, [])
+    mode = make_module("Mode", MODES, True, [])
+    rc = make_module("RC", MODES, False, ["Mode"])
+    mode.heirs = ["RC"]
+    controller.uses = ["Mode"]
+    controller.methods[0].calls = [
+        Call("Mode::read", True, Place("src/main_control/MainController.cpp", 4), ["RC::read"])
+    ]
+    rc.methods[0].satisfies = ["FR-15"]
+    rc.requirements = ["FR-15"]
+    rc.tests = ["RcTest.Reads"]
+    rc.lines_total, rc.lines_covered = 2, 1
+    rc.line_hits = {f"src/{MODES}/RC.cpp": {3: 7, 4: 0}}
+    roles = [("State", mode), ("Concrete State", rc), ("Context", controller)]
+    for role, module in roles:
+        module.roles = [RoleBinding("reading-modes", role, module.name, module.place)]
+    model.modules = {m.name: m for m in (controller, mode, rc)}
+    model.patterns = {
+        "reading-modes": PatternApplication(
+            "reading-modes", "State", "Reading modes", "<p>Sources differ.</p>",
+            "<p>A new source.</p>", "Mode", mode.place, [m.roles[0] for _, m in roles],
+            [Clause("pattern-state-abstract", "Mode is abstract", True, [mode.place])],
+        )
+    }  # fmt: skip
+    model.requirements = {"FR-15": make_requirement()}
+    model.tests = {
+        "RcTest.Reads": Test(
+            "RcTest.Reads", "RcTest", "Reads", "<p>It reads.</p>", Place("tests/RcTest.cpp", 9),
+            ["FR-15"], "passed", 0.25,
+        )
+    }  # fmt: skip
+    model.machines = {
+        "reading-modes": StateMachine(
+            "reading-modes", "Reading modes", "reading-modes", "RC", {"RC": "RC"},
+            [Transition("RC", "newMessage", "", "RC", "read", Place("design/fsm/a.toml", 3))],
+            Place("design/fsm/a.toml", 1),
+        )
+    }  # fmt: skip
+    place = Place("src/main_control/MainController.cpp", 1)
+    model.uses = [Use("main_control", MODES, [place])]
+    model.allowed_uses = [AllowedUse("main_control", MODES, "it reads", place)]
+    model.architecture = [
+        ArchitectureElement(name, "controller", name, "Text.", ["RC"], place)
+        for name in ARCHITECTURE
+    ]
+    model.files = [f for m in model.modules.values() for f in (m.header, str(m.source))]
+    return model
+
+
+ARCHITECTURE = [
+    "clock-pulse",
+    "main-control",
+    "wheel-control",
+    "direction-control",
+    "wheel",
+    "steering-device",
+    "velocity-sensor",
+    "current-sensor",
+    "position-sensor",
+    "tension",
+    "steering-position",
+    "set-points",
+    "pipe",
+    "connect-pc-to-mcu",
+    "connect-mcu-to-pc",
+    "connect-buffer-to-mcu",
+]
+
+
+def make_module(name: str, logic: str, abstract: bool, bases: list[str]) -> Module:
+    header = f"src/{logic}/{name}.hpp"
+    source = f"src/{logic}/{name}.cpp"
+    method = Method(
+        f"{name}::read", name, "read", "void read(int order)", "public",
+        "pure" if abstract else "plain", Place(header, 6), Place(source, 3, 5),
+        brief="<p>Reads an order.</p>", params=[Param("order", "int", "<p>the order</p>")],
+        interrupt="no", documented=True,
+    )  # fmt: skip
+    return Module(
+        name, f"wr::{name}", logic, abstract, False, f"<p>The {name}.</p>",
+        "<p>Calls <code>RC::read</code> for FR-15.</p>", f"<p>The secret of {name}.</p>",
+        Place(header, 4), header, source, bases, methods=[method],
+    )  # fmt: skip
+
+
+def make_requirement() -> Requirement:
+    place = Place("design/trees/a.tree", 2)
+    child = TreeNode("RC::read", "RC", "read", "RC::read", "call", place, True, True)
+    child.trace_row = 2
+    root = TreeNode(
+        "MainController::read", "MainController", "read", "MainController::read", "root", place,
+        True, True, children=[child],
+    )  # fmt: skip
+    root.trace_row = 0
+    trace = [
+        TraceRow(0, "MainController::read", "MainController"),
+        TraceRow(1, "Pipe::read", None),
+        TraceRow(1, "RC::read", "RC"),
+    ]
+    return Requirement(
+        "FR-15", "<p>The system shall wait.</p>", "Reading", Place("requirements/a.dox", 5),
+        "<p>Why.</p>", "<p>The paper.</p>", "<p>Test.</p>", "high", ["RC::read"],
+        ["RcTest.Reads"], root, "RcTest.Reads", trace, 40, "verified",
+    )  # fmt: skip

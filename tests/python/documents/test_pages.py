@@ -1,0 +1,205 @@
+"""Pages made from a small model."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+import pytest
+
+from tests.python.documents.fixture import MODES, make_model, make_project
+from traceability.documents import diagrams, search
+from traceability.documents.build import SiteResult, build_site, source_of
+from traceability.documents.highlight import highlighted_lines
+from traceability.documents.links import Links
+from traceability.documents.names import Names
+from traceability.documents.pages import aligned, all_pages
+from traceability.documents.portal import CheckText, Portal
+from traceability.model.schema import Finding, Model, Place
+
+CHECKS = [CheckText("tree-static", "Calls are possible", "Each edge is a possible call.")]
+
+
+@pytest.fixture(scope="module")
+def portal(tmp_path_factory: pytest.TempPathFactory) -> Portal:
+    root = tmp_path_factory.mktemp("project")
+    return Portal(root, make_project(root), [], CHECKS)
+
+
+@pytest.fixture(scope="module")
+def pages(portal: Portal) -> dict[str, str]:
+    return {page.name: page.body for page in all_pages(portal)}
+
+
+def test_every_element_has_a_page(pages: dict[str, str]) -> None:
+    wanted = {
+        "index", "structure", "modules/RC", "modules/Mode", "patterns/reading-modes",
+        "requirements/FR-15", "checks/tree-static", f"source/src/{MODES}/RC.cpp", "tests",
+        "machines", "uses", "trees", "architecture", "guide", "interfaces", "datatypes",
+    }  # fmt: skip
+    assert wanted <= pages.keys()
+
+
+def test_a_module_page_has_its_secret_caller_role_requirement_and_test(
+    pages: dict[str, str],
+) -> None:
+    page = pages["modules/RC"]
+    for part in ("The secret of RC", "MainController</tspan>", "Concrete State", "FR-15", "Reads"):
+        assert part in page
+
+
+def test_a_result_of_this_run_is_shown_and_a_stale_one_is_not(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
+    fresh = {p.name: p.body for p in all_pages(Portal(tmp_path, model, [], CHECKS))}
+    stale_model = dataclasses.replace(model, results_hash="older")
+    stale = {p.name: p.body for p in all_pages(Portal(tmp_path, stale_model, [], CHECKS))}
+    assert "1 of 1 passed" in fresh["tests"]
+    assert "older than the sources" not in fresh["tests"]
+    assert "1 of 1 passed" not in stale["tests"]
+    assert "older than the sources" in stale["tests"]
+
+
+def test_a_node_lies_on_the_row_of_the_call_that_it_matches(portal: Portal) -> None:
+    rows = aligned(portal, portal.model.requirements["FR-15"])
+    found = [(row.node.label if row.node else "", row.call) for row in rows]
+    assert found == [
+        ("MainController::read", "MainController::read"),
+        ("", "Pipe::read"),
+        ("RC::read", "RC::read"),
+    ]
+    assert rows[1].trunks == [0]
+
+
+def test_a_node_without_a_match_has_a_row_of_its_own(portal: Portal) -> None:
+    requirement = make_model().requirements["FR-15"]
+    assert requirement.tree is not None
+    requirement.tree.children[0].trace_row = None
+    rows = aligned(portal, requirement)
+    assert [(row.node.label if row.node else "", row.call) for row in rows][1] == ("RC::read", "")
+
+
+def test_links_of_a_page_fit_its_depth(portal: Portal) -> None:
+    page = next(page for page in all_pages(portal) if page.name == f"source/src/{MODES}/RC.cpp")
+    text = source_of(page)
+    assert "@/" not in text.partition("\n")[2].replace("@/**", "")
+    assert '"../../../../modules/RC.html' in text
+
+
+def test_names_are_written_as_in_the_paper(portal: Portal) -> None:
+    names = portal.names
+    assert 'class="mod a"' in names.mod("Mode")
+    assert 'class="mod c"' in names.mod("RC")
+    assert "<a" not in names.mod("Nothing")
+
+
+def test_texts_link_the_names_in_them(portal: Portal) -> None:
+    text = portal.names.text("<p>Calls <code>RC::read</code> of MainController for FR-15.</p>")
+    for target in ("modules/RC.html#m-read", "modules/MainController.html", "requirements/FR-15"):
+        assert target in text
+
+
+def test_a_view_without_content_has_no_key(portal: Portal) -> None:
+    keys = portal.names.keys("Mode")
+    assert "#tests" not in keys
+    assert "#patterns" in keys
+
+
+def test_an_inherited_method_is_found_at_its_heir() -> None:
+    model = make_model()
+    model.modules["RC"].methods = []
+    links = Links(model, set())
+    assert links.method("RC::read") == "@/modules/Mode.html#m-read"
+    assert Names(model, links).meth("RC::read").count("modules/Mode.html") == 1
+
+
+def test_a_diagram_shows_roles_and_uses_only_variables_for_colours(portal: Portal) -> None:
+    svg = portal.diagrams["pattern-reading-modes"]
+    assert "Concrete State" in svg
+    assert 'href="@/modules/RC.html"' in svg
+    assert "#FA" not in svg
+    assert "var(--role-concrete)" in svg
+
+
+def test_a_diagram_that_cannot_be_drawn_is_an_error(tmp_path: Path) -> None:
+    broken = diagrams.Diagram("broken", "Broken", "@startuml\nclass {{{ \n@enduml")
+    with pytest.raises(diagrams.DiagramError):
+        diagrams.draw([broken], tmp_path)
+
+
+def test_highlighted_lines_keep_the_text() -> None:
+    text = '/* two\nlines */ const char* a = "<b>";\n'
+    lines = highlighted_lines("a.cpp", text)
+    assert len(lines) == 2
+    assert all(line.count("<span") == line.count("</span>") for line in lines)
+    assert "&lt;b&gt;" in lines[1]
+
+
+def test_the_index_holds_every_kind(portal: Portal) -> None:
+    groups = {entry[0] for entry in search.entries(portal)}
+    assert {"Modules", "Methods", "Requirements", "Tests", "Checks", "Source", "Pages"} <= groups
+
+
+@pytest.fixture
+def site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[Path, Model]:
+    monkeypatch.setattr("traceability.documents.build.check_texts", lambda: CHECKS)
+    return tmp_path, make_project(tmp_path)
+
+
+def build(site: tuple[Path, Model], findings: list[Finding] | None = None) -> SiteResult:
+    return build_site(site[0], site[1], findings or [])
+
+
+def test_the_site_is_built_without_warnings(site: tuple[Path, Model]) -> None:
+    result = build(site)
+    assert result.warnings == []
+    assert (site[0] / "build/site/docs/tour.html").read_text().count("modules/RC.html") >= 2
+    assert result.pages == len(list((site[0] / "build/site").rglob("*.html")))
+
+
+def test_an_unknown_name_in_a_hand_written_page_is_found_in_each_run(
+    site: tuple[Path, Model],
+) -> None:
+    page = site[0] / "docs" / "tour.rst"
+    page.write_text("Tour\n====\n\nText.\n\nSee :module:`Nobody` and :ref:`nowhere`.\n")
+    for _ in range(2):
+        warnings = build(site).warnings
+        assert {(w.place.file, w.place.line, w.check) for w in warnings} == {
+            ("docs/tour.rst", 6, "link-doc")
+        }
+        assert len(warnings) == 2
+
+
+def test_a_second_run_writes_nothing_and_a_change_only_its_pages(
+    site: tuple[Path, Model],
+) -> None:
+    build(site)
+    html = site[0] / "build" / "site"
+
+    def state() -> dict[str, int]:
+        return {str(p.relative_to(html)): p.stat().st_mtime_ns for p in html.rglob("*.html")}
+
+    before = state()
+    build(site)
+    assert {name for name, when in state().items() if before[name] != when} == {"docs/tour.html"}
+    site[1].modules["RC"].methods[0].brief = "<p>Takes an order.</p>"
+    build(site)
+    changed = {name for name, when in state().items() if before[name] != when}
+    assert "modules/RC.html" in changed
+    assert "modules/MainController.html" not in changed
+
+
+def test_the_page_of_a_removed_module_is_removed(site: tuple[Path, Model]) -> None:
+    build(site)
+    module = site[1].modules.pop("RC")
+    site[1].patterns["reading-modes"].roles = []
+    site[1].machines.clear()
+    build(site)
+    assert not (site[0] / "build/site/modules" / f"{module.name}.html").exists()
+
+
+def test_a_finding_is_shown_on_its_check(site: tuple[Path, Model]) -> None:
+    finding = Finding(Place(f"src/{MODES}/RC.cpp", 4), "tree-static", "no call", "add the call")
+    build(site, [finding])
+    page = (site[0] / "build/site/checks/tree-static.html").read_text()
+    assert "no call" in page
+    assert "RC.cpp.html#L4" in page

@@ -1,0 +1,159 @@
+"""Pages in a browser: no error, no sideways scroll, search and theme answer."""
+
+from __future__ import annotations
+
+import functools
+import html
+import json
+import re
+import shutil
+import subprocess
+import threading
+from collections.abc import Iterator
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.python.documents.fixture import MODES, make_project
+from traceability.documents import build
+from traceability.documents.portal import CheckText
+
+BROWSER = next(
+    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), ""
+)
+PAGES = [
+    "index", "structure", "guide", "interfaces", "datatypes", "machines", "uses", "trees", "tests",
+    "architecture", "modules/RC", "modules/MainController", "patterns/index",
+    "patterns/reading-modes", "requirements/index", "requirements/FR-15", "checks/index",
+    "checks/tree-static", "source/index", f"source/src/{MODES}/RC.cpp", "docs/tour",
+]  # fmt: skip
+
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.skipif(not BROWSER, reason="there is no browser on this machine"),
+]
+
+# A page that opens others in a frame, one after the other, and writes down what it sees.
+HARNESS = """<!doctype html><title>probe</title><body><pre id="out"></pre><script>
+const pages = %PAGES%, width = %WIDTH%, seen = {};
+const frame = document.createElement("iframe");
+frame.style.cssText = `width:${width}px;height:900px;border:0`;
+document.body.append(frame);
+function next() {
+  const name = pages.shift();
+  if (!name) { document.getElementById("out").textContent = JSON.stringify(seen); return; }
+  frame.onload = () => setTimeout(() => { seen[name] = probe(frame.contentWindow); next(); }, 30);
+  frame.src = name + ".html%QUERY%";
+}
+function probe(view) { const doc = view.document; %PROBE% }
+next();
+</script>"""
+
+
+class QuietHandler(SimpleHTTPRequestHandler):
+    def log_message(self, *_arguments: Any) -> None:
+        """The tests look at the pages, not at the requests."""
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Path]]:
+    root = tmp_path_factory.mktemp("project")
+    checks = [CheckText("tree-static", "Calls are possible", "Each edge is a possible call.")]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(build, "check_texts", lambda: checks)
+        build.build_site(root, make_project(root), [])
+    site = root / "build" / "site"
+    handler = functools.partial(QuietHandler, directory=str(site))
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as http:
+        threading.Thread(target=http.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{http.server_port}", site
+        http.shutdown()
+
+
+def look(
+    server: tuple[str, Path], pages: list[str], probe: str, *, width: int = 1200, query: str = ""
+) -> tuple[dict[str, Any], list[str]]:
+    """What the probe returns for each page, and the errors on the console."""
+    address, site = server
+    page = HARNESS.replace("%PAGES%", json.dumps(pages)).replace("%WIDTH%", str(width))
+    page = page.replace("%QUERY%", query).replace("%PROBE%", probe)
+    (site / "probe.html").write_text(page, encoding="utf-8")
+    options = ["--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr"]
+    timing = ["--virtual-time-budget=60000", "--dump-dom"]
+    command = [BROWSER, *options, *timing, f"{address}/probe.html"]
+    run = subprocess.run(command, capture_output=True, text=True, timeout=120, check=True)
+    match = re.search(r'<pre id="out">(.*?)</pre>', run.stdout, re.DOTALL)
+    assert match and match[1], f"the probe did not end: {run.stderr[-2000:]}"
+    errors = [line for line in run.stderr.splitlines() if "CONSOLE" in line]
+    return json.loads(html.unescape(match[1])), errors
+
+
+def test_pages_open_without_an_error(server: tuple[str, Path]) -> None:
+    seen, errors = look(server, PAGES, "return [doc.title, doc.querySelectorAll('h1').length];")
+    assert errors == []
+    assert seen.keys() == set(PAGES)
+    assert {name: heads for name, (_, heads) in seen.items() if heads != 1} == {}
+    assert all(title.endswith("Weeding robot") for title, _ in seen.values())
+
+
+@pytest.mark.parametrize("width", [390, 768])
+def test_no_page_scrolls_sideways(server: tuple[str, Path], width: int) -> None:
+    probe = "return doc.documentElement.scrollWidth;"
+    seen, _ = look(server, PAGES, probe, width=width)
+    assert {name: wide for name, wide in seen.items() if wide > width} == {}
+
+
+def test_the_search_finds_modules_and_requirements(server: tuple[str, Path]) -> None:
+    probe = "return [...doc.querySelectorAll('.hits a')].map((hit) => hit.getAttribute('href'));"
+    seen, _ = look(server, ["modules/RC"], probe, query="?q=FR-15")
+    assert seen["modules/RC"][0] == "../requirements/FR-15.html"
+    seen, _ = look(server, ["index"], probe, query="?q=mode")
+    assert seen["index"][0] == "modules/Mode.html"
+
+
+def test_the_theme_button_changes_the_colours(server: tuple[str, Path]) -> None:
+    probe = (
+        "const ground = () => view.getComputedStyle(doc.body).backgroundColor, found = [];"
+        "const button = doc.querySelector('.theme');"
+        "for (let i = 0; i < 3; i += 1) { button.click();"
+        " found.push([doc.documentElement.dataset.theme || 'auto', ground()]); }"
+        "return found;"
+    )
+    seen, _ = look(server, ["index"], probe)
+    grounds = dict(seen["index"])
+    assert grounds.keys() == {"auto", "light", "dark"}
+    assert grounds["light"] != grounds["dark"]
+
+
+def test_a_letter_on_a_name_opens_that_view(server: tuple[str, Path]) -> None:
+    probe = (
+        "const name = doc.querySelector('a.mod[data-m=RC]'); name.focus();"
+        "const key = (k) => name.dispatchEvent("
+        "new view.KeyboardEvent('keydown', {key: k, bubbles: true, cancelable: true}));"
+        "return [key('t'), key('x')];"
+    )
+    seen, _ = look(server, ["structure"], probe)
+    assert seen["structure"] == [False, True]
+
+
+def test_a_card_shows_the_secret(server: tuple[str, Path]) -> None:
+    probe = (
+        "const name = doc.querySelector('a.mod[data-m=RC]');"
+        "name.matches = () => true; name.focus();"
+        "name.dispatchEvent(new view.FocusEvent('focusin', {bubbles: true}));"
+        "const card = doc.querySelector('.card'); return card && card.textContent;"
+    )
+    seen, _ = look(server, ["structure"], probe)
+    assert "The secret of RC" in (seen["structure"] or "")
+
+
+def test_pages_ask_no_other_server(server: tuple[str, Path]) -> None:
+    outside = re.compile(r'(?:src|href)="(?:https?:)?//')
+    found = [
+        path.name
+        for path in server[1].rglob("*.html")
+        if path.name != "probe.html" and outside.search(path.read_text(encoding="utf-8"))
+    ]
+    assert found == []
