@@ -18,7 +18,7 @@ namespace wr {
 /// @patternapp{pool-construction, Builder, Building a control system pool}
 /// @why The pool that the main controller orders holds several control systems. Whoever uses the pool
 /// needs not to know how it comes to them.
-/// @changes New control systems may have to be added to the pool\, without change to the main controller.
+/// @changes New control systems may have to be added to the pool, without change to the main controller.
 class ControlSystemPoolBuilder {
  public:
   /// @brief Makes a builder that has built nothing.

@@ -17,8 +17,8 @@ class MainController;
 ///
 /// @patternapp{cycle-timer-interrupt, Command, Process timer interruptions for the main controller}
 /// @why The interrupt of a timer marks the beginning of each control cycle. The vector executes a command
-/// object\, so the interrupt names no module of the application.
-/// @changes The actions at the beginning of a cycle\, or the modules that they affect\, may change without
+/// object, so the interrupt names no module of the application.
+/// @changes The actions at the beginning of a cycle, or the modules that they affect, may change without
 /// change to the timer.
 class ControllerTimeOut final : public Command {
  public:

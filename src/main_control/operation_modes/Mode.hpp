@@ -26,8 +26,8 @@ enum class ModeId : std::uint8_t {
 ///
 /// @patternapp{reading-modes, State, Reading modes}
 /// @why How an order is read depends on whether the system takes orders from the PC or from the remote
-/// control. Each mode is a state\, so no other module asks which mode it is.
-/// @changes The way a mode reads may change. A new source of orders\, such as a Bluetooth device\, is a
+/// control. Each mode is a state, so no other module asks which mode it is.
+/// @changes The way a mode reads may change. A new source of orders, such as a Bluetooth device, is a
 /// new heir of this class and touches no other module of Main Control.
 class Mode {
  public:

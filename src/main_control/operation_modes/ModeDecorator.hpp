@@ -14,7 +14,7 @@ namespace wr {
 /// @role{mode-extensions, Decorator}
 ///
 /// @patternapp{mode-extensions, Decorator, Operation modes as extensions of a basic task}
-/// @why The source of the orders determines the mode. Reading has the same basic actions in each mode\,
+/// @why The source of the orders determines the mode. Reading has the same basic actions in each mode,
 /// and each mode adds actions of its own to them.
 /// @changes What a mode adds to reading may change without change to the basic task. A new reading mode
 /// is one more decorator around it.

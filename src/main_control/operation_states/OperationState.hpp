@@ -27,13 +27,13 @@ enum class OperationStateId : std::uint8_t {
 /// @role{read-orders, Abstract Class}
 ///
 /// @patternapp{operation-states, State, Operation states of the main controller}
-/// @why What the main controller does\, and what it orders the control systems to do\, depends on its
+/// @why What the main controller does, and what it orders the control systems to do, depends on its
 /// operation state.
-/// @changes The behaviour of a state may change. A new state\, such as one that warns after some failed
-/// reads\, is a new heir of this class and leaves the other states as they are.
+/// @changes The behaviour of a state may change. A new state, such as one that warns after some failed
+/// reads, is a new heir of this class and leaves the other states as they are.
 ///
 /// @patternapp{read-orders, Template Method, Read orders in the operation states}
-/// @why Reading an order has the same steps in every state: ask for a message\, then act with it or
+/// @why Reading an order has the same steps in every state: ask for a message, then act with it or
 /// without it. Only the two actions differ.
 /// @changes How one state acts with or without a message may change without change to the steps.
 class OperationState {
