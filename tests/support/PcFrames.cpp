@@ -141,7 +141,7 @@ std::vector<Bytes> bodies(std::span<const std::uint8_t> line) {
                                          (body[body.size() - 2] | (body.back() << 8))) {
       throw std::runtime_error("damaged frame");
     }
-    body.resize(body.size() - 2);
+    body.erase(body.end() - 2, body.end());
     result.push_back(std::move(body));
   }
   return result;
