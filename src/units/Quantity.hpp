@@ -26,7 +26,10 @@ class Quantity {
   [[nodiscard]] constexpr Rep count() const { return count_; }
 
   /// @brief Compares two quantities of one unit.
-  friend constexpr auto operator<=>(Quantity, Quantity) = default;
+  friend constexpr auto operator<=>(Quantity a, Quantity b) { return a.count_ <=> b.count_; }
+
+  /// @brief Tells whether two quantities of one unit are the same.
+  friend constexpr bool operator==(Quantity a, Quantity b) { return a.count_ == b.count_; }
 
   /// @brief Adds two quantities of one unit.
   friend constexpr Quantity operator+(Quantity a, Quantity b) {

@@ -54,7 +54,12 @@ class Instant {
   [[nodiscard]] constexpr std::uint64_t sinceStart() const { return sinceStart_; }
 
   /// @brief Compares two instants: the later one is greater.
-  friend constexpr auto operator<=>(Instant, Instant) = default;
+  friend constexpr auto operator<=>(Instant a, Instant b) {
+    return a.sinceStart_ <=> b.sinceStart_;
+  }
+
+  /// @brief Tells whether two instants are the same.
+  friend constexpr bool operator==(Instant a, Instant b) { return a.sinceStart_ == b.sinceStart_; }
 
   /// @brief Tells the duration from the second instant to the first.
   friend constexpr Microseconds operator-(Instant later, Instant earlier) {

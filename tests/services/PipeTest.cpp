@@ -47,6 +47,7 @@ TEST(Pipe, ReadsWholeValuesInOrder) {
   };
   constexpr std::uint64_t kLast = 100000;
   Pipe<Pair> pipe;
+  EXPECT_FALSE(pipe.read());
   std::thread writer([&] {
     for (std::uint64_t i = 1; i <= kLast; ++i) {
       pipe.write(Pair{i, ~i}, Instant(i));

@@ -1,8 +1,10 @@
-// Records which functions of the firmware each test calls. The build includes it only with WR_TRACE.
+// Records which functions of the firmware each test calls. The build includes it only with
+// WR_TRACE.
 //
-// Each test gives one file in the folder WR_TRACE_DIR, named <suite>.<test>.bin, with one little-endian
-// number of 64 bits for each event: the address of the function, with bit 63 set when the function
-// is left. After kMost events nothing more is recorded, and a file <suite>.<test>.truncated says so.
+// Each test gives one file in the folder WR_TRACE_DIR, named <suite>.<test>.bin, with one
+// little-endian number of 64 bits for each event: the address of the function, with bit 63 set when
+// the function is left. After kMost events nothing more is recorded, and a file
+// <suite>.<test>.truncated says so.
 
 #include <gtest/gtest.h>
 
@@ -71,7 +73,11 @@ const bool registered = [] {
 
 extern "C" {
 
-void __cyg_profile_func_enter(void* function, void* /*callSite*/) { record(function, 0); }
+void __cyg_profile_func_enter(void* function, void* /*callSite*/) {
+  record(function, 0);
+}
 
-void __cyg_profile_func_exit(void* function, void* /*callSite*/) { record(function, kExit); }
+void __cyg_profile_func_exit(void* function, void* /*callSite*/) {
+  record(function, kExit);
+}
 }

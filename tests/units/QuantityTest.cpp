@@ -1,7 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <concepts>
+#include <optional>
 
+#include "support/difference.hpp"
+#include "units/Measurements.hpp"
+#include "units/SetPoints.hpp"
 #include "units/quantities.hpp"
 
 namespace wr {
@@ -30,6 +35,30 @@ TEST(Instant, Computes) {
   EXPECT_EQ(start + Microseconds(-1), Instant(999));
   EXPECT_EQ(Instant(999) - start, Microseconds(-1));
   EXPECT_GT(Instant(1001), start);
+}
+
+/// @brief Set-points are the same only when each of their values is the same.
+TEST(SetPoints, DifferInEachValue) {
+  test::expectDifference(&WheelSetPoint::quantity, WheelQuantity::Current, &WheelSetPoint::value,
+                         std::int16_t{1});
+  test::expectDifference(
+      &SetPoints::orderId, std::uint16_t{1}, &SetPoints::steering, Angle(1), &SetPoints::wheels,
+      std::array<WheelSetPoint, kWheelCount>{WheelSetPoint{WheelQuantity::Velocity, 1}});
+}
+
+/// @brief Measurements and outputs are the same only when each of their values is; a value of zero is
+/// not the same as a missing one.
+/// @verifies FR-62
+TEST(Measurements, FR62_ZeroIsNotMissing) {
+  WheelMeasurements wheel;
+  wheel.velocity = Velocity(0);
+  test::expectDifference(&WheelMeasurements::velocity, Velocity(0), &WheelMeasurements::current,
+                         Current(0), &WheelMeasurements::position, HallCount(0));
+  test::expectDifference(&Measurements::wheels, std::array<WheelMeasurements, kWheelCount>{wheel},
+                         &Measurements::steering, Angle(0));
+  test::expectDifference(&Outputs::tensions,
+                         std::array<std::optional<Tension>, kWheelCount>{Tension(0)},
+                         &Outputs::turn, std::int8_t{0});
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ enum class FrameType : std::uint8_t {
 /// @brief A frame without what the line needs to carry it.
 /// @datatype
 struct Frame {
-  FrameType type{};                         ///< what the payload is; may be a type without a name
+  FrameType type = FrameType::Hello;        ///< what the payload is; may be a type without a name
   std::uint8_t sequence = 0;                ///< number that the sender gave to the frame
   std::span<const std::uint8_t> payload{};  ///< the bytes that the frame carries
 };

@@ -48,11 +48,8 @@ enum class FieldName : std::uint8_t {
 /// @brief Name of one field.
 /// @datatype
 struct Field {
-  FieldName name;         ///< what the field means
+  FieldName name{};       ///< what the field means
   std::size_t index = 0;  ///< which wheel, or which element of a field that has several
-
-  /// @brief Tells whether two names are the same.
-  friend constexpr bool operator==(const Field&, const Field&) = default;
 };
 
 }  // namespace wr

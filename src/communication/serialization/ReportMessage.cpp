@@ -10,10 +10,10 @@ namespace wr {
 
 namespace {
 
-constexpr std::uint8_t kStopFlag = 1;
-constexpr std::uint8_t kOrderReadFlag = 2;
-constexpr std::uint8_t kHeldFlag = 4;
-constexpr std::uint8_t kOverranFlag = 8;
+constexpr std::uint32_t kStopFlag = 1;
+constexpr std::uint32_t kOrderReadFlag = 2;
+constexpr std::uint32_t kHeldFlag = 4;
+constexpr std::uint32_t kOverranFlag = 8;
 
 constexpr std::uint64_t kMicrosecondsPerMillisecond = 1000;
 
@@ -33,8 +33,8 @@ constexpr std::uint32_t tensionBit(std::size_t wheel) {
 }
 constexpr std::uint32_t kTurnBit = 1U << 4U;
 
-std::uint8_t bitIf(bool condition, std::uint8_t bit) {
-  return condition ? bit : std::uint8_t{0};
+std::uint32_t bitIf(bool condition, std::uint32_t bit) {
+  return condition ? bit : 0;
 }
 
 std::int16_t nearestI16(std::int32_t value) {
@@ -92,7 +92,7 @@ void readCycle(Reader& reader, ReportData& data) {
   data.operationState = reader.readU8({FieldName::OperationState});
   data.readingMode = reader.readU8({FieldName::ReadingMode});
   data.source = reader.readU8({FieldName::Source});
-  const std::uint8_t bits = reader.readU8({FieldName::Flags});
+  const std::uint32_t bits = reader.readU8({FieldName::Flags});
   data.stop = (bits & kStopFlag) != 0;
   data.orderRead = (bits & kOrderReadFlag) != 0;
   data.held = (bits & kHeldFlag) != 0;

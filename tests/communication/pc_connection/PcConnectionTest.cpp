@@ -100,8 +100,8 @@ TEST_F(PcConnectionTest, FR31_IsDisconnectedAfterStart) {
 TEST_F(PcConnectionTest, FR30_WelcomeHoldsWhatThePcMustKnow) {
   send(kHello);
   ASSERT_EQ(sent().size(), 1U);
-  Bytes expected{1, kWelcome, 0, 1, firmwareIdentity.major, firmwareIdentity.minor,
-                 firmwareIdentity.patch};
+  Bytes expected{
+      1, kWelcome, 0, 1, firmwareIdentity.major, firmwareIdentity.minor, firmwareIdentity.patch};
   expected.insert(expected.end(), firmwareIdentity.buildId.begin(), firmwareIdentity.buildId.end());
   expected.insert(expected.end(), {100, 0, 4});
   EXPECT_EQ(sent().front(), test::withCrc(expected));
@@ -527,7 +527,8 @@ TEST_F(PcConnectionTest, FR64_AReportThatFitsInNoFrameIsDroppedAndCounted) {
   };
   handshake();
   const std::size_t before = port.sent.size();
-  expectCounted(&LinkCounts::reportsNotSent, 1, [&] { EXPECT_FALSE(connection.sendReport(Large())); });
+  expectCounted(&LinkCounts::reportsNotSent, 1,
+                [&] { EXPECT_FALSE(connection.sendReport(Large())); });
   EXPECT_EQ(port.sent.size(), before);
 }
 

@@ -86,8 +86,7 @@ TEST(OrderMessage, IsReadAsItWasWritten) {
   const OrderMessage order(setPoints, true);
   SerialWriter writer;
   ASSERT_TRUE(order.writeTo(writer));
-  EXPECT_THAT(writer.bytes(),
-              testing::ElementsAreArray(test::orderBytes(0x1234, -7, 2, -9999, 1)));
+  EXPECT_THAT(writer.bytes(), testing::ElementsAreArray(test::orderBytes(0x1234, -7, 2, -9999, 1)));
 
   test::FakeTimebase clock;
   SerialReader reader(clock);

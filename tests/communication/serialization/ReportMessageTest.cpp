@@ -8,6 +8,7 @@
 
 #include "communication/serialization/SerialWriter.hpp"
 #include "support/LineBytes.hpp"
+#include "support/difference.hpp"
 #include "support/seed.hpp"
 
 namespace wr {
@@ -113,6 +114,35 @@ ReportData randomData(std::mt19937& random) {
   return data;
 }
 
+/// @brief Two reports tell the same only when each of their values is the same.
+TEST(ReportData, DiffersInEachValue) {
+  SetPoints setPoints;
+  setPoints.orderId = 1;
+  Measurements measurements;
+  measurements.steering = Angle(0);
+  Outputs outputs;
+  outputs.turn = 0;
+  LinkCounts link;
+  link.damaged = 1;
+  test::expectDifference(&ReportData::cycle, 1U, &ReportData::time, Instant(1),
+                         &ReportData::operationState, std::uint8_t{1}, &ReportData::readingMode,
+                         std::uint8_t{1}, &ReportData::source, std::uint8_t{1}, &ReportData::stop,
+                         true, &ReportData::orderRead, true, &ReportData::held, true,
+                         &ReportData::overran, true, &ReportData::setPoints, setPoints,
+                         &ReportData::measurements, measurements, &ReportData::outputs, outputs,
+                         &ReportData::overruns, std::uint16_t{1}, &ReportData::link, link);
+}
+
+/// @brief Two sets of counts are the same only when each count is the same.
+TEST(LinkCounts, DifferInEachCount) {
+  constexpr std::uint16_t kOne = 1;
+  test::expectDifference(&LinkCounts::lostBytes, kOne, &LinkCounts::damaged, kOne,
+                         &LinkCounts::tooLong, kOne, &LinkCounts::unknownVersion, kOne,
+                         &LinkCounts::unknownType, kOne, &LinkCounts::wrongLength, kOne,
+                         &LinkCounts::outOfRange, kOne, &LinkCounts::unexpected, kOne,
+                         &LinkCounts::sequenceGaps, kOne, &LinkCounts::reportsNotSent, kOne);
+}
+
 /// @brief A report without content has 96 bytes, and all values are marked as missing.
 /// @verifies FR-62
 TEST(ReportMessage, FR62_AnEmptyReportMarksAllValuesAsMissing) {
@@ -174,9 +204,9 @@ TEST(ReportMessage, FR62_TheTurnDirectionHasItsBit) {
 /// @verifies FR-61
 TEST(ReportMessage, FR61_EachFlagHasItsBit) {
   const std::vector<std::pair<bool ReportData::*, int>> flags{{&ReportData::stop, 1},
-                                                             {&ReportData::orderRead, 2},
-                                                             {&ReportData::held, 4},
-                                                             {&ReportData::overran, 8}};
+                                                              {&ReportData::orderRead, 2},
+                                                              {&ReportData::held, 4},
+                                                              {&ReportData::overran, 8}};
   for (const auto& [flag, bit] : flags) {
     ReportData data;
     data.*flag = true;

@@ -18,8 +18,8 @@ TEST(SerialWriter, FR40_NumbersAreLittleEndian) {
   writer.writeU32({FieldName::Cycle}, 0x89ABCDEF);
   writer.writeI32({FieldName::WheelPosition}, -3);
   EXPECT_TRUE(writer.finish());
-  EXPECT_THAT(writer.bytes(), ElementsAre(0xAB, 0x34, 0x12, 0xFE, 0xFF, 0xEF, 0xCD, 0xAB, 0x89, 0xFD,
-                                          0xFF, 0xFF, 0xFF));
+  EXPECT_THAT(writer.bytes(), ElementsAre(0xAB, 0x34, 0x12, 0xFE, 0xFF, 0xEF, 0xCD, 0xAB, 0x89,
+                                          0xFD, 0xFF, 0xFF, 0xFF));
 }
 
 /// @brief A cleared writer begins anew.
