@@ -41,7 +41,8 @@ void MainControllerBuilder::buildConnection() {
 }
 
 void MainControllerBuilder::buildModes() {
-  require(readers_.has_value() && link_.has_value(), AssertId::PartMissing);
+  require(readers_.has_value(), AssertId::PartMissing);
+  require(link_.has_value(), AssertId::PartMissing);
   modes_.emplace(*readers_, link_->connection);
 }
 
@@ -50,7 +51,9 @@ void MainControllerBuilder::buildStates() {
 }
 
 void MainControllerBuilder::buildController(ControlSystemPool& systems) {
-  require(link_.has_value() && modes_.has_value() && states_.has_value(), AssertId::PartMissing);
+  require(link_.has_value(), AssertId::PartMissing);
+  require(modes_.has_value(), AssertId::PartMissing);
+  require(states_.has_value(), AssertId::PartMissing);
   controller_.emplace(MainController::Parts{.thread = devices_.thread,
                                             .timebase = devices_.timebase,
                                             .data = data_,

@@ -122,7 +122,7 @@ class Comparison {
   void sequence() {
     Runs rc(oneIn(2), 5, 12);
     Runs pc(oneIn(2), 5, 12);
-    const int length = number(6, 18);
+    const int length = number(5, 14);
     for (int i = 0; i < length && !testing::Test::HasFatalFailure(); ++i) {
       oneCycle(rc.next(random_), pc.next(random_));
     }
