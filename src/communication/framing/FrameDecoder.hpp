@@ -44,8 +44,21 @@ class FrameDecoder final {
   [[nodiscard]] Frame frame() const;
 
  private:
+  /// @brief Checks the bytes that were collected, as the frame has ended.
+  /// @return what has ended
+  /// @satisfies FR-41
+  /// @satisfies FR-42
+  /// @satisfies FR-43
   Decoded end();
+
+  /// @brief Turns the coded bytes into the body, in their place.
+  /// @return false when the COBS is bad
+  /// @satisfies FR-41
   bool removeStuffing();
+
+  /// @brief Tells whether the CRC at the end of the body is that of the bytes before.
+  /// @return true when it is
+  /// @satisfies FR-41
   [[nodiscard]] bool crcIsRight() const;
 
   std::array<std::uint8_t, kMaxBody + 1> bytes_{};  // coded, and after the end the body

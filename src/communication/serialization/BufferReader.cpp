@@ -92,7 +92,6 @@ bool BufferReader::finish() {
   return whole;
 }
 
-// All fields of one order come from one value of each signal, also when a signal changes meanwhile.
 void BufferReader::take() {
   if (!reading_) {
     velocity_ = velocitySignal_.read();

@@ -65,6 +65,9 @@ class BufferReader final : public Reader {
   bool finish() override;
 
  private:
+  /// @brief Takes one value of each signal at the first field of an order. All fields of the order come
+  /// from these values, also when a signal changes meanwhile.
+  /// @satisfies FR-51
   void take();
 
   Pipe<Velocity>& velocitySignal_;

@@ -66,12 +66,16 @@ class SerialReader final : public Reader {
   bool finish() override;
 
  private:
+  /// @brief An order, when it came, and whether it was read.
   struct Kept {
     std::array<std::uint8_t, kOrderLength> bytes{};
     Instant at{};
     bool unread = false;
   };
 
+  /// @brief Takes the next number out of the bytes of the order.
+  /// @param size size of the number [bytes]
+  /// @return the number; 0 when the order has no more bytes
   std::uint32_t next(std::size_t size);
 
   const Timebase& clock_;

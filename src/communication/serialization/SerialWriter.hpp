@@ -38,6 +38,9 @@ class SerialWriter final : public Writer {
   bool finish() override;
 
  private:
+  /// @brief Appends a number, all of it or, without room, nothing.
+  /// @param value the number
+  /// @param size size of the number [bytes]
   void put(std::uint32_t value, std::size_t size);
 
   std::array<std::uint8_t, kCapacity> bytes_{};
