@@ -142,6 +142,9 @@
   });
   all("[data-open]").forEach((control) => control.addEventListener("click", () => all(".tree details").forEach((part) => { part.open = control.dataset.open === "true"; })));
 
+  /* what scrolls can be scrolled from the keyboard */
+  all(".prose .highlight, .prose table").forEach((part) => { if (part.scrollWidth > part.clientWidth) part.tabIndex = 0; });
+
   /* an address with a hash opens what hides its target */
   function reveal() { const target = location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1))); for (let part = target; part; part = part.parentElement) if (part.tagName === "DETAILS") part.open = true; if (target) target.scrollIntoView(); }
   addEventListener("hashchange", reveal);
