@@ -31,8 +31,9 @@ Decoded FrameDecoder::push(std::uint8_t byte) {
 }
 
 Frame FrameDecoder::frame() const {
-  return Frame{static_cast<FrameType>(bytes_[kTypeAt]), bytes_[kSequenceAt],
-               std::span(bytes_).subspan(kPayloadAt, length_ - kMinBody)};
+  return {.type = static_cast<FrameType>(bytes_[kTypeAt]),
+          .sequence = bytes_[kSequenceAt],
+          .payload = std::span(bytes_).subspan(kPayloadAt, length_ - kMinBody)};
 }
 
 Decoded FrameDecoder::end() {

@@ -86,17 +86,18 @@ void PcConnection::welcome() {
                  : static_cast<std::uint8_t>(session_ + 1);
   const SystemConstants& constants = SystemConstants::instance();
   writer_.clear();
-  writer_.writeU8({FieldName::Session}, session_);
-  writer_.writeU8({FieldName::FirmwareVersion, 0}, firmwareIdentity.major);
-  writer_.writeU8({FieldName::FirmwareVersion, 1}, firmwareIdentity.minor);
-  writer_.writeU8({FieldName::FirmwareVersion, 2}, firmwareIdentity.patch);
+  writer_.writeU8({.name = FieldName::Session}, session_);
+  writer_.writeU8({.name = FieldName::FirmwareVersion, .index = 0}, firmwareIdentity.major);
+  writer_.writeU8({.name = FieldName::FirmwareVersion, .index = 1}, firmwareIdentity.minor);
+  writer_.writeU8({.name = FieldName::FirmwareVersion, .index = 2}, firmwareIdentity.patch);
   for (std::size_t i = 0; i < firmwareIdentity.buildId.size(); ++i) {
-    writer_.writeU8({FieldName::BuildId, i},
+    writer_.writeU8({.name = FieldName::BuildId, .index = i},
                     static_cast<std::uint8_t>(firmwareIdentity.buildId[i]));
   }
   const Microseconds inMilliseconds = constants.cyclePeriod() / milliseconds(1).count();
-  writer_.writeU16({FieldName::CyclePeriod}, static_cast<std::uint16_t>(inMilliseconds.count()));
-  writer_.writeU8({FieldName::WaitingCycles}, constants.waitingCycles());
+  writer_.writeU16({.name = FieldName::CyclePeriod},
+                   static_cast<std::uint16_t>(inMilliseconds.count()));
+  writer_.writeU8({.name = FieldName::WaitingCycles}, constants.waitingCycles());
   send(FrameType::Welcome);
 }
 
@@ -177,7 +178,7 @@ void PcConnection::noteAccepted(const Frame& frame) {
 }
 
 bool PcConnection::send(FrameType type) {
-  const Frame frame{type, nextSent_, writer_.bytes()};
+  const Frame frame{.type = type, .sequence = nextSent_, .payload = writer_.bytes()};
   if (!port_.write(encoder_.encode(frame))) {
     return false;
   }

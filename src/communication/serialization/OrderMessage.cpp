@@ -37,26 +37,29 @@ bool OrderMessage::inRange() const {
 }
 
 bool OrderMessage::readFrom(Reader& reader) {
-  setPoints_.orderId = reader.readU16({FieldName::OrderId});
-  setPoints_.steering = Angle(reader.readI16({FieldName::Steering}));
+  setPoints_.orderId = reader.readU16({.name = FieldName::OrderId});
+  setPoints_.steering = Angle(reader.readI16({.name = FieldName::Steering}));
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    setPoints_.wheels[wheel].quantity =
-        static_cast<WheelQuantity>(reader.readU8({FieldName::WheelQuantity, wheel}));
-    setPoints_.wheels[wheel].value = reader.readI16({FieldName::WheelValue, wheel});
+    setPoints_.wheels[wheel].quantity = static_cast<WheelQuantity>(
+        reader.readU8({.name = FieldName::WheelQuantity, .index = wheel}));
+    setPoints_.wheels[wheel].value =
+        reader.readI16({.name = FieldName::WheelValue, .index = wheel});
   }
-  stop_ = reader.readU8({FieldName::Stop});
+  stop_ = reader.readU8({.name = FieldName::Stop});
   return reader.finish() && inRange();
 }
 
 bool OrderMessage::writeTo(Writer& writer) const {
-  writer.writeU16({FieldName::OrderId}, setPoints_.orderId);
-  writer.writeI16({FieldName::Steering}, static_cast<std::int16_t>(setPoints_.steering.count()));
+  writer.writeU16({.name = FieldName::OrderId}, setPoints_.orderId);
+  writer.writeI16({.name = FieldName::Steering},
+                  static_cast<std::int16_t>(setPoints_.steering.count()));
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    writer.writeU8({FieldName::WheelQuantity, wheel},
+    writer.writeU8({.name = FieldName::WheelQuantity, .index = wheel},
                    static_cast<std::uint8_t>(setPoints_.wheels[wheel].quantity));
-    writer.writeI16({FieldName::WheelValue, wheel}, setPoints_.wheels[wheel].value);
+    writer.writeI16({.name = FieldName::WheelValue, .index = wheel},
+                    setPoints_.wheels[wheel].value);
   }
-  writer.writeU8({FieldName::Stop}, stop_);
+  writer.writeU8({.name = FieldName::Stop}, stop_);
   return writer.finish();
 }
 

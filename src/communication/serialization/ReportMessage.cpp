@@ -77,22 +77,22 @@ std::uint8_t flags(const ReportData& data) {
 }
 
 void writeCycle(Writer& writer, const ReportData& data) {
-  writer.writeU32({FieldName::Cycle}, data.cycle);
-  writer.writeU32({FieldName::Time},
+  writer.writeU32({.name = FieldName::Cycle}, data.cycle);
+  writer.writeU32({.name = FieldName::Time},
                   static_cast<std::uint32_t>(data.time.sinceStart() / kMicrosecondsPerMillisecond));
-  writer.writeU8({FieldName::OperationState}, data.operationState);
-  writer.writeU8({FieldName::ReadingMode}, data.readingMode);
-  writer.writeU8({FieldName::Source}, data.source);
-  writer.writeU8({FieldName::Flags}, flags(data));
+  writer.writeU8({.name = FieldName::OperationState}, data.operationState);
+  writer.writeU8({.name = FieldName::ReadingMode}, data.readingMode);
+  writer.writeU8({.name = FieldName::Source}, data.source);
+  writer.writeU8({.name = FieldName::Flags}, flags(data));
 }
 
 void readCycle(Reader& reader, ReportData& data) {
-  data.cycle = reader.readU32({FieldName::Cycle});
-  data.time = Instant(reader.readU32({FieldName::Time}) * kMicrosecondsPerMillisecond);
-  data.operationState = reader.readU8({FieldName::OperationState});
-  data.readingMode = reader.readU8({FieldName::ReadingMode});
-  data.source = reader.readU8({FieldName::Source});
-  const std::uint32_t bits = reader.readU8({FieldName::Flags});
+  data.cycle = reader.readU32({.name = FieldName::Cycle});
+  data.time = Instant(reader.readU32({.name = FieldName::Time}) * kMicrosecondsPerMillisecond);
+  data.operationState = reader.readU8({.name = FieldName::OperationState});
+  data.readingMode = reader.readU8({.name = FieldName::ReadingMode});
+  data.source = reader.readU8({.name = FieldName::Source});
+  const std::uint32_t bits = reader.readU8({.name = FieldName::Flags});
   data.stop = (bits & kStopFlag) != 0;
   data.orderRead = (bits & kOrderReadFlag) != 0;
   data.held = (bits & kHeldFlag) != 0;
@@ -100,34 +100,38 @@ void readCycle(Reader& reader, ReportData& data) {
 }
 
 void writeSetPoints(Writer& writer, const SetPoints& setPoints) {
-  writer.writeU16({FieldName::OrderId}, setPoints.orderId);
-  writer.writeI16({FieldName::Steering}, nearestI16(setPoints.steering.count()));
+  writer.writeU16({.name = FieldName::OrderId}, setPoints.orderId);
+  writer.writeI16({.name = FieldName::Steering}, nearestI16(setPoints.steering.count()));
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    writer.writeU8({FieldName::WheelQuantity, wheel},
+    writer.writeU8({.name = FieldName::WheelQuantity, .index = wheel},
                    static_cast<std::uint8_t>(setPoints.wheels[wheel].quantity));
-    writer.writeI16({FieldName::WheelValue, wheel}, setPoints.wheels[wheel].value);
+    writer.writeI16({.name = FieldName::WheelValue, .index = wheel}, setPoints.wheels[wheel].value);
   }
 }
 
 void readSetPoints(Reader& reader, SetPoints& setPoints) {
-  setPoints.orderId = reader.readU16({FieldName::OrderId});
-  setPoints.steering = Angle(reader.readI16({FieldName::Steering}));
+  setPoints.orderId = reader.readU16({.name = FieldName::OrderId});
+  setPoints.steering = Angle(reader.readI16({.name = FieldName::Steering}));
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    setPoints.wheels[wheel].quantity =
-        static_cast<WheelQuantity>(reader.readU8({FieldName::WheelQuantity, wheel}));
-    setPoints.wheels[wheel].value = reader.readI16({FieldName::WheelValue, wheel});
+    setPoints.wheels[wheel].quantity = static_cast<WheelQuantity>(
+        reader.readU8({.name = FieldName::WheelQuantity, .index = wheel}));
+    setPoints.wheels[wheel].value = reader.readI16({.name = FieldName::WheelValue, .index = wheel});
   }
 }
 
 void writeMeasurements(Writer& writer, const Measurements& measurements) {
-  writer.writeI16({FieldName::SteeringPosition}, nearestI16(countOrZero(measurements.steering)));
+  writer.writeI16({.name = FieldName::SteeringPosition},
+                  nearestI16(countOrZero(measurements.steering)));
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
     const WheelMeasurements& measured = measurements.wheels[wheel];
-    writer.writeI16({FieldName::WheelVelocity, wheel}, nearestI16(countOrZero(measured.velocity)));
-    writer.writeI16({FieldName::WheelCurrent, wheel}, nearestI16(countOrZero(measured.current)));
-    writer.writeI32({FieldName::WheelPosition, wheel}, countOrZero(measured.position));
+    writer.writeI16({.name = FieldName::WheelVelocity, .index = wheel},
+                    nearestI16(countOrZero(measured.velocity)));
+    writer.writeI16({.name = FieldName::WheelCurrent, .index = wheel},
+                    nearestI16(countOrZero(measured.current)));
+    writer.writeI32({.name = FieldName::WheelPosition, .index = wheel},
+                    countOrZero(measured.position));
   }
-  writer.writeU16({FieldName::Measured}, measuredBits(measurements));
+  writer.writeU16({.name = FieldName::Measured}, measuredBits(measurements));
 }
 
 void readMeasurements(Reader& reader, Measurements& measurements) {
@@ -137,13 +141,13 @@ void readMeasurements(Reader& reader, Measurements& measurements) {
     std::int32_t position;
   };
   std::array<Raw, kWheelCount> raw{};
-  const std::int16_t steering = reader.readI16({FieldName::SteeringPosition});
+  const std::int16_t steering = reader.readI16({.name = FieldName::SteeringPosition});
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    raw[wheel].velocity = reader.readI16({FieldName::WheelVelocity, wheel});
-    raw[wheel].current = reader.readI16({FieldName::WheelCurrent, wheel});
-    raw[wheel].position = reader.readI32({FieldName::WheelPosition, wheel});
+    raw[wheel].velocity = reader.readI16({.name = FieldName::WheelVelocity, .index = wheel});
+    raw[wheel].current = reader.readI16({.name = FieldName::WheelCurrent, .index = wheel});
+    raw[wheel].position = reader.readI32({.name = FieldName::WheelPosition, .index = wheel});
   }
-  const std::uint32_t bits = reader.readU16({FieldName::Measured});
+  const std::uint32_t bits = reader.readU16({.name = FieldName::Measured});
   measurements.steering = validIf<Angle>((bits & kSteeringBit) != 0, steering);
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
     WheelMeasurements& measured = measurements.wheels[wheel];
@@ -155,20 +159,20 @@ void readMeasurements(Reader& reader, Measurements& measurements) {
 
 void writeOutputs(Writer& writer, const Outputs& outputs) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    writer.writeI16({FieldName::WheelTension, wheel},
+    writer.writeI16({.name = FieldName::WheelTension, .index = wheel},
                     nearestI16(countOrZero(outputs.tensions[wheel])));
   }
-  writer.writeU8({FieldName::Turn}, static_cast<std::uint8_t>(outputs.turn.value_or(0)));
-  writer.writeU8({FieldName::Applied}, appliedBits(outputs));
+  writer.writeU8({.name = FieldName::Turn}, static_cast<std::uint8_t>(outputs.turn.value_or(0)));
+  writer.writeU8({.name = FieldName::Applied}, appliedBits(outputs));
 }
 
 void readOutputs(Reader& reader, Outputs& outputs) {
   std::array<std::int16_t, kWheelCount> tensions{};
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    tensions[wheel] = reader.readI16({FieldName::WheelTension, wheel});
+    tensions[wheel] = reader.readI16({.name = FieldName::WheelTension, .index = wheel});
   }
-  const auto turn = static_cast<std::int8_t>(reader.readU8({FieldName::Turn}));
-  const std::uint32_t bits = reader.readU8({FieldName::Applied});
+  const auto turn = static_cast<std::int8_t>(reader.readU8({.name = FieldName::Turn}));
+  const std::uint32_t bits = reader.readU8({.name = FieldName::Applied});
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
     outputs.tensions[wheel] = validIf<Tension>((bits & tensionBit(wheel)) != 0, tensions[wheel]);
   }
@@ -181,27 +185,27 @@ struct CountField {
 };
 
 constexpr std::array kCountFields{
-    CountField{FieldName::LostBytes, &LinkCounts::lostBytes},
-    CountField{FieldName::Damaged, &LinkCounts::damaged},
-    CountField{FieldName::TooLong, &LinkCounts::tooLong},
-    CountField{FieldName::UnknownVersion, &LinkCounts::unknownVersion},
-    CountField{FieldName::UnknownType, &LinkCounts::unknownType},
-    CountField{FieldName::WrongLength, &LinkCounts::wrongLength},
-    CountField{FieldName::OutOfRange, &LinkCounts::outOfRange},
-    CountField{FieldName::Unexpected, &LinkCounts::unexpected},
-    CountField{FieldName::SequenceGaps, &LinkCounts::sequenceGaps},
-    CountField{FieldName::ReportsNotSent, &LinkCounts::reportsNotSent},
+    CountField{.name = FieldName::LostBytes, .count = &LinkCounts::lostBytes},
+    CountField{.name = FieldName::Damaged, .count = &LinkCounts::damaged},
+    CountField{.name = FieldName::TooLong, .count = &LinkCounts::tooLong},
+    CountField{.name = FieldName::UnknownVersion, .count = &LinkCounts::unknownVersion},
+    CountField{.name = FieldName::UnknownType, .count = &LinkCounts::unknownType},
+    CountField{.name = FieldName::WrongLength, .count = &LinkCounts::wrongLength},
+    CountField{.name = FieldName::OutOfRange, .count = &LinkCounts::outOfRange},
+    CountField{.name = FieldName::Unexpected, .count = &LinkCounts::unexpected},
+    CountField{.name = FieldName::SequenceGaps, .count = &LinkCounts::sequenceGaps},
+    CountField{.name = FieldName::ReportsNotSent, .count = &LinkCounts::reportsNotSent},
 };
 
 void writeCounts(Writer& writer, const LinkCounts& counts) {
   for (const CountField& field : kCountFields) {
-    writer.writeU16({field.name}, counts.*field.count);
+    writer.writeU16({.name = field.name}, counts.*field.count);
   }
 }
 
 void readCounts(Reader& reader, LinkCounts& counts) {
   for (const CountField& field : kCountFields) {
-    counts.*field.count = reader.readU16({field.name});
+    counts.*field.count = reader.readU16({.name = field.name});
   }
 }
 
@@ -214,7 +218,7 @@ bool ReportMessage::readFrom(Reader& reader) {
   readSetPoints(reader, data_.setPoints);
   readMeasurements(reader, data_.measurements);
   readOutputs(reader, data_.outputs);
-  data_.overruns = reader.readU16({FieldName::Overruns});
+  data_.overruns = reader.readU16({.name = FieldName::Overruns});
   readCounts(reader, data_.link);
   return reader.finish();
 }
@@ -224,7 +228,7 @@ bool ReportMessage::writeTo(Writer& writer) const {
   writeSetPoints(writer, data_.setPoints);
   writeMeasurements(writer, data_.measurements);
   writeOutputs(writer, data_.outputs);
-  writer.writeU16({FieldName::Overruns}, data_.overruns);
+  writer.writeU16({.name = FieldName::Overruns}, data_.overruns);
   writeCounts(writer, data_.link);
   return writer.finish();
 }
