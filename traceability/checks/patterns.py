@@ -5,6 +5,7 @@ from __future__ import annotations
 from traceability.checks.shapes import CLAUSES, Shape
 from traceability.model.annotations import Text
 from traceability.model.build import Facts, comment_places
+from traceability.model.declared import ClauseText
 from traceability.model.schema import (
     Clause,
     Finding,
@@ -22,7 +23,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
     for application in model.patterns.values():
         found += _known(application, facts)
         found += _missing_roles(application, model, facts)
-        found += _clauses(application, facts)
+        found += _clauses(application, model, facts)
     return found
 
 
@@ -132,7 +133,7 @@ def _heirs(model: Model) -> list[Finding]:
     return list(found.values())
 
 
-def _clauses(application: PatternApplication, facts: Facts) -> list[Finding]:
+def _clauses(application: PatternApplication, model: Model, facts: Facts) -> list[Finding]:
     """Decides every clause of the pattern, and leaves the result in the application."""
     found: list[Finding] = []
     application.clauses = []
@@ -141,10 +142,19 @@ def _clauses(application: PatternApplication, facts: Facts) -> list[Finding]:
         if clause.pattern != application.pattern:
             continue
         broken = list({(p.file, p.line, t): (p, t) for p, t in CLAUSES[clause.id](shape)}.values())
-        places = [Place(place.file, place.line) for place, _ in broken]
+        places = [place for place, _ in broken] or _about(application, clause, model)
         application.clauses.append(Clause(clause.id, clause.says, not broken, places))
         found += [
             Finding(place, clause.id, f"{text} ({application.id})", clause.mend)
             for place, text in broken
         ]
     return found
+
+
+def _about(application: PatternApplication, clause: ClauseText, model: Model) -> list[Place]:
+    """Where the modules stand that a clause speaks of."""
+    return [
+        model.modules[binding.module].place
+        for binding in application.roles
+        if binding.role in clause.about and binding.module in model.modules
+    ]

@@ -64,6 +64,9 @@ def _unknown(model: Model) -> list[Finding]:
     for module in model.modules.values():
         for method in module.methods:
             tagged += [(method.place, name) for name in method.satisfies]
+    for machine in model.machines.values():
+        for transition in machine.transitions:
+            tagged += [(transition.place, name) for name in transition.requirements]
     return [
         Finding(place, "req-unknown", f"there is no requirement {name}", "correct the id")
         for place, name in tagged

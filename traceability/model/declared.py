@@ -26,6 +26,7 @@ class ClauseText:
     pattern: str
     says: str
     mend: str
+    about: list[str]  # roles whose modules the clause speaks of
 
 
 @dataclass
@@ -85,7 +86,7 @@ def read_declared(root: Path) -> Declared:
         known = KnownApplication(item["id"], item["pattern"], item["roles"], place)
         declared.applications[known.id] = known
     for item, _ in _tables(root, design / "clauses.toml", "clause"):
-        clause = ClauseText(item["id"], item["pattern"], item["says"], item["mend"])
+        clause = ClauseText(**item)
         declared.clauses[clause.id] = clause
     for item, _ in _tables(root, design / "modules.toml", "logic"):
         declared.names[item["folder"]] = item["modules"]
@@ -114,6 +115,7 @@ def _machine(root: Path, path: Path) -> StateMachine:
             item["to"],
             item.get("action", ""),
             place,
+            item.get("requirements", []),
         )
         for item, place in _tables(root, path, "transition")
     ]

@@ -223,6 +223,7 @@ class Transition:
     target: str
     action: str
     place: Place
+    requirements: list[str] = field(default_factory=list)
 
 
 @dataclass
