@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -15,6 +14,7 @@ from traceability.documents.calls import CallGraph
 from traceability.documents.highlight import Highlighter
 from traceability.documents.links import Links
 from traceability.documents.navigation import Navigation, hand_written
+from traceability.metrics import metrics
 from traceability.model.schema import Finding, Model, Module, Place, Requirement, Test, TreeNode
 
 SITE = Path(__file__).resolve().parents[2] / "site"
@@ -57,7 +57,7 @@ class Portal:
         self.code = Highlighter(root, root / "build" / "pages-cache" / "code")
         self.docs = hand_written(root / "docs")
         self.navigation = Navigation(self)
-        self.metrics = read_metrics(root / "build" / "metrics.json")
+        self.metrics = metrics(model)
         self.designs = [m for m in model.modules.values() if not m.datatype]
         self.datatypes = [m for m in model.modules.values() if m.datatype]
         self.diagrams = self._diagrams()
@@ -121,30 +121,8 @@ class Portal:
         return sum(c.holds for a in self.model.patterns.values() for c in a.clauses)
 
     @property
-    def conforming(self) -> int | None:
-        """Applications of which all clauses hold; ``None`` when no clause was checked."""
-        checked = [a for a in self.model.patterns.values() if a.clauses]
-        return sum(all(c.holds for c in a.clauses) for a in checked) if checked else None
-
-    @property
-    def verified(self) -> int | None:
-        if self.model.results_stale:
-            return None
-        return sum(r.state == "verified" for r in self.model.requirements.values())
-
-    @property
     def trees(self) -> list[Requirement]:
         return [r for r in self.model.requirements.values() if r.tree]
-
-    @property
-    def trees_executed(self) -> int | None:
-        if self.model.results_stale:
-            return None
-        return sum(
-            all(node.executed for _, node in self.flat(r.tree) if node.recordable)
-            for r in self.trees
-            if r.tree
-        )
 
     def flat(self, node: TreeNode, depth: int = 0) -> list[tuple[int, TreeNode]]:
         """The nodes of a tree with their depth, from the root."""
@@ -189,13 +167,3 @@ class Portal:
     def findings_of(self, check: str) -> list[Finding]:
         return [finding for finding in self.findings if finding.check == check]
 
-    def metric(self, key: str) -> Any:
-        return self.metrics.get(key)
-
-
-def read_metrics(path: Path) -> dict[str, Any]:
-    """The figures of the last run; empty when there was none."""
-    if not path.is_file():
-        return {}
-    loaded: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
-    return loaded
