@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 from typing import TextIO
 
-from traceability.commands.builds import measure_coverage, require_counts, run_tests
+from traceability.commands.builds import Counts, measure_coverage, require_counts, run_tests
 from traceability.commands.check import STEPS as DOCUMENT_STEPS
 from traceability.commands.check import make_documents, report
 from traceability.commands.firmware import build_firmware
@@ -49,8 +49,16 @@ def portal(root: Path, options: argparse.Namespace) -> int:
     return code if options.no_serve else serve(root, options.port)
 
 
-def traced_tests(root: Path, steps: Steps) -> None:
-    steps.run("tests (trace)", lambda log: require_counts(*run_tests(root, "trace", log)))
+def traced_tests(root: Path, steps: Steps) -> Counts:
+    counts = Counts()
+
+    def action(log: TextIO) -> str:
+        nonlocal counts
+        counts, fresh = run_tests(root, "trace", log)
+        return require_counts(counts, fresh)
+
+    steps.run("tests (trace)", action)
+    return counts
 
 
 def covered_tests(root: Path, steps: Steps) -> None:

@@ -10,11 +10,8 @@ from typing import TextIO
 
 from traceability.commands.builds import (
     Counts,
-    gtest_counts,
-    is_current,
     junit_counts,
     require_counts,
-    results_of,
     run_tests,
 )
 from traceability.commands.check import STEPS as DOCUMENT_STEPS
@@ -40,52 +37,45 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def test(root: Path) -> int:
     steps = Steps(root, DOCUMENT_STEPS + OTHER_STEPS)
-    for name in ("tools", "pages"):
-        junit(root, name).unlink(missing_ok=True)
     build_firmware(root, steps)
-    traced_tests(root, steps)
+    counts = traced_tests(root, steps)
     covered_tests(root, steps)
     steps.run("tests (sanitize)", lambda log: require_counts(*run_tests(root, "sanitize", log)))
     pages = root / "tests" / "python" / "site"
     python = root / "tests" / "python"
-    run_pytest(root, steps, "tests (tools)", "tools", [python, f"--ignore={pages}"])
+    counts += run_pytest(root, steps, "tests (tools)", [python, f"--ignore={pages}"])
     findings = make_documents(root, steps)
     if works(find_browser()):
-        run_pytest(root, steps, "tests (pages)", "pages", [pages])
+        counts += run_pytest(root, steps, "tests (pages)", [pages])
     else:
         steps.skip("tests (pages)", "no browser was found")
     code = report(findings, steps)
-    counts = count(root)
     print(counts)
     return code if counts.passed else 1
 
 
-def run_pytest(root: Path, steps: Steps, title: str, name: str, paths: list[Path | str]) -> None:
-    results = junit(root, name)
+def run_pytest(root: Path, steps: Steps, title: str, paths: list[Path | str]) -> Counts:
+    results = root / "build" / "results" / "pytest.xml"
+    counts = Counts()
 
     def action(log: TextIO) -> str:
+        nonlocal counts
         results.parent.mkdir(parents=True, exist_ok=True)
-        words: list[str | Path] = [
-            root / ".venv/bin/python",
-            "-m",
-            "pytest",
-            "-q",
-            "-ra",
-            f"--rootdir={root}",
-        ]
+        results.unlink(missing_ok=True)
+        words: list[str | Path] = [root / ".venv/bin/python", "-m", "pytest", "-q", "-ra"]
+        words += [f"--rootdir={root}", "-c", root / "pyproject.toml", f"--junitxml={results}"]
         try:
-            run(log, [*words, "-c", root / "pyproject.toml", f"--junitxml={results}", *paths])
+            run(log, [*words, *paths])
         except FailureError as error:
-            if results.exists() and (counts := junit_counts(results)).failed:
-                raise FailureError(str(counts)) from error
-            raise
-        return require_counts(junit_counts(results), fresh=True)
+            if not results.exists():
+                raise
+            counts = junit_counts(results)
+            raise FailureError(f"{counts}; {error}") from error
+        counts = junit_counts(results)
+        return require_counts(counts, fresh=True)
 
     steps.run(title, action)
-
-
-def junit(root: Path, name: str) -> Path:
-    return root / "build" / "results" / f"pytest_{name}.xml"
+    return counts
 
 
 def find_browser() -> str | None:
@@ -105,14 +95,3 @@ def works(browser: str | None) -> bool:
         )
     except (OSError, subprocess.TimeoutExpired):
         return False
-
-
-def count(root: Path) -> Counts:
-    """Sum of the results of this run: the traced tests of the firmware, and those in Python."""
-    counts = Counts()
-    if is_current(root, "trace"):
-        counts += gtest_counts(results_of(root, "trace"))
-    for name in ("tools", "pages"):
-        if junit(root, name).exists():
-            counts += junit_counts(junit(root, name))
-    return counts
