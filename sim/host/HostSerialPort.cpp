@@ -8,7 +8,7 @@ namespace wr {
 
 void HostSerialPort::arrive(std::span<const std::uint8_t> bytes) {
   for (const std::uint8_t byte : bytes) {
-    if (received_.size() < kCapacity) {
+    if (received_.size() < kReceived) {
       received_.push_back(byte);
     } else if (lostBytes_ < std::numeric_limits<std::uint16_t>::max()) {
       ++lostBytes_;
@@ -29,7 +29,7 @@ std::size_t HostSerialPort::read(std::span<std::uint8_t> bytes) {
 }
 
 std::size_t HostSerialPort::free() const {
-  return kCapacity - sent_.size();
+  return kSent - sent_.size();
 }
 
 bool HostSerialPort::write(std::span<const std::uint8_t> bytes) {

@@ -13,8 +13,10 @@ namespace wr {
 /// @brief A serial port in memory, with as much storage as a real one.
 class HostSerialPort final : public SerialPort {
  public:
-  /// @brief Bytes that each direction can store.
-  static constexpr std::size_t kCapacity = 512;
+  /// @brief Received bytes that can be stored: more than the 1152 that 115200 baud bring in one cycle.
+  static constexpr std::size_t kReceived = 2048;
+  /// @brief Written bytes that can be stored.
+  static constexpr std::size_t kSent = 512;
 
   /// @brief Lets bytes come in over the line. What finds no room is lost and counted.
   /// @param bytes the bytes

@@ -141,22 +141,22 @@ Bytes counting(std::size_t count) {
 /// @brief Received bytes are read in their order; what finds no room is counted as lost.
 TEST(HostSerialPortTest, ReceivesUpToItsCapacity) {
   HostSerialPort port;
-  port.arrive(counting(HostSerialPort::kCapacity + 3));
+  port.arrive(counting(HostSerialPort::kReceived + 3));
   EXPECT_EQ(port.lostBytes(), 3);
-  Bytes read(HostSerialPort::kCapacity + 3);
-  ASSERT_EQ(port.read(read), HostSerialPort::kCapacity);
-  read.resize(HostSerialPort::kCapacity);
-  EXPECT_EQ(read, counting(HostSerialPort::kCapacity));
+  Bytes read(HostSerialPort::kReceived + 3);
+  ASSERT_EQ(port.read(read), HostSerialPort::kReceived);
+  read.resize(HostSerialPort::kReceived);
+  EXPECT_EQ(read, counting(HostSerialPort::kReceived));
   EXPECT_EQ(port.read(read), 0U);
 }
 
 /// @brief A write is taken whole or not at all.
 TEST(HostSerialPortTest, WritesAllOrNothing) {
   HostSerialPort port;
-  EXPECT_TRUE(port.write(counting(HostSerialPort::kCapacity - 2)));
+  EXPECT_TRUE(port.write(counting(HostSerialPort::kSent - 2)));
   EXPECT_EQ(port.free(), 2U);
   EXPECT_FALSE(port.write(counting(3)));
-  EXPECT_EQ(port.takeSent(), counting(HostSerialPort::kCapacity - 2));
+  EXPECT_EQ(port.takeSent(), counting(HostSerialPort::kSent - 2));
   EXPECT_TRUE(port.write(counting(3)));
 }
 

@@ -7,7 +7,6 @@ namespace wr::test {
 namespace {
 
 constexpr std::size_t kHeader = 3;
-constexpr std::uint8_t kVersion = 1;
 
 // CRC-16/CCITT-FALSE of each byte value, so that a frame costs one step for each byte.
 std::array<std::uint16_t, 256> makeTable() {
@@ -120,8 +119,9 @@ Bytes PcSender::order(const PcOrder& order) {
   return frame(0x04, payload);
 }
 
-Bytes PcSender::frame(std::uint8_t type, std::span<const std::uint8_t> payload) {
-  Bytes body{kVersion, type, sequence_};
+Bytes PcSender::frame(std::uint8_t type, std::span<const std::uint8_t> payload,
+                      std::uint8_t version) {
+  Bytes body{version, type, sequence_};
   ++sequence_;
   body.insert(body.end(), payload.begin(), payload.end());
   append16(body, crcOf(body));
@@ -175,8 +175,10 @@ std::optional<PcReport> reportOf(const Bytes& body) {
                   .tension0 = fields.i16(64),
                   .applied = fields.u8(73),
                   .overruns = fields.u16(74),
-                  .unexpected = fields.u16(90),
                   .reportsNotSent = fields.u16(94)};
+  for (std::size_t reason = 0; reason < report.dropped.size(); ++reason) {
+    report.dropped[reason] = fields.u16(78 + 2 * reason);
+  }
   for (std::size_t wheel = 0; wheel < report.wheels.size(); ++wheel) {
     report.wheels[wheel] = {fields.u8(16 + 3 * wheel), fields.i16(17 + 3 * wheel)};
   }

@@ -23,6 +23,9 @@ struct PcOrder {
   bool stop = false;
 };
 
+/// Place of the unexpected frames in PcReport::dropped.
+inline constexpr std::size_t kUnexpected = 6;
+
 /// A report as the PC reads it.
 struct PcReport {
   std::uint32_t cycle = 0;
@@ -42,7 +45,8 @@ struct PcReport {
   std::int16_t tension0 = 0;
   std::uint8_t applied = 0;
   std::uint16_t overruns = 0;
-  std::uint16_t unexpected = 0;
+  std::array<std::uint16_t, 7> dropped{};  // damaged, too long, unknown version, unknown type,
+                                           // wrong length, out of range, unexpected
   std::uint16_t reportsNotSent = 0;
 
   [[nodiscard]] bool stop() const { return (flags & 1U) != 0; }
@@ -58,10 +62,10 @@ class PcSender {
   [[nodiscard]] Bytes confirm(std::uint8_t session);
   [[nodiscard]] Bytes keepAlive();
   [[nodiscard]] Bytes order(const PcOrder& order);
+  [[nodiscard]] Bytes frame(std::uint8_t type, std::span<const std::uint8_t> payload,
+                            std::uint8_t version = 1);
 
  private:
-  [[nodiscard]] Bytes frame(std::uint8_t type, std::span<const std::uint8_t> payload);
-
   std::uint8_t sequence_ = 0;
 };
 

@@ -70,6 +70,22 @@ TEST_F(OrdersOfRobot, FR11_ModeRcReadsNoOrderOfThePc) {
   EXPECT_EQ(robot.report().state, kWaiting);
 }
 
+/// @brief One signal of the remote control alone is no order; the second one completes it.
+/// @verifies FR-50
+TEST_F(OrdersOfRobot, FR50_OrderOfTheRemoteControlNeedsBothSignals) {
+  robot.connect();
+  robot.robot.rcVelocity(Velocity(100));
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_FALSE(robot.report().orderRead());
+  robot.robot.rcDirection(Angle(50));
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_TRUE(robot.report().orderRead());
+  EXPECT_EQ(robot.report().wheels[0].value, 100);
+  EXPECT_EQ(robot.report().steering, 50);
+}
+
 /// @brief In the mode PC an order of the remote control is not read.
 /// @verifies FR-12
 TEST_F(OrdersOfRobot, FR12_ModePcReadsNoOrderOfTheRemoteControl) {
@@ -241,7 +257,7 @@ TEST_F(OrdersOfRobot, FR36_OrderWithoutConnectionIsNoMessage) {
   }
   robot.connect();
   EXPECT_EQ(robot.report().source, kNobody);
-  EXPECT_EQ(robot.report().unexpected, kN + 6);
+  EXPECT_EQ(robot.report().dropped[kUnexpected], kN + 6);
 }
 
 /// @brief An order that arrived is no message any more when the connection ends before it is read.

@@ -1,5 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
 #include "services/SystemConstants.hpp"
 #include "system/SteppedRobot.hpp"
 
@@ -71,7 +76,7 @@ TEST_F(ReportsOfRobot, FR60_ReportsEndWhenTheLinkIsLost) {
   EXPECT_FALSE(robot.reported());
   robot.connect();
   EXPECT_EQ(robot.report().source, kNobody);
-  EXPECT_EQ(robot.report().unexpected, 1);
+  EXPECT_EQ(robot.report().dropped[kUnexpected], 1);
 }
 
 /// @brief Without control systems that measure, every value is marked as missing and is 0.
@@ -110,6 +115,42 @@ TEST_F(ReportsOfRobot, FR62_ValueOfTheCycleBeforeIsMissing) {
   robot.cycle();
   EXPECT_EQ(robot.report().measured, 0);
   EXPECT_EQ(robot.report().current0, 0);
+}
+
+/// @brief Frames that are not in order are counted in the report of their cycle, each kind by itself, and
+/// nothing else is different from a cycle without them.
+/// @verifies FR-48
+/// @verifies FR-63
+TEST_F(ReportsOfRobot, FR63_ReportCountsDroppedFramesByReason) {
+  robot.connect();
+  robot.keepAlive();
+  robot.cycle();
+  const PcReport before = robot.report();
+
+  Bytes damaged = robot.pc.keepAlive();
+  damaged[4] = static_cast<std::uint8_t>(damaged[4] ^ 0x10U);
+  const std::vector<std::pair<Bytes, int>> frames{
+      {damaged, 1},
+      {Bytes(200, 1), 2},
+      {robot.pc.frame(0x03, {}, 2), 3},
+      {robot.pc.frame(0x55, {}), 4},
+      {robot.pc.frame(0x03, std::array<std::uint8_t, 1>{9}), 5},
+      {robot.pc.order({.id = 9, .steering = 3201}), 6},
+      {robot.pc.confirm(robot.session.value()), 7},
+  };
+  for (const auto& [bytes, times] : frames) {
+    for (int i = 0; i < times; ++i) {
+      robot.port.arrive(bytes);
+      robot.port.arrive(Bytes{0});
+    }
+  }
+  robot.cycle();
+
+  EXPECT_EQ(robot.report().dropped, (std::array<std::uint16_t, 7>{1, 2, 3, 4, 5, 6, 7}));
+  EXPECT_EQ(robot.report().cycle, before.cycle + 1);
+  EXPECT_EQ(robot.report().flags, before.flags);
+  EXPECT_EQ(robot.report().source, kNobody);
+  EXPECT_EQ(robot.report().orderId, before.orderId);
 }
 
 /// @brief While the line takes nothing, reports are dropped whole and counted, and the cycles go on.
