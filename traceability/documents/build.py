@@ -51,7 +51,7 @@ def build_site(root: Path, model: Model, findings: list[Finding]) -> SiteResult:
 def check_texts() -> list[CheckText]:
     from traceability.checks.registry import CHECKS
 
-    return [CheckText(check.id, check.title, check.text) for check in CHECKS]
+    return [CheckText(c.id, c.title, c.holds, c.blind, c.mend) for c in CHECKS]
 
 
 # ---- what Sphinx reads -------------------------------------------------------

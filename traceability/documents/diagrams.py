@@ -62,6 +62,8 @@ COLOURS["#FFFFFF"] = "--paper"  # the inside of diamonds
 
 UNSET = "#A80036"  # what PlantUML draws edges with when it is given no colour
 
+LONG_LABEL = 12  # a transition's action goes below a longer event
+
 # (role of one end, role of the other end, arrow): drawn when the one uses the other.
 RELATIONS = [
     ("Context", "State", "o-->"),
@@ -242,7 +244,7 @@ def merged_transitions(machine: StateMachine) -> dict[tuple[str, str], list[str]
         if step.guard:
             label += f" [{step.guard}]"
         if step.action:
-            label += f" / {step.action}"
+            label += ("\\n" if len(label) > LONG_LABEL else " ") + f"/ {step.action}"
         merged.setdefault((step.source, step.target), []).append(label)
     return merged
 

@@ -22,11 +22,13 @@ SITE = Path(__file__).resolve().parents[2] / "site"
 
 @dataclass
 class CheckText:
-    """What a check is for; made from the registry of checks."""
+    """What a check is for; made from the registry of checks. Plain text."""
 
     id: str
     title: str
-    text: str
+    holds: str
+    blind: str
+    mend: str
 
 
 @dataclass
@@ -166,4 +168,3 @@ class Portal:
 
     def findings_of(self, check: str) -> list[Finding]:
         return [finding for finding in self.findings if finding.check == check]
-
