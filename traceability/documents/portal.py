@@ -19,6 +19,9 @@ from traceability.model.schema import Finding, Model, Module, Place, Requirement
 
 SITE = Path(__file__).resolve().parents[2] / "site"
 
+LATER = {"link-doc", "link-site"}  # they read the finished site
+DYNAMIC = {"tree-dynamic", "req-passed"}  # they need results of these sources
+
 
 @dataclass
 class CheckText:
@@ -165,6 +168,16 @@ class Portal:
 
     def applications_of(self, module: Module) -> list[str]:
         return list(dict.fromkeys(role.application for role in module.roles))
+
+    def verdict_of(self, check: str) -> Markup:
+        """What this run knows of a check when the pages are written."""
+        if found := len(self.findings_of(check)):
+            return names.glyph("bad", f"{found} found")
+        if check in LATER:
+            return names.glyph("none", "read after the pages")
+        if check in DYNAMIC and self.model.results_stale:
+            return names.glyph("none", "no fresh results")
+        return names.glyph("ok", "holds")
 
     def findings_of(self, check: str) -> list[Finding]:
         return [finding for finding in self.findings if finding.check == check]

@@ -197,6 +197,13 @@ def test_the_page_of_a_removed_module_is_removed(site: tuple[Path, Model]) -> No
     assert not (site[0] / "build/site/modules" / f"{module.name}.html").exists()
 
 
+def test_a_check_that_needs_fresh_results_does_not_hold_without_them(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
+    assert "holds" in Portal(tmp_path, model, [], CHECKS).verdict_of("tree-dynamic")
+    stale = dataclasses.replace(model, results_hash=None)
+    assert "no fresh results" in Portal(tmp_path, stale, [], CHECKS).verdict_of("tree-dynamic")
+
+
 def test_a_finding_is_shown_on_its_check(site: tuple[Path, Model]) -> None:
     finding = Finding(Place(f"src/{MODES}/RC.cpp", 4), "tree-static", "no call", "add the call")
     build(site, [finding])
