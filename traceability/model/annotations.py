@@ -150,6 +150,8 @@ def read_annotations(root: Path, build: Path) -> Annotations:
             continue
         for compound in ElementTree.parse(path).getroot().iter("compounddef"):
             _read_compound(compound, result)
+    for requirement in result.requirements.values():
+        requirement.title = _sentence(root, requirement)
     record = json.loads((build / "doxygen.json").read_text(encoding="utf-8"))
     result.warnings = _warnings(root, record["output"])
     return result
@@ -179,6 +181,13 @@ def _read_compound(compound: ElementTree.Element, result: Annotations) -> None:
             elif kind == "namespace" and kind_of in ("enum", "typedef"):
                 qualified = f"{name}::{item.findtext('name', '')}"
                 result.classes[qualified] = ClassText(qualified, _place(item), _text(item))
+
+
+def _sentence(root: Path, requirement: RequirementText) -> str:
+    """The whole sentence of a requirement: Doxygen's title of it ends after some 60 characters."""
+    source = (root / requirement.place.file).read_text(encoding="utf-8")
+    found = re.search(rf"[@\\]requirement\s+{re.escape(requirement.id)}\s+(.*)", source)
+    return html.escape(found[1].strip(), quote=False) if found else requirement.title
 
 
 def _is_function(item: ElementTree.Element) -> bool:
