@@ -11,7 +11,7 @@ FILES = {
 */
 
 /**
-@requirement FR-15 The system shall set a waiting state if no message can be read, whatever the source is.
+@requirement FR-15 The system shall set a waiting state if no message can be read from any source.
 
 @rationale A lost message is not yet a lost link.
 

@@ -76,7 +76,7 @@ def test_two_applications_above_one_class(model: Model) -> None:
 def test_requirement_with_section_method_and_test(model: Model) -> None:
     requirement = model.requirements["FR-15"]
     assert requirement.section == "Reading orders"
-    assert requirement.text.endswith("can be read, whatever the source is.")
+    assert requirement.text.endswith("can be read from any source.")
     assert requirement.rationale == "A lost message is not yet a lost link."
     assert requirement.satisfied_by == ["Mode::newMessage", "OperationState::read"]
     assert requirement.verified_by == ["Working.WaitsWithoutMessage"]
