@@ -39,6 +39,7 @@ class OrdersOfRobot : public testing::Test {
 /// @brief With a silent remote control, a PC that connects at power-up and orders commands the robot
 /// within N + 4 cycles.
 /// @verifies FR-12
+/// @verifies FR-13
 /// @verifies FR-16
 /// @verifies FR-17
 TEST_F(OrdersOfRobot, FR17_PcThatConnectsAtPowerUpCommandsSoon) {

@@ -181,7 +181,7 @@ void readOutputs(Reader& reader, Outputs& outputs) {
 
 struct CountField {
   FieldName name;
-  std::uint16_t LinkCounts::* count;
+  std::uint16_t LinkCounts::*count;
 };
 
 constexpr std::array kCountFields{

@@ -67,7 +67,7 @@ struct PcConnectionTest : testing::Test {
 
   /// @brief Does something that must change no count but the one that it tells.
   template <class Action>
-  void expectCounted(std::uint16_t LinkCounts::* count, int times, Action action) {
+  void expectCounted(std::uint16_t LinkCounts::*count, int times, Action action) {
     LinkCounts expected = connection.counts();
     expected.*count = static_cast<std::uint16_t>(expected.*count + times);
     action();
