@@ -7,14 +7,19 @@ from traceability.model.schema import AllowedUse, Finding, Model, Use
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
-    return _allowed(model) + _unused(model) + _cycles(model, facts)
+    allowed = [use for use in model.uses if _is_allowed(model, use)]
+    return _forbidden(model) + _unused(model) + _cycles(allowed, facts)
 
 
 def _covers(allowed: AllowedUse, use: Use) -> bool:
     return allowed.source in ("*", use.source) and allowed.target == use.target
 
 
-def _allowed(model: Model) -> list[Finding]:
+def _is_allowed(model: Model, use: Use) -> bool:
+    return any(_covers(allowed, use) for allowed in model.allowed_uses)
+
+
+def _forbidden(model: Model) -> list[Finding]:
     return [
         Finding(
             place,
@@ -23,7 +28,7 @@ def _allowed(model: Model) -> list[Finding]:
             "remove the include or the call, or allow the use with a reason",
         )
         for use in model.uses
-        if not any(_covers(allowed, use) for allowed in model.allowed_uses)
+        if not _is_allowed(model, use)
         for place in use.places
     ]
 
@@ -41,17 +46,18 @@ def _unused(model: Model) -> list[Finding]:
     ]
 
 
-def _cycles(model: Model, facts: Facts) -> list[Finding]:
+def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
+    """Cycles of uses that are allowed; one that is not is a finding already."""
     declared = {frozenset(cycle.modules) for cycle in facts.declared.cycles}
     found: list[Finding] = []
-    for use in model.uses:
+    for use in uses:
         top, other = use.source.split("/")[0], use.target.split("/")[0]
         if top != other:
-            graph = _graph(model, depth=1)
+            graph = _graph(uses, depth=1)
             if top in _reached(graph, other):
                 found.append(_finding(use, f"{top} and {other} use each other"))
             continue
-        graph = _graph(model, depth=9)
+        graph = _graph(uses, depth=9)
         loop = _reached(graph, use.target)
         if use.source in loop:
             members = {m for m in loop if use.source in _reached(graph, m)}
@@ -66,9 +72,9 @@ def _finding(use: Use, text: str) -> Finding:
     return Finding(use.places[0], "uses-cycle", text, mend)
 
 
-def _graph(model: Model, depth: int) -> dict[str, set[str]]:
+def _graph(uses: list[Use], depth: int) -> dict[str, set[str]]:
     graph: dict[str, set[str]] = {}
-    for use in model.uses:
+    for use in uses:
         source = "/".join(use.source.split("/")[:depth])
         target = "/".join(use.target.split("/")[:depth])
         if source != target:

@@ -266,13 +266,10 @@ def parse(root: Path, unit: str, files: list[str], known: Path) -> tuple[Syntax,
     included = {unit}
     for entry in tree.get_includes():
         target = reader.relative(entry.include.name)
-        source = reader.relative(entry.source.name)
-        if target is None or source is None:
-            continue
-        included.add(target)
-        if source in reader.files:
-            place = Place(source, entry.location.line)
-            reader.facts.includes.append(IncludeFact(target, place))
+        if target is not None:
+            included.add(target)
+    for file in files:
+        reader.facts.includes += includes_of(root, file)
     for problem in tree.diagnostics:
         # With parsed headers libclang reports errors that lie in no file; they mean nothing.
         if problem.severity >= cindex.Diagnostic.Error and problem.location.file:
@@ -280,6 +277,26 @@ def parse(root: Path, unit: str, files: list[str], known: Path) -> tuple[Syntax,
             place = Place(file or unit, problem.location.line if file else 1)
             reader.facts.errors.append((place, problem.spelling))
     return reader.facts, included
+
+
+def includes_of(root: Path, file: str) -> list[IncludeFact]:
+    """The files of the project that a file includes, as written.
+
+    The compiler's list lacks a header that was included before: it is not read a second time.
+    """
+    found: list[IncludeFact] = []
+    lines = (root / file).read_text(encoding="utf-8").splitlines()
+    for number, line in enumerate(lines, 1):
+        written = re.match(r'\s*#\s*include\s*[<"]([^>"]+)[>"]', line)
+        if written is None:
+            continue
+        for folder in ((root / file).parent, root / "src"):
+            target = (folder / written[1]).resolve()
+            if target.is_file() and target.is_relative_to(root):
+                name = str(target.relative_to(root))
+                found.append(IncludeFact(name, Place(file, number)))
+                break
+    return found
 
 
 class _Reader:

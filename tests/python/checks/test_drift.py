@@ -102,6 +102,14 @@ FAULTS: list[tuple[str, str, str, str, str, str]] = [
         "",
         "FirstTimer.hpp",
     ),
+    (  # the header is included by another one before: the compiler does not read it again
+        f"{STATES}/Waiting.cpp",
+        r"^#include \"services/SystemConstants.hpp\"$",
+        '#include "services/SystemConstants.hpp"\n#include "communication/framing/Frame.hpp"',
+        "uses-allowed",
+        "",
+        "Frame.hpp",
+    ),
     (
         "src/communication/serialization/OrderMessage.hpp",
         r" : public Serializable",
