@@ -18,6 +18,7 @@ from traceability.model.schema import (
     TreeNode,
 )
 
+FIRST_TESTS = 12  # shown open on the page of a module
 XML = "build/model/xml"
 ANY = "*"  # in an allowed use: every logic module
 EXAMPLE = "FR-15"  # the requirement that the first page follows
@@ -100,6 +101,7 @@ def real_method(portal: Portal, node: TreeNode) -> Method | None:
 def module_page(portal: Portal, module: Module) -> Page:
     rows = portal.calls.rows(module)
     logic = portal.model.logic_modules.get(module.logic)
+    first_tests = portal.own_tests(module)[:FIRST_TESTS]
     specified = [m for m in module.methods if m.access == "public"]
     return portal.page(
         f"modules/{module.name}",
@@ -114,7 +116,8 @@ def module_page(portal: Portal, module: Module) -> Page:
         methods=specified,
         hidden=[m for m in module.methods if m.access != "public"],
         inherited=inherited_methods(portal, module),
-        tests=portal.tests_of(module),
+        first_tests=first_tests,
+        other_tests=[test for test in portal.tests_of(module) if test not in first_tests],
         through=requirement_methods(module),
         siblings=[name for name in (logic.modules if logic else []) if name != module.name],
         ancestors=ancestors(portal, module),

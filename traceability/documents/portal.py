@@ -160,6 +160,15 @@ class Portal:
     def tests_of(self, module: Module) -> list[Test]:
         return [self.model.tests[name] for name in module.tests if name in self.model.tests]
 
+    def own_tests(self, module: Module) -> list[Test]:
+        """The tests to read first: those of its own file, then of the requirements it satisfies."""
+        file = f"tests/{module.logic}/{module.name}Test.cpp"
+        wanted = {identifier for method in module.methods for identifier in method.satisfies}
+        tests = self.tests_of(module)
+        own = [test for test in tests if test.place.file == file]
+        verifying = [t for t in tests if t.place.file != file and wanted.intersection(t.verifies)]
+        return [*own, *verifying]
+
     def passed(self, tests: list[Test]) -> int | None:
         """How many passed in results that fit the sources; ``None`` when there are none."""
         if self.model.results_stale or not any(test.result for test in tests):

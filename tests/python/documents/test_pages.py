@@ -78,6 +78,26 @@ def test_a_node_without_a_match_has_a_row_of_its_own(portal: Portal) -> None:
     assert [(row.node.label if row.node else "", row.call) for row in rows][1] == ("RC::read", "")
 
 
+def test_a_module_shows_first_its_own_tests_then_those_of_its_requirements(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
+    first = model.tests["RcTest.Reads"]
+    others = {
+        "Robot.Drives": dataclasses.replace(first, id="Robot.Drives", verifies=[]),
+        "RCTest.Own": dataclasses.replace(
+            first, id="RCTest.Own", verifies=[], place=Place(f"tests/{MODES}/RCTest.cpp", 3)
+        ),
+    }
+    model.tests |= others
+    model.modules["RC"].tests = ["Robot.Drives", *model.modules["RC"].tests, "RCTest.Own"]
+    portal = Portal(tmp_path, model, [], CHECKS)
+    own = portal.own_tests(model.modules["RC"])
+    assert [test.id for test in own] == ["RCTest.Own", "RcTest.Reads"]
+    page = next(page.body for page in all_pages(portal) if page.name == "modules/RC")
+    rest = page.partition("<summary>1 more test that executes RC</summary>")[2]
+    assert "Robot.<wbr>Drives" in rest
+    assert "&lt;1<" in page
+
+
 def test_links_of_a_page_fit_its_depth(portal: Portal) -> None:
     page = next(page for page in all_pages(portal) if page.name == f"source/src/{MODES}/RC.cpp")
     text = source_of(page)
