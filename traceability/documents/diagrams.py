@@ -11,15 +11,15 @@ import re
 import subprocess
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from traceability.documents.links import Links
-from traceability.model.schema import Model, Module, PatternApplication, StateMachine
+from traceability.model.schema import Model, Module, PatternApplication, StateMachine, Transition
 
 SVG = "{http://www.w3.org/2000/svg}"
 XLINK = "{http://www.w3.org/1999/xlink}"
-FORMAT = "6"  # part of the cache key: raise it when the finishing of the SVG changes
+FORMAT = "7"  # part of the cache key: raise it when the finishing of the SVG changes
 
 FAMILIES = {
     "Decorator": "decorator",
@@ -62,6 +62,8 @@ COLOURS["#FFFFFF"] = "--paper"  # the inside of diamonds
 
 UNSET = "#A80036"  # what PlantUML draws edges with when it is given no colour
 
+LOCATED = re.compile(r'class="(edge|says)" data-for="([^"]*)"')
+
 LONG_LABEL = 12  # a transition's action goes below a longer event
 
 # (role of one end, role of the other end, arrow): drawn when the one uses the other.
@@ -94,6 +96,7 @@ class Diagram:
     id: str
     label: str
     text: str
+    edges: dict[tuple[str, str], list[Transition]] = field(default_factory=dict)
 
 
 def preamble() -> list[str]:
@@ -229,24 +232,39 @@ def machine_diagram(machine: StateMachine, links: Links) -> Diagram:
         fill, line = MARKERS[f"fsm-{hue}-fill"], MARKERS[f"fsm-{hue}"]
         lines.append(f"state {name} {target}{fill} ##{line[1:]}")
     lines.append(f"[*] --> {machine.initial}")
-    for (source, target), labels in merged_transitions(machine).items():
-        text = "\\n".join(labels)
+    edges = merged_transitions(machine)
+    for (source, target), steps in edges.items():
+        text = "\\n".join(line for step in steps for line in label_lines(step))
         lines.append(f"{source} --> {target} : {text}")
     lines.append("@enduml")
     label = f"State diagram: {machine.title}. The table beside it holds the same transitions."
-    return Diagram(f"machine-{machine.id}", label, "\n".join(lines))
+    return Diagram(f"machine-{machine.id}", label, "\n".join(lines), edges)
 
 
-def merged_transitions(machine: StateMachine) -> dict[tuple[str, str], list[str]]:
-    merged: dict[tuple[str, str], list[str]] = {}
+def merged_transitions(machine: StateMachine) -> dict[tuple[str, str], list[Transition]]:
+    """Transitions between the same two states share an edge."""
+    merged: dict[tuple[str, str], list[Transition]] = {}
     for step in machine.transitions:
-        label = step.event
-        if step.guard:
-            label += f" [{step.guard}]"
-        if step.action:
-            label += ("\\n" if len(label) > LONG_LABEL else " ") + f"/ {step.action}"
-        merged.setdefault((step.source, step.target), []).append(label)
+        merged.setdefault((step.source, step.target), []).append(step)
     return merged
+
+
+def label_lines(step: Transition) -> list[str]:
+    label = f"{step.event} [{step.guard}]" if step.guard else step.event
+    if not step.action:
+        return [label]
+    action = f"/ {step.action}"
+    return [label, action] if len(label) > LONG_LABEL else [f"{label} {action}"]
+
+
+def located(svg: str, requirement: str) -> str:
+    """The diagram of a machine with the edges and labels marked that a requirement asks for."""
+
+    def mark(match: re.Match[str]) -> str:
+        lit = " lit" if requirement in match[2].split() else ""
+        return f'class="{match[1]}{lit}" data-for="{match[2]}"'
+
+    return LOCATED.sub(mark, svg).replace('class="plant"', 'class="plant located"', 1)
 
 
 # ---- drawing -----------------------------------------------------------------
@@ -267,7 +285,8 @@ def draw(diagrams: Iterable[Diagram], cache: Path) -> dict[str, str]:
 
 
 def digest(diagram: Diagram) -> str:
-    content = f"{FORMAT}\0{diagram.id}\0{diagram.label}\0{diagram.text}"
+    asked = [step.requirements for steps in diagram.edges.values() for step in steps]
+    content = f"{FORMAT}\0{diagram.id}\0{diagram.label}\0{diagram.text}\0{asked}"
     return hashlib.sha256(content.encode()).hexdigest()[:20]
 
 
@@ -305,7 +324,29 @@ def finish(svg: str, diagram: Diagram) -> str:
     for element in root.iter():
         if identifier := element.get("id"):
             element.set("id", f"{diagram.id}-{re.sub(r'[^A-Za-z0-9_-]', '_', identifier)}")
+    for (source, target), steps in diagram.edges.items():
+        group_edge(root, f"{diagram.id}-{source}-_{target}", steps)
     return ET.tostring(root, encoding="unicode")
+
+
+def group_edge(root: ET.Element, identifier: str, steps: list[Transition]) -> None:
+    """Puts line, tip and labels of an edge into a group that names the requirements."""
+    drawing = next(parent for parent in root.iter() if parent.find(f"path[@id='{identifier}']") is not None)
+    parts = list(drawing)
+    start = next(at for at, part in enumerate(parts) if part.get("id") == identifier)
+    every = dict.fromkeys(name for step in steps for name in step.requirements)
+    edge = ET.Element("g", {"class": "edge", "data-for": " ".join(every)})
+    rest = iter(parts[start:])
+    edge.extend([next(rest), next(rest)])
+    for step in steps:
+        says = ET.SubElement(edge, "g", {"class": "says", "data-for": " ".join(step.requirements)})
+        says.extend(next(rest) for _ in label_lines(step))
+        for text in says:
+            del text.attrib["textLength"], text.attrib["lengthAdjust"]
+    for part in edge.iter():
+        if part in parts:
+            drawing.remove(part)
+    drawing.insert(start, edge)
 
 
 def clean(element: ET.Element) -> None:

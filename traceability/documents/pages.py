@@ -15,6 +15,7 @@ from traceability.model.schema import (
     PatternApplication,
     Place,
     Requirement,
+    StateMachine,
     TreeNode,
 )
 
@@ -222,15 +223,18 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
         rows=aligned(portal, requirement),
         tests=tests,
         methods=list({m.id: m for m in methods}.values()),
-        machines=machines_of(portal, nodes),
+        machines=machines_of(portal, requirement.id),
         line_kind=line_kind,
     )
 
 
-def machines_of(portal: Portal, nodes: list[tuple[int, TreeNode]]) -> list[str]:
-    """State machines of which a state plays in the tree."""
-    modules = {node.module for _, node in nodes}
-    return [m.id for m in portal.model.machines.values() if modules & set(m.states.values())]
+def machines_of(portal: Portal, requirement: str) -> list[StateMachine]:
+    """State machines with a transition that the requirement asks for."""
+    return [
+        machine
+        for machine in portal.model.machines.values()
+        if any(requirement in step.requirements for step in machine.transitions)
+    ]
 
 
 @dataclass

@@ -102,6 +102,7 @@ class Portal:
             glyph=names.glyph,
             diagrams=self.diagrams,
             family=diagrams.role_family,
+            located=lambda svg, requirement: Markup(diagrams.located(svg, requirement)),
         )
         return environment
 

@@ -89,10 +89,14 @@ def make_model() -> Model:
             ["FR-15"], "passed", 0.25,
         )
     }  # fmt: skip
+    asked = Place("design/fsm/a.toml", 3)
     model.machines = {
         "reading-modes": StateMachine(
             "reading-modes", "Reading modes", "reading-modes", "RC", {"RC": "RC"},
-            [Transition("RC", "newMessage", "", "RC", "read", Place("design/fsm/a.toml", 3))],
+            [
+                Transition("RC", "newMessage", "", "RC", "read", asked, ["FR-15"]),
+                Transition("RC", "noMessage", "", "RC", "", asked, ["FR-16"]),
+            ],
             Place("design/fsm/a.toml", 1),
         )
     }  # fmt: skip

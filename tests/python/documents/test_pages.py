@@ -140,6 +140,25 @@ def test_a_diagram_shows_roles_and_uses_only_variables_for_colours(portal: Porta
     assert "var(--role-concrete)" in svg
 
 
+def test_the_transitions_of_a_requirement_are_marked(pages: dict[str, str]) -> None:
+    page = pages["requirements/FR-15"]
+    assert "Where it is in the state machine" in page
+    assert '<g class="edge lit" data-for="FR-15 FR-16">' in page
+    assert '<g class="says lit" data-for="FR-15"><text' in page
+    assert '<g class="says" data-for="FR-16"><text' in page
+    assert page.count('<tr class="here">') == 1
+    assert 'class="says"' in pages["machines"]
+    assert " lit" not in pages["machines"]
+
+
+def test_a_requirement_of_no_transition_has_no_state_machine(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
+    for step in model.machines["reading-modes"].transitions:
+        step.requirements = []
+    found = {p.name: p.body for p in all_pages(Portal(tmp_path, model, [], CHECKS))}
+    assert "in the state machine" not in found["requirements/FR-15"]
+
+
 def test_a_diagram_that_cannot_be_drawn_is_an_error(tmp_path: Path) -> None:
     broken = diagrams.Diagram("broken", "Broken", "@startuml\nclass {{{ \n@enduml")
     with pytest.raises(diagrams.DiagramError):
