@@ -19,8 +19,14 @@ from traceability.commands.check import make_documents, report
 from traceability.commands.firmware import build_firmware
 from traceability.commands.portal import covered_tests, traced_tests
 from traceability.commands.steps import FailureError, Steps, run
+from traceability.sources import files_below, hash_of
 
 OTHER_STEPS = 7
+# What tests of Python read: some run on a copy of the whole project.
+READ_BY_TESTS = (
+    *("src", "sim", "tests", "client", "docs", "design", "requirements", "traceability", "site"),
+    *("setup", "wr", "README.md", "CMakeLists.txt", "CMakePresets.json", "pyproject.toml"),
+)
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 
 
@@ -43,10 +49,10 @@ def test(root: Path) -> int:
     steps.run("tests (sanitize)", lambda log: require_counts(*run_tests(root, "sanitize", log)))
     pages = root / "tests" / "python" / "site"
     python = root / "tests" / "python"
-    counts += run_pytest(root, steps, "tests (tools)", [python, f"--ignore={pages}"])
+    counts += run_pytest(root, steps, "tools", [python, f"--ignore={pages}"])
     findings = make_documents(root, steps)
     if works(find_browser()):
-        counts += run_pytest(root, steps, "tests (pages)", [pages])
+        counts += run_pytest(root, steps, "pages", [pages])
     else:
         steps.skip("tests (pages)", "no browser was found")
     code = report(findings, steps)
@@ -54,14 +60,21 @@ def test(root: Path) -> int:
     return code if counts.passed else 1
 
 
-def run_pytest(root: Path, steps: Steps, title: str, paths: list[Path | str]) -> Counts:
-    results = root / "build" / "results" / "pytest.xml"
+def run_pytest(root: Path, steps: Steps, name: str, paths: list[Path | str]) -> Counts:
+    """Runs tests of Python, unless they passed on these very files."""
+    results = root / "build" / "results" / f"pytest_{name}.xml"
+    stamp = results.with_suffix(".hash")
     counts = Counts()
 
     def action(log: TextIO) -> str:
         nonlocal counts
+        now = hash_of(root, files_below(root, READ_BY_TESTS))
+        if stamp.exists() and stamp.read_text(encoding="utf-8") == now:
+            counts = junit_counts(results)
+            return require_counts(counts, fresh=False)
         results.parent.mkdir(parents=True, exist_ok=True)
         results.unlink(missing_ok=True)
+        stamp.unlink(missing_ok=True)
         words: list[str | Path] = [root / ".venv/bin/python", "-m", "pytest", "-q", "-ra"]
         words += [f"--rootdir={root}", "-c", root / "pyproject.toml", f"--junitxml={results}"]
         try:
@@ -72,9 +85,11 @@ def run_pytest(root: Path, steps: Steps, title: str, paths: list[Path | str]) ->
             counts = junit_counts(results)
             raise FailureError(f"{counts}; {error}") from error
         counts = junit_counts(results)
-        return require_counts(counts, fresh=True)
+        note = require_counts(counts, fresh=True)
+        stamp.write_text(now, encoding="utf-8")
+        return note
 
-    steps.run(title, action)
+    steps.run(f"tests ({name})", action)
     return counts
 
 

@@ -268,8 +268,8 @@ def parse(root: Path, unit: str, files: list[str], known: Path) -> tuple[Syntax,
         target = reader.relative(entry.include.name)
         if target is not None:
             included.add(target)
-    for file in files:
-        reader.facts.includes += includes_of(root, file)
+    for wanted in files:
+        reader.facts.includes += includes_of(root, wanted)
     for problem in tree.diagnostics:
         # With parsed headers libclang reports errors that lie in no file; they mean nothing.
         if problem.severity >= cindex.Diagnostic.Error and problem.location.file:
