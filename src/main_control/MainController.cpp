@@ -1,5 +1,7 @@
 #include "main_control/MainController.hpp"
 
+#include <optional>
+
 #include "communication/serialization/ReportMessage.hpp"
 
 namespace wr {
@@ -73,8 +75,9 @@ ControlData& MainController::getData() {
 }
 
 void MainController::applyControl() {
-  if (data_.setPoints().has_value()) {
-    systems_.control(*data_.setPoints(), data_.cycle());
+  const std::optional<SetPoints>& setPoints = data_.setPoints();
+  if (setPoints) {
+    systems_.control(*setPoints, data_.cycle());
     data_.saveHeld(false);
   } else {
     holdSystems();
