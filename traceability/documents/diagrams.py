@@ -331,7 +331,8 @@ def finish(svg: str, diagram: Diagram) -> str:
 
 def group_edge(root: ET.Element, identifier: str, steps: list[Transition]) -> None:
     """Puts line, tip and labels of an edge into a group that names the requirements."""
-    drawing = next(parent for parent in root.iter() if parent.find(f"path[@id='{identifier}']") is not None)
+    line = f"path[@id='{identifier}']"
+    drawing = next(parent for parent in root.iter() if parent.find(line) is not None)
     parts = list(drawing)
     start = next(at for at, part in enumerate(parts) if part.get("id") == identifier)
     every = dict.fromkeys(name for step in steps for name in step.requirements)

@@ -113,7 +113,7 @@ class Names:
         return anchor(self.links.check(identifier), text, "id")
 
     def src(self, place: Place, full: bool = False) -> Markup:
-        file = place.file if full else place.file.rpartition("/")[2]
+        file = place.file if full else file_name(place.file)
         where = f"{file}:{place.line}" if place.line else file
         return anchor(
             self.links.source(place), Markup("<code>{}</code>").format(breakable(where)), "src"
@@ -177,6 +177,10 @@ class Names:
 def gist(brief: str) -> str:
     """What a brief says after the name that it begins with; empty when it says no more."""
     return brief.partition(": ")[2].removesuffix("</p>")
+
+
+def file_name(path: str) -> str:
+    return path.rpartition("/")[2]
 
 
 def glyph(kind: str, word: str) -> Markup:

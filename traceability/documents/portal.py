@@ -93,6 +93,9 @@ class Portal:
         )
         environment.filters["text"] = self.names.text
         environment.filters["gist"] = names.gist
+        environment.filters["file_name"] = names.file_name
+        for kind in ("mod", "meth", "pat", "req", "src"):
+            environment.filters[kind] = getattr(self.names, kind)
         environment.globals.update(
             model=self.model,
             portal=self,
@@ -134,6 +137,11 @@ class Portal:
         """The nodes of a tree with their depth, from the root."""
         below = [pair for child in node.children for pair in self.flat(child, depth + 1)]
         return [(depth, node), *below]
+
+    def executed(self, nodes: list[tuple[int, TreeNode]]) -> str:
+        """Kind of glyph for a tree: "none" as long as a part of it is not measured."""
+        ran = [node.executed for _, node in nodes if node.recordable]
+        return "none" if None in ran else "ok" if all(ran) else "bad"
 
     def path_of(self, module: Module) -> list[str]:
         """Logic modules from the top down to the module's own."""
