@@ -19,14 +19,14 @@ def write_metrics(root: Path, model: Model, measured: dict[str, Any] | None = No
     """Writes the figures. ``measured`` adds what other steps of the run found, by key."""
     path = root / METRICS
     path.parent.mkdir(parents=True, exist_ok=True)
-    figures = metrics(model) | _drift(root, model) | (measured or {})
+    figures = metrics(model) | drift(root, model) | (measured or {})
     text = json.dumps(figures, indent=1, sort_keys=True) + "\n"
     if not path.exists() or path.read_text(encoding="utf-8") != text:
         path.write_text(text, encoding="utf-8")
     return path
 
 
-def _drift(root: Path, model: Model) -> dict[str, Any]:
+def drift(root: Path, model: Model) -> dict[str, Any]:
     """The seeded faults, when they were seeded in the present sources."""
     record = read_json(root / RESULTS / "drift.json")
     if not isinstance(record, dict) or record.get("sources") != model.sources_hash:

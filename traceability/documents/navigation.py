@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from traceability.documents.portal import Portal
+    from traceability.model.schema import Model
 
-FIRST = ("tour", "quick_start")
-EXPLAIN = {"tour", "execution_model", "glossary", "annotations", "add_reading_mode"}
+FIRST = ("tour", "quick_start", "client")
+EXPLAIN = ("execution_model", "add_reading_mode", "annotations", "glossary")
 
 
 @dataclass
@@ -48,7 +49,9 @@ def hand_written(folder: Path) -> list[Doc]:
         Doc(str(path.relative_to(folder).with_suffix("")), first_title(path))
         for path in sorted(folder.rglob("*.rst"))
     ]
-    return sorted(pages, key=lambda doc: (doc.name not in FIRST, doc.title.lower()))
+    order = [*FIRST, *EXPLAIN]
+    place = {name: number for number, name in enumerate(order)}
+    return sorted(pages, key=lambda doc: (place.get(doc.name, len(order)), doc.title.lower()))
 
 
 def first_title(path: Path) -> str:
@@ -61,52 +64,21 @@ def first_title(path: Path) -> str:
 
 
 class Navigation:
-    """Three groups, as there are three reasons to come here."""
+    """Three groups, as there are three reasons to come here, and the pages that explain."""
 
     def __init__(self, portal: Portal) -> None:
-        model = portal.model
-        modules = [m for m in model.modules.values() if not m.datatype]
-        trees = sum(requirement.tree is not None for requirement in model.requirements.values())
-        tour = [d for d in portal.docs if d.name == "tour"]
-        explain = [d for d in portal.docs if d.name in EXPLAIN and d not in tour]
-        use = [d for d in portal.docs if d.name not in EXPLAIN]
-        understand = [
-            Entry("architecture", "Architecture", "architecture.html"),
-            Entry("structure", "Module structure", "structure.html", "", len(modules)),
-            Entry("guide", "Module guide", "guide.html", "G"),
-            Entry("interfaces", "Interfaces", "interfaces.html", "I"),
-            Entry(
-                "datatypes", "Data types", "datatypes.html", "", len(model.modules) - len(modules)
-            ),
-            Entry(
-                "patterns", "Pattern applications", "patterns/index.html", "P", len(model.patterns)
-            ),
-            Entry("machines", "State machines", "machines.html", "", len(model.machines)),
-            Entry("uses", "Uses", "uses.html"),
-        ]
-        verify = [
-            Entry(
-                "requirements",
-                "Requirements",
-                "requirements/index.html",
-                "R",
-                len(model.requirements),
-            ),
-            Entry("trees", "Invocation trees", "trees.html", "", trees),
-            Entry("tests", "Tests", "tests.html", "T", len(model.tests)),
-            Entry("checks", "Checks", "checks/index.html", "", len(portal.checks)),
-        ]
+        docs = portal.docs
+        tour = [entry(doc) for doc in docs if doc.name == "tour"]
+        explain = [entry(doc) for doc in docs if doc.name in EXPLAIN]
+        use = [entry(doc) for doc in docs if doc.name not in ("tour", *EXPLAIN)]
+        source = Entry("source", "Source", "source/index.html", "S")
         self.groups = [
-            Group(
-                "understand", "Understand", [*map(entry, tour), *understand, *map(entry, explain)]
-            ),
-            Group("verify", "Verify", verify),
-            Group(
-                "build",
-                "Build and use",
-                [*map(entry, use), Entry("source", "Source", "source/index.html", "S")],
-            ),
+            Group("understand", "Understand", [*tour, *understand(portal.model)]),
+            Group("verify", "Verify", verify(portal)),
+            Group("build", "Build and use", [*use, source]),
         ]
+        if explain:
+            self.groups.append(Group("explain", "Explanations", explain))
 
     def data(self) -> list[dict[str, object]]:
         return [asdict(group) for group in self.groups]
@@ -120,3 +92,31 @@ class Navigation:
 
 def entry(doc: Doc) -> Entry:
     return Entry(f"docs/{doc.name}", doc.title, doc.address)
+
+
+def understand(model: Model) -> list[Entry]:
+    """In the order in which a newcomer reads."""
+    designs = sum(not module.datatype for module in model.modules.values())
+    types = len(model.modules) - designs
+    patterns = len(model.patterns)
+    return [
+        Entry("architecture", "Architecture", "architecture.html"),
+        Entry("structure", "Module structure", "structure.html", "", designs),
+        Entry("patterns", "Pattern applications", "patterns/index.html", "P", patterns),
+        Entry("machines", "State machines", "machines.html", "", len(model.machines)),
+        Entry("guide", "Module guide", "guide.html", "G"),
+        Entry("interfaces", "Interfaces", "interfaces.html", "I"),
+        Entry("datatypes", "Data types", "datatypes.html", "", types),
+        Entry("uses", "Uses", "uses.html"),
+    ]
+
+
+def verify(portal: Portal) -> list[Entry]:
+    requirements = portal.model.requirements
+    trees = sum(requirement.tree is not None for requirement in requirements.values())
+    return [
+        Entry("requirements", "Requirements", "requirements/index.html", "R", len(requirements)),
+        Entry("trees", "Invocation trees", "trees.html", "", trees),
+        Entry("tests", "Tests", "tests.html", "T", len(portal.model.tests)),
+        Entry("checks", "Checks", "checks/index.html", "", len(portal.checks)),
+    ]

@@ -14,12 +14,12 @@ from traceability.documents.calls import CallGraph
 from traceability.documents.highlight import Highlighter
 from traceability.documents.links import Links
 from traceability.documents.navigation import Navigation, hand_written
-from traceability.metrics import metrics
+from traceability.metrics import drift, metrics
 from traceability.model.schema import Finding, Model, Module, Place, Requirement, Test, TreeNode
 
 SITE = Path(__file__).resolve().parents[2] / "site"
 
-LATER = {"link-doc", "link-site"}  # they read the finished site
+LATER = {"doc-warning", "link-doc", "link-site"}  # Sphinx and the finished site tell
 DYNAMIC = {"tree-dynamic", "req-passed"}  # they need results of these sources
 
 
@@ -62,7 +62,7 @@ class Portal:
         self.code = Highlighter(root, root / "build" / "pages-cache" / "code")
         self.docs = hand_written(root / "docs")
         self.navigation = Navigation(self)
-        self.metrics = metrics(model)
+        self.metrics = metrics(model) | drift(root, model)
         self.designs = [m for m in model.modules.values() if not m.datatype]
         self.datatypes = [m for m in model.modules.values() if m.datatype]
         self.diagrams = self._diagrams()
@@ -130,6 +130,11 @@ class Portal:
         return sum(c.holds for a in self.model.patterns.values() for c in a.clauses)
 
     @property
+    def early(self) -> int:
+        """How many checks are decided before the pages are written."""
+        return sum(not self.is_later(check) for check in self.checks)
+
+    @property
     def trees(self) -> list[Requirement]:
         return [r for r in self.model.requirements.values() if r.tree]
 
@@ -137,6 +142,17 @@ class Portal:
         """The nodes of a tree with their depth, from the root."""
         below = [pair for child in node.children for pair in self.flat(child, depth + 1)]
         return [(depth, node), *below]
+
+    def element_targets(self) -> dict[str, str]:
+        """The module that each element of the architecture leads to; "" when it has none here."""
+        known = self.model.modules
+        return {
+            element.id: next(
+                (self.links.module(m) or "" for m in element.modules if m in known), ""
+            )
+            for element in self.model.architecture
+            if element.modules
+        }
 
     def executed(self, nodes: list[tuple[int, TreeNode]]) -> str:
         """Kind of glyph for a tree: "none" as long as a part of it is not measured."""
@@ -187,12 +203,16 @@ class Portal:
     def applications_of(self, module: Module) -> list[str]:
         return list(dict.fromkeys(role.application for role in module.roles))
 
+    def is_later(self, check: str) -> bool:
+        """Whether nothing is known of a check before the pages are written."""
+        return check in LATER and not self.findings_of(check)
+
     def verdict_of(self, check: str) -> Markup:
         """What this run knows of a check when the pages are written."""
         if found := len(self.findings_of(check)):
             return names.glyph("bad", f"{found} found")
-        if check in LATER:
-            return names.glyph("none", "read after the pages")
+        if self.is_later(check):
+            return names.glyph("none", "after the pages")
         if check in DYNAMIC and self.model.results_stale:
             return names.glyph("none", "no fresh results")
         return names.glyph("ok", "holds")

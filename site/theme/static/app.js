@@ -24,7 +24,7 @@
   if (data.commit) { one("code", commit).textContent = data.commit.slice(0, 7); commit.hidden = false; }
   const menu = one(".menu"), side = one("#side");
   if (menu) menu.addEventListener("click", () => { const open = side.classList.toggle("open"); menu.setAttribute("aria-expanded", open); if (open) side.focus(); });
-  if (window.matchMedia("(max-width: 820px)").matches) all(".calls-list").forEach((list) => { list.open = true; });
+  if (window.matchMedia("(max-width: 820px)").matches) all(".calls-list, .trace-list").forEach((list) => { list.open = true; });
 
   /* view keys: one stop for the tab key, arrows inside */
   const VIEWS = [["F", "Diagram", "diagram"], ["I", "Interface", "interface"], ["G", "Guide", "guide"], ["P", "Patterns", "patterns"], ["R", "Requirements", "requirements"], ["S", "Source", "source"], ["T", "Tests", "tests"]];
@@ -144,6 +144,12 @@
 
   /* what scrolls can be scrolled from the keyboard */
   all(".prose .highlight, .prose table").forEach((part) => { if (part.scrollWidth > part.clientWidth) part.tabIndex = 0; });
+
+  /* a wide diagram is scrolled to what is marked in it */
+  all(".scroll:has(> .located)").forEach((frame) => {
+    const marked = one(".lit", frame).getBoundingClientRect(), view = frame.getBoundingClientRect();
+    frame.scrollLeft += (marked.left + marked.right - view.left - view.right) / 2;
+  });
 
   /* an address with a hash opens what hides its target */
   function reveal() { const target = location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1))); for (let part = target; part; part = part.parentElement) if (part.tagName === "DETAILS") part.open = true; if (target) target.scrollIntoView(); }

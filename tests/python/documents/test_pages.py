@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 from pathlib import Path
 
 import pytest
@@ -241,6 +242,54 @@ def test_a_check_that_needs_fresh_results_does_not_hold_without_them(tmp_path: P
     assert "holds" in Portal(tmp_path, model, [], CHECKS).verdict_of("tree-dynamic")
     stale = dataclasses.replace(model, results_hash=None)
     assert "no fresh results" in Portal(tmp_path, stale, [], CHECKS).verdict_of("tree-dynamic")
+
+
+def test_a_check_of_the_finished_site_claims_no_verdict(tmp_path: Path) -> None:
+    later = CheckText("link-site", "Links", "Each link has a target.", "other sites.", "mend it.")
+    portal = Portal(tmp_path, make_project(tmp_path), [], [*CHECKS, later])
+    found = {page.name: page.body for page in all_pages(portal)}
+    assert "Checked after the pages are written" in found["checks/link-site"]
+    assert 'class="v' not in found["checks/link-site"]
+    assert "holds</span>" in found["checks/tree-static"]
+    assert portal.early == 1
+
+
+def test_seeded_faults_are_a_figure_only_when_these_sources_were_measured(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
+    record = tmp_path / "build" / "results" / "drift.json"
+    record.parent.mkdir(parents=True)
+    shown = {}
+    for sources in ("older", model.sources_hash):
+        record.write_text(json.dumps({"sources": sources, "seeded": 17, "caught": 16}))
+        pages = all_pages(Portal(tmp_path, model, [], CHECKS))
+        shown[sources] = next(page.body for page in pages if page.name == "index")
+    assert "faults caught" not in shown["older"]
+    assert "16<small>/17</small>" in shown[model.sources_hash]
+
+
+def test_the_architecture_says_what_is_not_in_this_source(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
+    wheel = next(item for item in model.architecture if item.id == "wheel-control")
+    wheel.modules = ["RC", "WheelController"]
+    pages = all_pages(Portal(tmp_path, model, [], CHECKS))
+    page = next(page.body for page in pages if page.name == "architecture")
+    assert "not in this source: WheelController" in page
+    assert page.count("not in this source") == 1
+    wheel.modules = ["WheelController"]
+    pages = all_pages(Portal(tmp_path, model, [], CHECKS))
+    page = next(page.body for page in pages if page.name == "architecture")
+    assert 'class="m soft">not in this source<' in page
+
+
+def test_the_pages_that_explain_have_a_group_of_their_own(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
+    (tmp_path / "docs" / "glossary.rst").write_text("Glossary\n========\n")
+    (tmp_path / "docs" / "quick_start.rst").write_text("Quick start\n===========\n")
+    navigation = Portal(tmp_path, model, [], CHECKS).navigation
+    groups = {group.id: [entry.title for entry in group.entries] for group in navigation.groups}
+    assert groups["explain"] == ["Glossary"]
+    assert groups["build"] == ["Quick start", "Source"]
+    assert groups["understand"][:3] == ["Tour", "Architecture", "Module structure"]
 
 
 def test_a_finding_is_shown_on_its_check(site: tuple[Path, Model]) -> None:
