@@ -76,8 +76,9 @@ def metrics(model: Model) -> dict[str, Any]:
         "tests.passed": sum(test.result == "passed" for test in tests) if fresh else None,
         "coverage.line": _share(designs, "lines_covered", "lines_total") if fresh else None,
         "coverage.branch": _share(designs, "branches_covered", "branches_total") if fresh else None,
-        "firmware.flash_bytes": _sum(designs, "flash_bytes"),
-        "firmware.ram_bytes": _sum(designs, "ram_bytes"),
+        # Of an image; a library is not one.
+        "firmware.flash_bytes": None,
+        "firmware.ram_bytes": None,
         "firmware.stack_bytes": None,
         "bench.scenarios": None,
         "drift.seeded": None,

@@ -130,6 +130,14 @@ class Portal:
         return sum(c.holds for a in self.model.patterns.values() for c in a.clauses)
 
     @property
+    def library_sizes(self) -> tuple[int | None, int | None]:
+        """Flash and RAM of all modules in the library for the K64."""
+        modules = [m for m in self.model.modules.values() if m.flash_bytes is not None]
+        if not modules:
+            return None, None
+        return sum(m.flash_bytes or 0 for m in modules), sum(m.ram_bytes or 0 for m in modules)
+
+    @property
     def early(self) -> int:
         """How many checks are decided before the pages are written."""
         return sum(not self.is_later(check) for check in self.checks)

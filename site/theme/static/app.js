@@ -5,67 +5,142 @@
   const all = (selector, root) => [...(root || document).querySelectorAll(selector)];
   const data = window.PORTAL || { modules: {}, entries: [], commit: "" };
   const base = document.documentElement.dataset.root || "";
-  const escape = (text) => String(text).replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
+  const escape = (text) =>
+    String(text).replace(
+      /[&<>"]/g,
+      (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c],
+    );
 
   /* theme */
-  const html = document.documentElement, button = one(".theme"), themes = ["auto", "light", "dark"];
+  const html = document.documentElement,
+    button = one(".theme"),
+    themes = ["auto", "light", "dark"];
   const theme = () => html.dataset.theme || "auto";
-  function sayTheme() { const t = theme(); one("span", button).textContent = t[0].toUpperCase() + t.slice(1); button.setAttribute("aria-label", "Theme: " + t); }
+  function sayTheme() {
+    const t = theme();
+    one("span", button).textContent = t[0].toUpperCase() + t.slice(1);
+    button.setAttribute("aria-label", "Theme: " + t);
+  }
   button.addEventListener("click", () => {
     const next = themes[(themes.indexOf(theme()) + 1) % 3];
-    if (next === "auto") delete html.dataset.theme; else html.dataset.theme = next;
-    try { localStorage.setItem("theme", next); } catch (error) { /* no storage: it lasts for this page */ }
+    if (next === "auto") delete html.dataset.theme;
+    else html.dataset.theme = next;
+    try {
+      localStorage.setItem("theme", next);
+    } catch (error) {
+      /* no storage: it lasts for this page */
+    }
     sayTheme();
   });
   sayTheme();
 
   /* commit, and the menu of narrow windows */
   const commit = one("[data-commit]");
-  if (data.commit) { one("code", commit).textContent = data.commit.slice(0, 7); commit.hidden = false; }
-  const menu = one(".menu"), side = one("#side");
-  if (menu) menu.addEventListener("click", () => { const open = side.classList.toggle("open"); menu.setAttribute("aria-expanded", open); if (open) side.focus(); });
-  if (window.matchMedia("(max-width: 820px)").matches) all(".calls-list, .trace-list").forEach((list) => { list.open = true; });
+  if (data.commit) {
+    one("code", commit).textContent = data.commit.slice(0, 7);
+    commit.hidden = false;
+  }
+  const menu = one(".menu"),
+    side = one("#side");
+  if (menu)
+    menu.addEventListener("click", () => {
+      const open = side.classList.toggle("open");
+      menu.setAttribute("aria-expanded", open);
+      if (open) side.focus();
+    });
+  if (window.matchMedia("(max-width: 820px)").matches)
+    all(".calls-list, .trace-list").forEach((list) => {
+      list.open = true;
+    });
 
   /* view keys: one stop for the tab key, arrows inside */
-  const VIEWS = [["F", "Diagram", "diagram"], ["I", "Interface", "interface"], ["G", "Guide", "guide"], ["P", "Patterns", "patterns"], ["R", "Requirements", "requirements"], ["S", "Source", "source"], ["T", "Tests", "tests"]];
+  const VIEWS = [
+    ["F", "Diagram", "diagram"],
+    ["I", "Interface", "interface"],
+    ["G", "Guide", "guide"],
+    ["P", "Patterns", "patterns"],
+    ["R", "Requirements", "requirements"],
+    ["S", "Source", "source"],
+    ["T", "Tests", "tests"],
+  ];
   const viewOf = (name, section) => base + data.modules[name].url + "#" + section;
-  all(".vk").forEach((group) => all("a", group).forEach((key, i) => { key.tabIndex = i ? -1 : 0; }));
+  all(".vk").forEach((group) =>
+    all("a", group).forEach((key, i) => {
+      key.tabIndex = i ? -1 : 0;
+    }),
+  );
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const target = event.target, group = target.closest(".vk"), inCard = target.closest(".card");
+    const target = event.target,
+      group = target.closest(".vk"),
+      inCard = target.closest(".card");
     if (group && /^Arrow(Left|Right)$/.test(event.key)) {
-      const keys = all("a", group), next = keys[keys.indexOf(target) + (event.key === "ArrowRight" ? 1 : -1)];
+      const keys = all("a", group),
+        next = keys[keys.indexOf(target) + (event.key === "ArrowRight" ? 1 : -1)];
       if (next) next.focus();
       event.preventDefault();
       return;
     }
     /* a letter acts only while a module's name, its keys or its card have the focus */
     const name = target.dataset.m || (group && group.dataset.vk) || (inCard && inCard.dataset.m);
-    const view = name && data.modules[name] && VIEWS.find((v) => v[0] === event.key.toUpperCase() && data.modules[name].views.includes(v[0]));
-    if (view) { location.href = viewOf(name, view[2]); event.preventDefault(); return; }
-    if (event.key === "/" && !/^(INPUT|TEXTAREA|SELECT)$/.test(target.tagName)) { one("#q").focus(); event.preventDefault(); }
+    const view =
+      name &&
+      data.modules[name] &&
+      VIEWS.find(
+        (v) => v[0] === event.key.toUpperCase() && data.modules[name].views.includes(v[0]),
+      );
+    if (view) {
+      location.href = viewOf(name, view[2]);
+      event.preventDefault();
+      return;
+    }
+    if (event.key === "/" && !/^(INPUT|TEXTAREA|SELECT)$/.test(target.tagName)) {
+      one("#q").focus();
+      event.preventDefault();
+    }
     if (event.key === "Escape") hide();
   });
 
   /* card of a module, on hover and focus, and on the first tap */
-  let card = null, owner = null, timer = 0, touched = false;
-  function hide() { clearTimeout(timer); if (card) card.remove(); if (owner) owner.removeAttribute("aria-details"); card = owner = null; }
+  let card = null,
+    owner = null,
+    timer = 0,
+    touched = false;
+  function hide() {
+    clearTimeout(timer);
+    if (card) card.remove();
+    if (owner) owner.removeAttribute("aria-details");
+    card = owner = null;
+  }
   function show(link) {
     if (owner === link) return;
     hide();
-    const name = link.dataset.m, module = data.modules[name];
+    const name = link.dataset.m,
+      module = data.modules[name];
     if (!module || module.kind === "d") return;
     owner = link;
     card = document.createElement("div");
-    card.className = "card"; card.id = "card"; card.dataset.m = name;
-    card.setAttribute("role", "group"); card.setAttribute("aria-label", "Views of " + name);
-    const roles = module.roles.map((role) => escape(role[0]) + " in " + escape(role[1])).join("<br>");
-    card.innerHTML = `<div class="hd"><span class="nm ${module.kind}">${name}</span><span>${module.kind === "a" ? "abstract" : "concrete"}, in <span class="logic">${escape(module.logic)}</span></span></div>` +
+    card.className = "card";
+    card.id = "card";
+    card.dataset.m = name;
+    card.setAttribute("role", "group");
+    card.setAttribute("aria-label", "Views of " + name);
+    const roles = module.roles
+      .map((role) => escape(role[0]) + " in " + escape(role[1]))
+      .join("<br>");
+    card.innerHTML =
+      `<div class="hd"><span class="nm ${module.kind}">${name}</span><span>${module.kind === "a" ? "abstract" : "concrete"}, in <span class="logic">${escape(module.logic)}</span></span></div>` +
       `<dl><dt>secret</dt><dd>${escape(module.secret)}</dd>${roles ? `<dt>roles</dt><dd>${roles}</dd>` : ""}</dl>` +
-      `<div class="words">${VIEWS.filter((v) => module.views.includes(v[0])).map((v) => `<a href="${viewOf(name, v[2])}"><span class="key" aria-hidden="true">${v[0]}</span>${v[1]}</a>`).join("")}</div>`;
+      `<div class="words">${VIEWS.filter((v) => module.views.includes(v[0]))
+        .map(
+          (v) =>
+            `<a href="${viewOf(name, v[2])}"><span class="key" aria-hidden="true">${v[0]}</span>${v[1]}</a>`,
+        )
+        .join("")}</div>`;
     link.setAttribute("aria-details", "card");
     link.after(card);
-    const at = link.getClientRects()[0], height = card.offsetHeight;
+    const at = link.getClientRects()[0],
+      height = card.offsetHeight;
     const below = at.bottom + height + 12 < innerHeight || at.top < height + 12;
     card.style.left = Math.max(12, Math.min(at.left, innerWidth - card.offsetWidth - 12)) + "px";
     card.style.top = (below ? at.bottom + 5 : at.top - height - 5) + "px";
@@ -79,91 +154,212 @@
     if (link) timer = setTimeout(() => show(link), card ? 60 : 240);
     else if (card && !within(event.target)) timer = setTimeout(hide, 240);
   });
-  document.addEventListener("focusin", (event) => { const link = named(event.target); if (link && link.matches(":focus-visible")) show(link); else if (!within(event.target)) hide(); });
-  document.addEventListener("pointerdown", (event) => { touched = event.pointerType === "touch"; if (card && !within(event.target)) hide(); });
-  document.addEventListener("click", (event) => { const link = named(event.target); if (touched && link && owner !== link) { event.preventDefault(); show(link); } });
-  addEventListener("scroll", () => { if (card && !card.matches(":hover") && !card.contains(document.activeElement)) hide(); }, { passive: true });
+  document.addEventListener("focusin", (event) => {
+    const link = named(event.target);
+    if (link && link.matches(":focus-visible")) show(link);
+    else if (!within(event.target)) hide();
+  });
+  document.addEventListener("pointerdown", (event) => {
+    touched = event.pointerType === "touch";
+    if (card && !within(event.target)) hide();
+  });
+  document.addEventListener("click", (event) => {
+    const link = named(event.target);
+    if (touched && link && owner !== link) {
+      event.preventDefault();
+      show(link);
+    }
+  });
+  addEventListener(
+    "scroll",
+    () => {
+      if (card && !card.matches(":hover") && !card.contains(document.activeElement)) hide();
+    },
+    { passive: true },
+  );
 
   /* search: typed and grouped */
-  const input = one("#q"), hits = one("#hits");
-  const ORDER = ["Modules", "Logic modules", "Pattern applications", "Requirements", "Methods", "Data types", "Tests", "Checks", "Pages", "Source"];
+  const input = one("#q"),
+    hits = one("#hits");
+  const ORDER = [
+    "Modules",
+    "Logic modules",
+    "Pattern applications",
+    "Requirements",
+    "Methods",
+    "Data types",
+    "Tests",
+    "Checks",
+    "Pages",
+    "Source",
+  ];
   let chosen = -1;
-  function lit(text, word) { const i = text.toLowerCase().indexOf(word); return i < 0 ? escape(text) : escape(text.slice(0, i)) + "<mark>" + escape(text.slice(i, i + word.length)) + "</mark>" + escape(text.slice(i + word.length)); }
-  function rank(entry, word) { const title = entry[2].toLowerCase(), i = title.indexOf(word); return title === word ? 0 : i === 0 ? 1 : i > 0 ? 2 : entry[3].toLowerCase().includes(word) ? 3 : -1; }
+  function lit(text, word) {
+    const i = text.toLowerCase().indexOf(word);
+    return i < 0
+      ? escape(text)
+      : escape(text.slice(0, i)) +
+          "<mark>" +
+          escape(text.slice(i, i + word.length)) +
+          "</mark>" +
+          escape(text.slice(i + word.length));
+  }
+  function rank(entry, word) {
+    const title = entry[2].toLowerCase(),
+      i = title.indexOf(word);
+    return title === word
+      ? 0
+      : i === 0
+        ? 1
+        : i > 0
+          ? 2
+          : entry[3].toLowerCase().includes(word)
+            ? 3
+            : -1;
+  }
   function find(text) {
     const word = text.trim().toLowerCase();
     if (!word) return close();
     const groups = {};
-    for (const entry of data.entries) { const r = rank(entry, word); if (r >= 0) (groups[entry[0]] = groups[entry[0]] || []).push([r, entry]); }
+    for (const entry of data.entries) {
+      const r = rank(entry, word);
+      if (r >= 0) (groups[entry[0]] = groups[entry[0]] || []).push([r, entry]);
+    }
     const best = (group) => Math.min(...groups[group].map((hit) => hit[0]));
-    const order = ORDER.filter((group) => groups[group]).sort((a, b) => (best(a) > 0) - (best(b) > 0));
-    let out = "", count = 0;
+    const order = ORDER.filter((group) => groups[group]).sort(
+      (a, b) => (best(a) > 0) - (best(b) > 0),
+    );
+    let out = "",
+      count = 0;
     for (const group of order) {
       const found = groups[group].sort((a, b) => a[0] - b[0] || a[1][2].length - b[1][2].length);
       out += `<div class="g" role="presentation"><span>${group}</span><span>${found.length}</span></div>`;
       for (const [, entry] of found.slice(0, 5)) {
-        const letter = entry[1].length === 1 && entry[1] === entry[1].toUpperCase() ? `<span class="key" aria-hidden="true">${entry[1]}</span>` : "<span></span>";
+        const letter =
+          entry[1].length === 1 && entry[1] === entry[1].toUpperCase()
+            ? `<span class="key" aria-hidden="true">${entry[1]}</span>`
+            : "<span></span>";
         out += `<a role="option" tabindex="-1" id="hit${count++}" class="${entry[1]}" href="${base + entry[4]}">${letter}<b>${lit(entry[2], word)}</b><span class="d">${lit(entry[3], word)}</span></a>`;
       }
     }
-    hits.innerHTML = (out || '<div class="g">Nothing has this name. Try a module, a method, a pattern, FR-15.</div>') + '<div class="hint">↑ ↓ choose &ensp; Enter open &ensp; Esc close</div>';
+    hits.innerHTML =
+      (out ||
+        '<div class="g">Nothing has this name. Try a module, a method, a pattern, FR-15.</div>') +
+      '<div class="hint">↑ ↓ choose &ensp; Enter open &ensp; Esc close</div>';
     hits.hidden = false;
     input.setAttribute("aria-expanded", "true");
     choose(count ? 0 : -1);
   }
-  function close() { hits.hidden = true; input.setAttribute("aria-expanded", "false"); input.removeAttribute("aria-activedescendant"); chosen = -1; }
+  function close() {
+    hits.hidden = true;
+    input.setAttribute("aria-expanded", "false");
+    input.removeAttribute("aria-activedescendant");
+    chosen = -1;
+  }
   function choose(number) {
     chosen = number;
-    all("a", hits).forEach((hit, i) => { hit.setAttribute("aria-selected", i === number); if (i === number) { input.setAttribute("aria-activedescendant", hit.id); hit.scrollIntoView({ block: "nearest" }); } });
+    all("a", hits).forEach((hit, i) => {
+      hit.setAttribute("aria-selected", i === number);
+      if (i === number) {
+        input.setAttribute("aria-activedescendant", hit.id);
+        hit.scrollIntoView({ block: "nearest" });
+      }
+    });
   }
   input.addEventListener("input", () => find(input.value));
   input.addEventListener("keydown", (event) => {
     const count = all("a", hits).length;
-    if (/^Arrow(Up|Down)$/.test(event.key) && count) { choose((chosen + (event.key === "ArrowDown" ? 1 : count - 1)) % count); event.preventDefault(); }
-    else if (event.key === "Enter" && chosen >= 0) location.href = all("a", hits)[chosen].href;
+    if (/^Arrow(Up|Down)$/.test(event.key) && count) {
+      choose((chosen + (event.key === "ArrowDown" ? 1 : count - 1)) % count);
+      event.preventDefault();
+    } else if (event.key === "Enter" && chosen >= 0) location.href = all("a", hits)[chosen].href;
     else if (event.key === "Escape") close();
   });
-  document.addEventListener("pointerdown", (event) => { if (!event.target.closest(".search")) close(); });
-  all("[data-try]").forEach((word) => word.addEventListener("click", () => { input.value = word.dataset.try; input.focus(); find(input.value); }));
+  document.addEventListener("pointerdown", (event) => {
+    if (!event.target.closest(".search")) close();
+  });
+  all("[data-try]").forEach((word) =>
+    word.addEventListener("click", () => {
+      input.value = word.dataset.try;
+      input.focus();
+      find(input.value);
+    }),
+  );
   const asked = new URLSearchParams(location.search).get("q");
-  if (asked) { input.value = asked; find(asked); }
+  if (asked) {
+    input.value = asked;
+    find(asked);
+  }
 
   /* filters of lists */
   all("[data-filter]").forEach((field) => {
-    const rows = all(field.dataset.filter), count = one(".count", field.parentElement);
+    const rows = all(field.dataset.filter),
+      count = one(".count", field.parentElement);
     field.addEventListener("input", () => {
       const word = field.value.trim().toLowerCase();
-      rows.forEach((row) => { row.hidden = !row.textContent.toLowerCase().includes(word); });
-      all(".tree details").reverse().forEach((part) => { part.hidden = word !== "" && !all(".leaf", part).some((leaf) => !leaf.hidden); });
-      all(".main > .sec").forEach((part) => { const own = rows.filter((row) => part.contains(row)); part.hidden = own.length > 0 && own.every((row) => row.hidden); });
+      rows.forEach((row) => {
+        row.hidden = !row.textContent.toLowerCase().includes(word);
+      });
+      all(".tree details")
+        .reverse()
+        .forEach((part) => {
+          part.hidden = word !== "" && !all(".leaf", part).some((leaf) => !leaf.hidden);
+        });
+      all(".main > .sec").forEach((part) => {
+        const own = rows.filter((row) => part.contains(row));
+        part.hidden = own.length > 0 && own.every((row) => row.hidden);
+      });
       const left = rows.filter((row) => !row.hidden).length;
-      count.textContent = (left === rows.length ? "" : left + " of ") + rows.length + " " + count.dataset.noun;
+      count.textContent =
+        (left === rows.length ? "" : left + " of ") + rows.length + " " + count.dataset.noun;
     });
   });
-  all("[data-open]").forEach((control) => control.addEventListener("click", () => all(".tree details").forEach((part) => { part.open = control.dataset.open === "true"; })));
+  all("[data-open]").forEach((control) =>
+    control.addEventListener("click", () =>
+      all(".tree details").forEach((part) => {
+        part.open = control.dataset.open === "true";
+      }),
+    ),
+  );
 
   /* what scrolls can be scrolled from the keyboard */
-  all(".prose .highlight, .prose table").forEach((part) => { if (part.scrollWidth > part.clientWidth) part.tabIndex = 0; });
+  all(".prose .highlight, .prose table").forEach((part) => {
+    if (part.scrollWidth > part.clientWidth) part.tabIndex = 0;
+  });
 
   /* a wide diagram is scrolled to what is marked in it */
   all(".scroll:has(> .located)").forEach((frame) => {
-    const marked = one(".lit", frame).getBoundingClientRect(), view = frame.getBoundingClientRect();
+    const marked = one(".lit", frame).getBoundingClientRect(),
+      view = frame.getBoundingClientRect();
     frame.scrollLeft += (marked.left + marked.right - view.left - view.right) / 2;
   });
 
   /* an address with a hash opens what hides its target */
-  function reveal() { const target = location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1))); for (let part = target; part; part = part.parentElement) if (part.tagName === "DETAILS") part.open = true; if (target) target.scrollIntoView(); }
+  function reveal() {
+    const target =
+      location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    for (let part = target; part; part = part.parentElement)
+      if (part.tagName === "DETAILS") part.open = true;
+    if (target) target.scrollIntoView();
+  }
   addEventListener("hashchange", reveal);
   if (location.hash) reveal();
 
   /* the section in view, in the bar of a module's page */
   const links = new Map(all('.vkbar a[href^="#"]').map((link) => [link.hash.slice(1), link]));
   if (links.size) {
-    const watcher = new IntersectionObserver((entries) => entries.forEach((entry) => {
-      if (!entry.isIntersecting) return;
-      links.forEach((link) => link.removeAttribute("aria-current"));
-      links.get(entry.target.id).setAttribute("aria-current", "true");
-    }), { rootMargin: "-110px 0px -70% 0px" });
-    links.forEach((_, id) => { const section = document.getElementById(id); if (section) watcher.observe(section); });
+    const watcher = new IntersectionObserver(
+      (entries) =>
+        entries.forEach((entry) => {
+          if (!entry.isIntersecting) return;
+          links.forEach((link) => link.removeAttribute("aria-current"));
+          links.get(entry.target.id).setAttribute("aria-current", "true");
+        }),
+      { rootMargin: "-110px 0px -70% 0px" },
+    );
+    links.forEach((_, id) => {
+      const section = document.getElementById(id);
+      if (section) watcher.observe(section);
+    });
   }
 })();
