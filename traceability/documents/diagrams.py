@@ -161,7 +161,9 @@ def shown_members(module: Module, role: str) -> list[str]:
     names = [
         m
         for m in module.methods
-        if m.access == "public" and m.kind in wanted and not m.name.startswith(("operator", "~"))
+        if (m.access == "public" or m.kind != "plain")  # a primitive is virtual and not public
+        and m.kind in wanted
+        and not m.name.startswith(("operator", "~"))
     ]
     seen: dict[str, str] = {}
     for method in names:
