@@ -1,7 +1,7 @@
 """Sphinx settings of the portal. traceability.documents.build adds the paths and the navigation."""
 
 project = "Weeding robot"
-copyright = ""  # noqa: A001
+copyright = ""  # noqa: A001 - the name that Sphinx reads
 extensions = ["breathe", "traceability.documents.extension"]
 root_doc = "index"
 exclude_patterns = ["_static", "_doxygen"]

@@ -44,6 +44,7 @@ class Handler(SimpleHTTPRequestHandler):
         self.send_header("Cache-Control", "no-cache")
         super().end_headers()
 
+    # The name of the parameter is that of the base class.
     def log_message(self, format: str, *args: object) -> None:  # noqa: A002
         """Says nothing for each page."""
 

@@ -64,6 +64,7 @@ def load(app: Sphinx) -> None:
     links = Path(app.srcdir) / "links.json"
     for kind, targets in json.loads(links.read_text(encoding="utf-8")).items():
         app.add_role(kind, NameRole(targets), override=True)
+    # Only builders of HTML have it, and no other one is used.
     app.builder.search = False  # type: ignore[attr-defined]
 
 

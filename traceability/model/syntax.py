@@ -572,6 +572,7 @@ def _library() -> Any:
             ctypes.POINTER(ctypes.c_uint),
         ]
         library.clang_disposeOverriddenCursors.argtypes = [pointer]
+        # A mark on this very function, so that the binding is done once.
         _library.bound = True  # type: ignore[attr-defined]
     return library
 
