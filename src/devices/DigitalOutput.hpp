@@ -1,0 +1,23 @@
+#pragma once
+
+namespace wr {
+
+/// @brief Output with two levels.
+/// @function Switches something outside the microcontroller on and off.
+/// @secret Which pin is switched, and which of its levels means on.
+class DigitalOutput {
+ public:
+  DigitalOutput(const DigitalOutput&) = delete;
+  DigitalOutput& operator=(const DigitalOutput&) = delete;
+
+  /// @brief Switches the output.
+  /// @param on true to switch it on
+  /// @isr{yes}
+  virtual void set(bool on) = 0;
+
+ protected:
+  DigitalOutput() = default;
+  ~DigitalOutput() = default;
+};
+
+}  // namespace wr
