@@ -1,0 +1,159 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace wr::k64 {
+
+/// @brief A Cortex-M4F: instructions by the Unicorn engine; exceptions, interrupt controller and
+/// system control by this class.
+///
+/// Unicorn is under the GPL. It is linked to the simulator and its tests only, never to the
+/// firmware.
+///
+/// Time is counted in cycles: one for each instruction, 12 for the entry to an exception, 10 for
+/// the return from it, 6 from one exception to the next. The same program gives the same run,
+/// always.
+///
+/// Not modelled: bit-banding, the memory protection unit, a fault from an unaligned LDRD, LDM or
+/// VLDR, lazy stacking of the floating-point registers (they are stacked at entry).
+class CortexM4 {
+ public:
+  /// @brief What a program may do with memory.
+  enum class Access { ReadWrite, ReadExecute, ReadWriteExecute };
+
+  /// @brief What the program did that stopped it.
+  struct Problem {
+    std::string id;        ///< kind of finding
+    std::string what;      ///< what happened, in words
+    std::uint32_t pc = 0;  ///< instruction that did it
+  };
+
+  /// @brief Why run() returned.
+  enum class Stop {
+    Limit,    ///< the limit was reached, or stop() was called
+    Sleep,    ///< the program waits for an interrupt
+    Problem,  ///< problem() tells what it did
+    Exit      ///< exit() was called
+  };
+
+  /// @brief Why an exception was entered or left.
+  enum class Step { Entered, Left };
+
+  using Read = std::function<std::uint32_t(std::uint32_t address, unsigned size)>;
+  using Write = std::function<void(std::uint32_t address, unsigned size, std::uint32_t value)>;
+
+  /// @brief Makes a processor without memory.
+  /// @param lines number of interrupt lines, 1 to 240
+  /// @param priorityBits number of bits of a priority, 3 to 8
+  explicit CortexM4(unsigned lines = 110, unsigned priorityBits = 4);
+  ~CortexM4();
+  CortexM4(const CortexM4&) = delete;
+  CortexM4& operator=(const CortexM4&) = delete;
+
+  /// @brief Adds memory.
+  /// @param address first address, a multiple of 4096
+  /// @param size bytes, a multiple of 4096
+  /// @param access what the program may do with it
+  void mapMemory(std::uint32_t address, std::uint32_t size, Access access);
+
+  /// @brief Adds a range of addresses whose accesses are calls.
+  /// @param address first address, a multiple of 4096
+  /// @param size bytes, a multiple of 4096
+  /// @param read gives what the program reads
+  /// @param write takes what the program writes
+  void mapWindow(std::uint32_t address, std::uint32_t size, Read read, Write write);
+
+  /// @brief Makes accesses across an address fault, as across the border of two memories.
+  /// @param address the border
+  void setBorder(std::uint32_t address);
+
+  /// @brief Writes memory from outside, also where the program may not.
+  void load(std::uint32_t address, std::span<const std::uint8_t> bytes);
+
+  /// @brief Reads a word of memory from outside.
+  [[nodiscard]] std::uint32_t word(std::uint32_t address) const;
+
+  /// @brief Resets the processor: stack pointer and start from the vectors at address 0.
+  void reset();
+
+  /// @brief Runs the program.
+  /// @param limit number of cycles since construction at which to return
+  /// @return why it returned
+  Stop run(std::uint64_t limit);
+
+  /// @brief Makes run() return at a cycle earlier than its limit. For calls of windows.
+  void limitTo(std::uint64_t cycle);
+
+  /// @brief Makes run() return before the next instruction. For calls of windows.
+  void stop() { limitTo(0); }
+
+  /// @brief Makes run() return Stop::Exit before the next instruction.
+  void exit();
+
+  /// @brief Lets time pass without an instruction, as in sleep.
+  void skipTo(std::uint64_t cycle);
+
+  /// @brief Cycles since construction; a reset does not clear them.
+  [[nodiscard]] std::uint64_t cycles() const;
+
+  /// @brief Instructions since construction.
+  [[nodiscard]] std::uint64_t instructions() const;
+
+  /// @brief The instruction that runs, or the next one.
+  [[nodiscard]] std::uint32_t pc() const;
+
+  /// @brief A core register, 0 to 15.
+  [[nodiscard]] std::uint32_t core(unsigned number) const;
+  void setCore(unsigned number, std::uint32_t value);
+
+  /// @brief Number of the exception that runs, 0 in thread mode.
+  [[nodiscard]] unsigned exception() const;
+
+  /// @brief Sets the level of an interrupt line.
+  void setLine(unsigned line, bool high);
+
+  /// @brief Pends an exception as the hardware does; a fault is taken at the next instruction.
+  /// @param exception number, 2 NMI, 3 HardFault, ... 16 interrupt line 0
+  void raise(unsigned exception);
+
+  /// @brief An access of a window gets a bus fault, or is a problem when faults are.
+  /// @param id kind of finding
+  /// @param what what happened, in words
+  void refuse(std::uint32_t address, std::string id, std::string what);
+
+  /// @brief Stops the program with a problem, whatever the treatment of faults.
+  void report(std::string id, std::string what);
+
+  /// @brief The problem that stopped the program.
+  [[nodiscard]] const std::optional<Problem>& problem() const;
+
+  /// @brief Faults stop the program as problems (true), or are delivered to it (false, at first).
+  void setFaultsAreProblems(bool problems);
+
+  /// @brief Sets what is called at BKPT 0xAB. The call sets register 0; the program goes on after it.
+  void onSemihosting(std::function<void(CortexM4&)> call);
+
+  /// @brief Sets what is called when an exception was entered or left.
+  void onException(std::function<void(Step, unsigned exception)> call);
+
+  /// @brief Sets what is called when the program asks for a reset.
+  void onResetRequest(std::function<void()> call);
+
+  /// @brief Sets what is called when a fault meets no handler that may run. Without it: a problem.
+  void onLockup(std::function<void()> call);
+
+  /// @brief Sets what is called at the start of each block of instructions. Set before the first run.
+  void onBlock(std::function<void(std::uint32_t address)> call);
+
+ private:
+  class Engine;
+  std::unique_ptr<Engine> engine_;
+};
+
+}  // namespace wr::k64

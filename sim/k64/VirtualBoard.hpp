@@ -1,0 +1,140 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/k64/Finding.hpp"
+
+namespace wr::k64 {
+
+class CallRecorder;
+
+/// @brief What a virtual board does and has.
+struct Options {
+  std::filesystem::path elf;      ///< names the functions of findings; may be empty
+  bool externalClock = true;      ///< the clock of 50 MHz is there
+  bool resetsAreFindings = true;  ///< a reset that the program causes stops the run
+  bool faultsAreFindings = true;  ///< a fault stops the run; false: the program gets it
+};
+
+/// @brief What resets the board from outside or from inside.
+enum class Reset { PowerOn, LowVoltage, Pin, Watchdog, ClockLost, Lockup, Software };
+
+/// @brief Something that happened on the board.
+struct Event {
+  enum class Kind {
+    ExceptionEntered,  ///< number: of the exception
+    ExceptionLeft,     ///< number: of the exception
+    Reset,             ///< number: of the Reset
+    PinChanged,        ///< number: 32 * port + pin; value: level that the program puts out
+    ByteSent           ///< value: the byte, at the end of its stop bit
+  };
+  Kind kind;
+  std::chrono::nanoseconds at;
+  std::uint32_t number = 0;
+  std::uint32_t value = 0;
+};
+
+/// @brief A K64 microcontroller with its clock and a line to a PC, which runs an image unchanged.
+class VirtualBoard {
+ public:
+  using nanoseconds = std::chrono::nanoseconds;
+
+  /// @brief Switches the board on.
+  /// @param image what flash holds from address 0; the rest is erased
+  /// @param options what the board does and has
+  explicit VirtualBoard(std::vector<std::uint8_t> image, Options options = {});
+  ~VirtualBoard();
+  VirtualBoard(const VirtualBoard&) = delete;
+  VirtualBoard& operator=(const VirtualBoard&) = delete;
+
+  /// @brief Runs to a time.
+  /// @return true when it was reached; false when a finding stopped the run.
+  bool runUntil(nanoseconds time);
+
+  /// @brief Runs until an interrupt has been entered.
+  /// @param irq its line
+  /// @param limit time at which to give up
+  /// @return true when it was entered; false: finding() tells, or the limit was reached.
+  bool runToInterrupt(int irq, nanoseconds limit);
+
+  /// @brief Runs until the program waits for an interrupt.
+  /// @param limit time at which to give up
+  /// @return true when it waits; false: finding() tells, or the limit was reached.
+  bool runToSleep(nanoseconds limit);
+
+  /// @brief Time since the board was switched on.
+  [[nodiscard]] nanoseconds now() const;
+
+  /// @brief What stopped the run. A run that a finding stopped does not go on.
+  [[nodiscard]] const std::optional<Finding>& finding() const;
+
+  /// @brief Bytes that the PC sends from now on, after those it is still sending, at 115200 baud.
+  void receive(std::span<const std::uint8_t> bytes);
+
+  /// @brief Bytes that the PC sends from a time on. Times must not decrease.
+  void receiveAt(nanoseconds time, std::span<const std::uint8_t> bytes);
+
+  /// @brief The PC sends one byte whose stop bit is wrong.
+  void receiveBroken(std::uint8_t byte);
+
+  /// @brief Changes the speed of the PC's side of the line, in both directions; 115200 at first.
+  void setLineBaud(std::uint32_t baud);
+
+  /// @brief What the board has sent since the last call.
+  [[nodiscard]] std::vector<std::uint8_t> takeSent();
+
+  /// @brief Tells whether no byte is on its way in either direction.
+  [[nodiscard]] bool lineIdle() const;
+
+  /// @brief Level of a pin, e.g. ('B', 22).
+  [[nodiscard]] bool pin(char port, int number) const;
+
+  /// @brief Puts a level on a pin from outside.
+  void drive(char port, int number, bool level);
+
+  /// @brief Tells whether the program drives the pin as a digital output.
+  [[nodiscard]] bool isOutput(char port, int number) const;
+
+  /// @brief The hardware raises an exception before the next instruction, e.g. 3 HardFault.
+  void raise(int exception);
+
+  /// @brief Lets the external clock of 50 MHz come or go.
+  void setExternalClock(bool present);
+
+  /// @brief Resets the board. RAM keeps its content but for PowerOn.
+  void reset(Reset cause);
+
+  /// @brief Number of resets since the board was switched on; switching on is none.
+  [[nodiscard]] int resets() const;
+
+  [[nodiscard]] std::uint64_t instructions() const;
+  [[nodiscard]] std::uint64_t cycles() const;
+
+  /// @brief Frequency of the core.
+  [[nodiscard]] std::uint32_t clockHz() const;
+
+  /// @brief A word of flash or RAM.
+  [[nodiscard]] std::uint32_t word(std::uint32_t address) const;
+
+  /// @brief Sets what is called with each event.
+  void onEvent(std::function<void(const Event&)> call);
+
+  /// @brief Sets what is called with each write to a peripheral, before it takes effect.
+  void onWrite(std::function<void(std::uint32_t address, unsigned size, std::uint32_t value)> call);
+
+  /// @brief Records calls from now on. Set before the first run.
+  void record(CallRecorder& recorder);
+
+ private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace wr::k64
