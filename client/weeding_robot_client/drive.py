@@ -16,7 +16,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from weeding_robot_client.link import Link
-from weeding_robot_client.messages import Order, Quantity, Report
+from weeding_robot_client.messages import Order, Quantity, Report, Welcome
 from weeding_robot_client.monitor import as_line, status
 from weeding_robot_client.options import add_link, open_link
 from weeding_robot_client.recording import Recording
@@ -157,6 +157,7 @@ def by_keyboard(link: Link, recording: Recording) -> int:
     print(KEYS_HELP)
     ids = order_ids()
     wish: Wish | None = None
+    told: Welcome | None = None
     next_order = time.monotonic()
     with raw_keys(keyboard):
         try:
@@ -175,6 +176,7 @@ def by_keyboard(link: Link, recording: Recording) -> int:
                 for report in link.service(0.02):
                     recording.add(report)
                     wish = wish or Wish(stop=report.stop)
+                    told = tell_fault(link, told)
                     show(wish, report)
                 if not link.connected:
                     wish = None
@@ -183,6 +185,14 @@ def by_keyboard(link: Link, recording: Recording) -> int:
             if wish:
                 halt(link, wish, next(ids))
             print()
+
+
+def tell_fault(link: Link, told: Welcome | None) -> Welcome | None:
+    """Shows the fault before the last start once for each connection; returns its Welcome."""
+    welcome = link.welcome
+    if welcome and welcome is not told and welcome.start.faulted:
+        print(f"\r\x1b[Klast reset: {welcome.start}", flush=True)
+    return welcome
 
 
 def show(wish: Wish, report: Report) -> None:

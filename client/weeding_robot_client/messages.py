@@ -13,6 +13,26 @@ WHEELS = ("front left", "front right", "rear left", "rear right")
 STATES = ("Working", "Waiting", "WaitingN", "Reconnecting")
 MODES = ("RC", "PC")
 SOURCES = {0: "RC", 1: "PC", 255: None}
+RESET_CAUSES = (
+    "unknown cause",
+    "power on",
+    "low voltage",
+    "reset pin",
+    "watchdog",
+    "clock lost",
+    "lockup",
+    "software",
+    "debugger",
+)
+FAULTS = {
+    1: "assertion {number} failed",
+    2: "hard fault",
+    3: "memory fault",
+    4: "bus fault",
+    5: "usage fault",
+    6: "unexpected interrupt, exception {number}",
+    7: "clock failed in step {number}",
+}
 COUNTERS = (
     "overruns",
     "lost_bytes",
@@ -125,20 +145,49 @@ class Order:
 
 
 @dataclass(frozen=True)
+class Start:
+    """Why the firmware started, and what ended it before, in the numbers of the protocol."""
+
+    cause: int
+    fault: int = 0
+    number: int = 0
+    address: int = 0
+
+    @property
+    def faulted(self) -> bool:
+        return self.fault != 0
+
+    def __str__(self) -> str:
+        known = self.cause < len(RESET_CAUSES)
+        cause = RESET_CAUSES[self.cause] if known else f"cause {self.cause}"
+        if not self.faulted:
+            return cause
+        form = FAULTS.get(self.fault, f"fault {self.fault}, number {{number}}")
+        place = f" at 0x{self.address:08x}" if self.address else ""
+        return f"{cause}, after {form.format(number=self.number)}{place}"
+
+
+@dataclass(frozen=True)
 class Welcome:
     session: int
     version: tuple[int, int, int]
     build_id: str
     cycle_period_ms: int
     waiting_cycles: int
+    start: Start
     kind: ClassVar[int] = 0x81
-    form: ClassVar[struct.Struct] = struct.Struct("<4B8sHB")
+    form: ClassVar[struct.Struct] = struct.Struct("<4B8sHBBBHI")
 
     @classmethod
     def from_payload(cls, payload: bytes) -> Welcome:
-        session, major, minor, patch, build, period, waiting = cls.form.unpack(payload)
+        session, major, minor, patch, build, period, waiting, *start = cls.form.unpack(payload)
         return cls(
-            session, (major, minor, patch), build.decode("ascii", "replace"), period, waiting
+            session,
+            (major, minor, patch),
+            build.decode("ascii", "replace"),
+            period,
+            waiting,
+            Start(*start),
         )
 
 

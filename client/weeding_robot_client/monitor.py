@@ -55,7 +55,7 @@ def status(link: Link) -> str:
     """The state of the connection, with the time of day."""
     text = f"no connection on {link.path}, trying"
     if link.connected and link.welcome:
-        text = f"connected to {firmware(link)}"
+        text = f"connected to {firmware(link)}; last reset: {link.welcome.start}"
     return f"{time.strftime('%H:%M:%S')} {text}"
 
 
@@ -94,9 +94,15 @@ def as_line(report: Report) -> str:
     ).rstrip()
 
 
+def session(link: Link) -> str:
+    if link.welcome is None:
+        return f"session {MISSING}"
+    return f"session {link.welcome.session}   last reset: {link.welcome.start}"
+
+
 def as_table(report: Report, link: Link) -> str:
     lines = [
-        f"{firmware(link)}, session {link.welcome.session if link.welcome else MISSING}",
+        f"{firmware(link)}, {session(link)}",
         f"cycle {report.cycle}, {report.time_ms / 1000:.1f} s   state {report.state}   "
         f"reading mode {report.mode}   {source(report)}   {flags(report)}".rstrip(),
         "",

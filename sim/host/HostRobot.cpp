@@ -2,16 +2,20 @@
 
 namespace wr {
 
-HostRobot::HostRobot(const Timebase& timebase, SerialPort& pcPort)
+HostRobot::HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start)
     : timebase_(timebase),
       mainThread_(scheduler_, kMainPriority),
       cycleTimer_(scheduler_),
+      watchdog_(timebase),
+      start_(start),
       controllerBuilder_({.thread = mainThread_,
                           .cycleTimer = cycleTimer_,
                           .timebase = timebase,
                           .pcPort = pcPort,
                           .rcVelocity = rcVelocity_,
-                          .rcDirection = rcDirection_}),
+                          .rcDirection = rcDirection_,
+                          .watchdog = watchdog_,
+                          .start = start_}),
       director_(poolBuilder_, controllerBuilder_) {
   director_.construct();
   cycleTimer_.connect([this] { controllerBuilder_.clock().expired(); });
@@ -43,6 +47,10 @@ MainController& HostRobot::controller() {
 
 ControlSystemPool& HostRobot::systems() {
   return poolBuilder_.pool();
+}
+
+HostWatchdog& HostRobot::watchdog() {
+  return watchdog_;
 }
 
 HostScheduler& HostRobot::scheduler() {

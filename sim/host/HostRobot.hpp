@@ -6,9 +6,11 @@
 #include "devices/SerialPort.hpp"
 #include "devices/Timebase.hpp"
 #include "services/Pipe.hpp"
+#include "services/StartRecord.hpp"
 #include "sim/host/HostScheduler.hpp"
 #include "sim/host/HostThread.hpp"
 #include "sim/host/HostTimer.hpp"
+#include "sim/host/HostWatchdog.hpp"
 #include "units/quantities.hpp"
 
 namespace wr {
@@ -22,7 +24,8 @@ class HostRobot {
   /// @brief Constructs the robot and binds it to its devices.
   /// @param timebase gives the time
   /// @param pcPort line to the PC
-  HostRobot(const Timebase& timebase, SerialPort& pcPort);
+  /// @param start why the firmware starts; without it the cause is unknown
+  HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start = {});
   HostRobot(const HostRobot&) = delete;
   HostRobot& operator=(const HostRobot&) = delete;
 
@@ -52,6 +55,10 @@ class HostRobot {
   /// @return the pool.
   [[nodiscard]] ControlSystemPool& systems();
 
+  /// @brief The watchdog.
+  /// @return the watchdog that the cycles refresh.
+  [[nodiscard]] HostWatchdog& watchdog();
+
   /// @brief The scheduler.
   /// @return the scheduler that runs the threads of the robot.
   [[nodiscard]] HostScheduler& scheduler();
@@ -63,6 +70,8 @@ class HostRobot {
   HostTimer cycleTimer_;
   Pipe<Velocity> rcVelocity_;
   Pipe<Angle> rcDirection_;
+  HostWatchdog watchdog_;
+  StartRecord start_;
   ControlSystemPoolBuilder poolBuilder_;
   MainControllerBuilder controllerBuilder_;
   RobotDirector director_;

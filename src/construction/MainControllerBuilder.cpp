@@ -11,7 +11,7 @@ MainControllerBuilder::Link::Link(const Devices& devices, SerialReader& reader)
     : handshaking(connected, disconnected),
       disconnected(handshaking),
       connected(handshaking, disconnected),
-      connection(devices.pcPort, devices.timebase, reader, disconnected) {}
+      connection(devices.pcPort, devices.timebase, reader, disconnected, devices.start) {}
 
 MainControllerBuilder::Modes::Modes(Readers& readers, const PcConnection& connection)
     : basicPc(readers.pc),
@@ -59,6 +59,7 @@ void MainControllerBuilder::buildController(ControlSystemPool& systems) {
                                             .data = data_,
                                             .systems = systems,
                                             .connection = link_->connection,
+                                            .watchdog = devices_.watchdog,
                                             .initialState = states_->working,
                                             .initialMode = modes_->rc,
                                             .modes = modes_->all});

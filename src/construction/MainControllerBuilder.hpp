@@ -13,6 +13,7 @@
 #include "devices/PeriodicTimer.hpp"
 #include "devices/SerialPort.hpp"
 #include "devices/Timebase.hpp"
+#include "devices/Watchdog.hpp"
 #include "main_control/ControlData.hpp"
 #include "main_control/ControllerTimeOut.hpp"
 #include "main_control/MainController.hpp"
@@ -26,6 +27,7 @@
 #include "main_control/operation_states/Working.hpp"
 #include "services/ControlThread.hpp"
 #include "services/Pipe.hpp"
+#include "services/StartRecord.hpp"
 #include "units/quantities.hpp"
 
 namespace wr {
@@ -59,6 +61,8 @@ class MainControllerBuilder {
     SerialPort& pcPort;          ///< line to the PC
     Pipe<Velocity>& rcVelocity;  ///< velocity signal of the remote control
     Pipe<Angle>& rcDirection;    ///< direction signal of the remote control
+    Watchdog& watchdog;          ///< resets the system when cycles no longer complete
+    const StartRecord& start;    ///< why the firmware started
   };
 
   /// @brief Binds the builder to the devices.

@@ -19,6 +19,7 @@ MainController::MainController(const Parts& parts)
       data_(parts.data),
       systems_(parts.systems),
       connection_(parts.connection),
+      watchdog_(parts.watchdog),
       opSt_(parts.initialState),
       mode_(parts.initialMode),
       modes_(parts.modes) {}
@@ -40,6 +41,9 @@ void MainController::cycle() {
   read();
   control();
   write();
+  if (systems_.completed(data_.cycle())) {
+    watchdog_.refresh();
+  }
 }
 
 void MainController::read() {

@@ -6,6 +6,7 @@
 
 #include "communication/pc_connection/PcConnection.hpp"
 #include "devices/Timebase.hpp"
+#include "devices/Watchdog.hpp"
 #include "main_control/ControlData.hpp"
 #include "main_control/control_systems/ControlSystemPool.hpp"
 #include "main_control/operation_modes/Mode.hpp"
@@ -19,8 +20,9 @@ namespace wr {
 /// @brief Runs the control cycle: read, control, write.
 ///
 /// @function Runs one cycle for each clock pulse. In each cycle it serves the PC link, lets the present
-/// operation state read one order, control and report, and keeps the present state and the present
-/// reading mode. It also does what the states order: apply control, hold, send a report.
+/// operation state read one order, control and report, and tells the watchdog that it completed. It
+/// keeps the present state and the present reading mode, and does what the states order: apply
+/// control, hold, send a report.
 ///
 /// @secret The sequence of steps in a control cycle, and that a stop goes before every state.
 ///
@@ -38,6 +40,7 @@ class MainController {
     ControlData& data;             ///< data of the cycle
     ControlSystemPool& systems;    ///< what is controlled
     PcConnection& connection;      ///< link to the PC
+    Watchdog& watchdog;            ///< is told of each cycle that completed
     OperationState& initialState;  ///< operation state at start
     Mode& initialMode;             ///< reading mode at start
     std::span<Mode* const> modes;  ///< every mode that can order a stop
@@ -137,10 +140,12 @@ class MainController {
     MainController& mCtrl_;
   };
 
-  /// @brief Runs one control cycle: serve the link, note stops, read, control, write.
+  /// @brief Runs one control cycle: serve the link, note stops, read, control, write. At its end the
+  /// watchdog is refreshed, if the cycle completed.
   /// @satisfies FR-2
   /// @satisfies FR-35
   /// @satisfies FR-37
+  /// @satisfies FR-74
   void cycle();
   /// @brief Saves whether any source ordered a stop.
   /// @satisfies FR-21
@@ -156,6 +161,7 @@ class MainController {
   ControlData& data_;
   ControlSystemPool& systems_;
   PcConnection& connection_;
+  Watchdog& watchdog_;
   std::reference_wrapper<OperationState> opSt_;
   std::reference_wrapper<Mode> mode_;
   std::span<Mode* const> modes_;

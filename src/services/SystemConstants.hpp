@@ -51,6 +51,13 @@ class SystemConstants {
   /// @satisfies FR-33
   [[nodiscard]] constexpr Microseconds linkTimeout() const { return milliseconds(1000); }
 
+  /// @brief Tells how long the system may go without a cycle that completed. Three cycles: a cycle
+  /// that is late is no reason to reset, and one that is stuck ends before the robot has gone 0.3
+  /// m.
+  /// @return time-out of the watchdog [us]
+  /// @satisfies FR-70
+  [[nodiscard]] constexpr Microseconds watchdogTimeout() const { return milliseconds(300); }
+
   /// @brief Tells how far the steering can be set to each side. The least radius of a turn, 2.5 m,
   /// needs about 32 degrees.
   /// @return greatest angle [0.01 degree]
@@ -84,5 +91,8 @@ inline constexpr SystemConstants SystemConstants::instance_{};
 
 static_assert(SystemConstants::instance().waitingCycles() >= 2,
               "there is at least one waiting state before the last");
+static_assert(SystemConstants::instance().watchdogTimeout() >
+                  SystemConstants::instance().cyclePeriod() * 2,
+              "one cycle that does not complete is no reason to reset");
 
 }  // namespace wr

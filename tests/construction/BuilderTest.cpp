@@ -8,6 +8,8 @@
 #include "sim/host/HostThread.hpp"
 #include "sim/host/HostTimebase.hpp"
 #include "sim/host/HostTimer.hpp"
+#include "sim/host/HostWatchdog.hpp"
+#include "sim/scenario/PcFrames.hpp"
 
 namespace wr::test {
 namespace {
@@ -21,13 +23,17 @@ class BuilderTest : public testing::Test {
   HostTimer timer{scheduler};
   Pipe<Velocity> velocity;
   Pipe<Angle> direction;
+  HostWatchdog watchdog{time};
+  StartRecord start{ResetCause::Software, FaultKind::Assertion, 3, 0x1234};
   ControlSystemPoolBuilder poolBuilder;
   MainControllerBuilder builder{{.thread = thread,
                                  .cycleTimer = timer,
                                  .timebase = time,
                                  .pcPort = port,
                                  .rcVelocity = velocity,
-                                 .rcDirection = direction}};
+                                 .rcDirection = direction,
+                                 .watchdog = watchdog,
+                                 .start = start}};
   RobotDirector director{poolBuilder, builder};
 };
 
@@ -76,6 +82,35 @@ TEST_F(BuilderTest, FR51_RcSignalsReachTheSetPoints) {
   for (const WheelSetPoint& wheel : setPoints.wheels) {
     EXPECT_EQ(wheel, (WheelSetPoint{WheelQuantity::Velocity, 123}));
   }
+}
+
+/// @brief The watchdog of the platform is refreshed by the cycles of the controller that is built, and
+/// by no step of its construction or start.
+/// @verifies FR-74
+TEST_F(BuilderTest, FR74_CyclesRefreshTheWatchdogOfThePlatform) {
+  director.construct();
+  timer.connect([this] { builder.clock().expired(); });
+  director.start();
+  EXPECT_EQ(watchdog.refreshes(), 0U);
+  timer.periodPassed();
+  EXPECT_EQ(watchdog.refreshes(), 1U);
+}
+
+/// @brief The Welcome of the robot that is built tells the start that the platform recorded.
+/// @verifies FR-76
+TEST_F(BuilderTest, FR76_WelcomeTellsTheStartOfThePlatform) {
+  director.construct();
+  timer.connect([this] { builder.clock().expired(); });
+  director.start();
+  PcSender pc;
+  port.arrive(pc.hello());
+  timer.periodPassed();
+  const std::optional<PcWelcome> welcome = welcomeOf(bodies(port.takeSent()).at(0));
+  ASSERT_TRUE(welcome);
+  EXPECT_EQ(welcome->resetCause, 7);
+  EXPECT_EQ(welcome->faultKind, 1);
+  EXPECT_EQ(welcome->faultNumber, 3);
+  EXPECT_EQ(welcome->faultAddress, 0x1234U);
 }
 
 /// @brief The pool that is built is empty.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <functional>
 
 #include "communication/pc_connection/Connected.hpp"
 #include "communication/pc_connection/Disconnected.hpp"
@@ -15,7 +16,8 @@
 #include "sim/host/HostSerialPort.hpp"
 #include "sim/host/HostThread.hpp"
 #include "sim/host/HostTimebase.hpp"
-#include "support/PcFrames.hpp"
+#include "sim/host/HostWatchdog.hpp"
+#include "sim/scenario/PcFrames.hpp"
 
 namespace wr::test {
 
@@ -50,6 +52,7 @@ class FakeState final : public OperationState {
 
   std::vector<std::string> steps;
   OperationState* next = this;
+  std::function<void()> atWrite = [] {};
 
   void control(MainController& mCtrl) override {
     steps.emplace_back("control");
@@ -58,6 +61,7 @@ class FakeState final : public OperationState {
   void write(MainController& mCtrl) override {
     steps.emplace_back("write");
     OperationState::write(mCtrl);
+    atWrite();
   }
 
  private:
@@ -106,7 +110,9 @@ class ControllerFixture : public testing::Test {
     Disconnected disconnected;
     Connected connected;
   } link;
-  PcConnection connection{port, time, pcReader, link.disconnected};
+  StartRecord start;
+  PcConnection connection{port, time, pcReader, link.disconnected, start};
+  HostWatchdog watchdog{time};
   PcSender pc;
   ControlData data;
   ControlSystemPool systems;
@@ -121,6 +127,7 @@ class ControllerFixture : public testing::Test {
                              .data = data,
                              .systems = systems,
                              .connection = connection,
+                             .watchdog = watchdog,
                              .initialState = state,
                              .initialMode = first,
                              .modes = modes}};

@@ -1,5 +1,7 @@
 #include "main_control/MainController.hpp"
 
+#include <utility>
+
 #include "main_control/ControllerFixture.hpp"
 #include "main_control/ControllerTimeOut.hpp"
 
@@ -192,6 +194,86 @@ TEST_F(MainControllerTest, FR5_IncompleteControlSystemIsAnOverrun) {
   system.completes = false;
   controller.clockPulse();
   EXPECT_TRUE(sentReport().overran());
+}
+
+/// @brief Each cycle that completed refreshes the watchdog once. Time alone does not.
+/// @verifies FR-74
+TEST_F(MainControllerTest, FR74_CompletedCycleRefreshesTheWatchdogOnce) {
+  controller.start();
+  EXPECT_EQ(watchdog.refreshes(), 0U);
+  for (std::uint32_t cycle = 1; cycle <= 20; ++cycle) {
+    time.advance(milliseconds(100));
+    controller.clockPulse();
+    EXPECT_EQ(watchdog.refreshes(), cycle);
+  }
+  EXPECT_FALSE(watchdog.missed());
+}
+
+/// @brief No step of a cycle refreshes the watchdog, nor does a clock pulse alone.
+/// @verifies FR-74
+TEST_F(MainControllerTest, FR74_NoStepAloneRefreshesTheWatchdog) {
+  controller.clockPulse();
+  controller.read();
+  controller.control();
+  controller.write();
+  EXPECT_EQ(watchdog.refreshes(), 0U);
+}
+
+/// @brief The watchdog is refreshed after the report, at the end of the cycle.
+/// @verifies FR-74
+TEST_F(MainControllerTest, FR74_RefreshIsTheLastStep) {
+  state.atWrite = [this] { EXPECT_EQ(watchdog.refreshes(), 0U); };
+  controller.start();
+  controller.clockPulse();
+  EXPECT_EQ(state.steps.back(), "write");
+  EXPECT_EQ(watchdog.refreshes(), 1U);
+}
+
+/// @brief A cycle in which a control system did not complete its work does not refresh the watchdog,
+/// and three such cycles in a row are its end.
+/// @verifies FR-74
+TEST_F(MainControllerTest, FR74_IncompleteCycleDoesNotRefresh) {
+  controller.start();
+  controller.clockPulse();
+  system.completes = false;
+  for (int cycle = 0; cycle < 3; ++cycle) {
+    EXPECT_FALSE(watchdog.missed());
+    time.advance(milliseconds(100));
+    controller.clockPulse();
+  }
+  EXPECT_EQ(watchdog.refreshes(), 1U);
+  EXPECT_TRUE(watchdog.missed());
+}
+
+/// @brief One of several control systems that did not complete its work is enough.
+/// @verifies FR-74
+TEST_F(MainControllerTest, FR74_EachControlSystemMustComplete) {
+  SpySystem another;
+  systems.add(another);
+  another.completes = false;
+  controller.start();
+  controller.clockPulse();
+  EXPECT_EQ(watchdog.refreshes(), 0U);
+  another.completes = true;
+  controller.clockPulse();
+  EXPECT_EQ(watchdog.refreshes(), 1U);
+}
+
+/// @brief A stop, a cycle that overran, and a cycle without connection are cycles that completed.
+/// @verifies FR-74
+TEST_F(MainControllerTest, FR74_StopAndOverrunCompleteTheirCycle) {
+  controller.start();
+  first.stop = true;
+  controller.clockPulse();
+  EXPECT_EQ(watchdog.refreshes(), 1U);
+  bool late = true;
+  system.work = [&] {
+    if (std::exchange(late, false)) {
+      controller.clockPulse();
+    }
+  };
+  controller.clockPulse();
+  EXPECT_EQ(watchdog.refreshes(), 3U);
 }
 
 }  // namespace

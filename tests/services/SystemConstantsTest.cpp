@@ -23,6 +23,7 @@ TEST(SystemConstants, HasOneInstance) {
 /// @verifies FR-33
 /// @verifies FR-46
 /// @verifies FR-50
+/// @verifies FR-70
 TEST(SystemConstants, HoldsTheValuesOfTheRequirements) {
   const SystemConstants& constants = SystemConstants::instance();
   EXPECT_EQ(constants.cyclePeriod().count(), 100000);
@@ -30,6 +31,7 @@ TEST(SystemConstants, HoldsTheValuesOfTheRequirements) {
   EXPECT_EQ(constants.orderLifetime().count(), 200000);
   EXPECT_EQ(constants.handshakeTimeout().count(), 1000000);
   EXPECT_EQ(constants.linkTimeout().count(), 1000000);
+  EXPECT_EQ(constants.watchdogTimeout().count(), 300000);
   EXPECT_EQ(constants.steeringLimit().count(), 3200);
   EXPECT_EQ(constants.velocityLimit().count(), 3000);
   EXPECT_EQ(constants.tensionLimit().count(), 24000);

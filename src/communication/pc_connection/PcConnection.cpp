@@ -40,8 +40,8 @@ std::optional<std::size_t> lengthOf(FrameType received) {
 }  // namespace
 
 PcConnection::PcConnection(SerialPort& port, const Timebase& clock, SerialReader& orders,
-                           ConnectionState& initial)
-    : port_(port), clock_(clock), orders_(orders), state_(&initial) {}
+                           ConnectionState& initial, const StartRecord& start)
+    : port_(port), clock_(clock), orders_(orders), state_(&initial), start_(start) {}
 
 void PcConnection::service() {
   std::array<std::uint8_t, kChunk> chunk{};
@@ -87,17 +87,12 @@ void PcConnection::welcome() {
   const SystemConstants& constants = SystemConstants::instance();
   writer_.clear();
   writer_.writeU8({.name = FieldName::Session}, session_);
-  writer_.writeU8({.name = FieldName::FirmwareVersion, .index = 0}, firmwareIdentity.major);
-  writer_.writeU8({.name = FieldName::FirmwareVersion, .index = 1}, firmwareIdentity.minor);
-  writer_.writeU8({.name = FieldName::FirmwareVersion, .index = 2}, firmwareIdentity.patch);
-  for (std::size_t i = 0; i < firmwareIdentity.buildId.size(); ++i) {
-    writer_.writeU8({.name = FieldName::BuildId, .index = i},
-                    static_cast<std::uint8_t>(firmwareIdentity.buildId[i]));
-  }
+  writeIdentity();
   const Microseconds inMilliseconds = constants.cyclePeriod() / milliseconds(1).count();
   writer_.writeU16({.name = FieldName::CyclePeriod},
                    static_cast<std::uint16_t>(inMilliseconds.count()));
   writer_.writeU8({.name = FieldName::WaitingCycles}, constants.waitingCycles());
+  writeStart();
   send(FrameType::Welcome);
 }
 
@@ -175,6 +170,23 @@ void PcConnection::noteAccepted(const Frame& frame) {
   }
   nextReceived_ = static_cast<std::uint8_t>(frame.sequence + 1);
   lastAccepted_ = clock_.now();
+}
+
+void PcConnection::writeIdentity() {
+  writer_.writeU8({.name = FieldName::FirmwareVersion, .index = 0}, firmwareIdentity.major);
+  writer_.writeU8({.name = FieldName::FirmwareVersion, .index = 1}, firmwareIdentity.minor);
+  writer_.writeU8({.name = FieldName::FirmwareVersion, .index = 2}, firmwareIdentity.patch);
+  for (std::size_t i = 0; i < firmwareIdentity.buildId.size(); ++i) {
+    writer_.writeU8({.name = FieldName::BuildId, .index = i},
+                    static_cast<std::uint8_t>(firmwareIdentity.buildId[i]));
+  }
+}
+
+void PcConnection::writeStart() {
+  writer_.writeU8({.name = FieldName::ResetCause}, static_cast<std::uint8_t>(start_.cause));
+  writer_.writeU8({.name = FieldName::FaultKind}, static_cast<std::uint8_t>(start_.fault));
+  writer_.writeU16({.name = FieldName::FaultNumber}, start_.number);
+  writer_.writeU32({.name = FieldName::FaultAddress}, start_.address);
 }
 
 bool PcConnection::send(FrameType type) {

@@ -12,6 +12,7 @@
 #include "communication/serialization/Serializable.hpp"
 #include "devices/SerialPort.hpp"
 #include "devices/Timebase.hpp"
+#include "services/StartRecord.hpp"
 
 namespace wr {
 
@@ -28,8 +29,9 @@ class PcConnection final {
   /// @param clock tells how long the PC is silent
   /// @param orders takes the orders of the PC
   /// @param initial state after start
+  /// @param start why the firmware started; each Welcome tells it
   PcConnection(SerialPort& port, const Timebase& clock, SerialReader& orders,
-               ConnectionState& initial);
+               ConnectionState& initial, const StartRecord& start);
 
   PcConnection(const PcConnection&) = delete;
   PcConnection& operator=(const PcConnection&) = delete;
@@ -67,10 +69,11 @@ class PcConnection final {
   /// @isr{no}
   void changeState(ConnectionState& next);
 
-  /// @brief Offers a new session to the PC. States call it. When the port has no room, the Welcome
-  /// is not sent, and the PC must ask again.
+  /// @brief Offers a new session to the PC, and tells it what it must know. States call it. When the
+  /// port has no room, the Welcome is not sent, and the PC must ask again.
   /// @isr{no}
   /// @satisfies FR-30
+  /// @satisfies FR-76
   void welcome();
 
   /// @brief Tells whether a session is the one that was offered last. States call it.
@@ -118,6 +121,13 @@ class PcConnection final {
   /// @satisfies FR-49
   void noteAccepted(const Frame& frame);
 
+  /// @brief Writes the identity of the firmware.
+  void writeIdentity();
+
+  /// @brief Writes why the firmware started, and what ended it before.
+  /// @satisfies FR-76
+  void writeStart();
+
   /// @brief Sends the payload that the writer holds.
   /// @return false when the port has no room: nothing is sent
   bool send(FrameType type);
@@ -126,6 +136,7 @@ class PcConnection final {
   const Timebase& clock_;
   SerialReader& orders_;
   ConnectionState* state_;
+  const StartRecord& start_;
   FrameDecoder decoder_;
   FrameEncoder encoder_;
   SerialWriter writer_;

@@ -42,7 +42,11 @@ enum class FieldName : std::uint8_t {
   FirmwareVersion,   ///< major, minor and patch number
   BuildId,           ///< character of the build id
   CyclePeriod,       ///< period of the control cycle
-  WaitingCycles      ///< the constant N of the operation states
+  WaitingCycles,     ///< the constant N of the operation states
+  ResetCause,        ///< what reset the microcontroller
+  FaultKind,         ///< what ended the firmware before
+  FaultNumber,       ///< number that belongs to the kind of fault
+  FaultAddress       ///< instruction at which the firmware ended
 };
 
 /// @brief Name of one field.

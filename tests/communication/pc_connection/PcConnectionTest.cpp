@@ -82,7 +82,8 @@ struct PcConnectionTest : testing::Test {
     Handshaking handshaking{connected, disconnected};
     Connected connected{handshaking, disconnected};
   } states;
-  PcConnection connection{port, clock, orders, states.disconnected};
+  StartRecord start{ResetCause::PowerOn};
+  PcConnection connection{port, clock, orders, states.disconnected, start};
   std::uint8_t sequence = 0;
 };
 
@@ -95,15 +96,16 @@ TEST_F(PcConnectionTest, FR31_IsDisconnectedAfterStart) {
   EXPECT_EQ(connection.counts(), LinkCounts());
 }
 
-/// @brief A Hello is answered by one Welcome with session, version, build id, period and N.
+/// @brief A Hello is answered by one Welcome with session, version, build id, period, N and start.
 /// @verifies FR-30
+/// @verifies FR-76
 TEST_F(PcConnectionTest, FR30_WelcomeHoldsWhatThePcMustKnow) {
   send(kHello);
   ASSERT_EQ(sent().size(), 1U);
   Bytes expected{
       1, kWelcome, 0, 1, firmwareIdentity.major, firmwareIdentity.minor, firmwareIdentity.patch};
   expected.insert(expected.end(), firmwareIdentity.buildId.begin(), firmwareIdentity.buildId.end());
-  expected.insert(expected.end(), {100, 0, 4});
+  expected.insert(expected.end(), {100, 0, 4, 1, 0, 0, 0, 0, 0, 0, 0});
   EXPECT_EQ(sent().front(), test::withCrc(expected));
   EXPECT_FALSE(connection.connected());
 }
@@ -113,6 +115,21 @@ TEST_F(PcConnectionTest, FR30_WelcomeHoldsWhatThePcMustKnow) {
 TEST_F(PcConnectionTest, FR30_TheBuildIdIsHexadecimal) {
   EXPECT_THAT(std::string(firmwareIdentity.buildId.begin(), firmwareIdentity.buildId.end()),
               testing::MatchesRegex("[0-9a-f]+"));
+}
+
+/// @brief The Welcome ends with the cause of the reset and with the kind, number and address of the fault.
+/// Each Welcome of a start tells the same.
+/// @verifies FR-76
+TEST_F(PcConnectionTest, FR76_EachWelcomeTellsCauseAndFault) {
+  start = {ResetCause::Software, FaultKind::UnexpectedInterrupt, 0x0150, 0x89ABCDEF};
+  for (int hello = 0; hello < 3; ++hello) {
+    send(kHello);
+    const Bytes body = sent().back();
+    const std::size_t offset = 3 + 15;
+    ASSERT_EQ(body.size(), offset + 8 + 2);
+    const Bytes told(body.begin() + offset, body.end() - 2);
+    EXPECT_EQ(told, (Bytes{7, 6, 0x50, 0x01, 0xEF, 0xCD, 0xAB, 0x89}));
+  }
 }
 
 /// @brief Each Hello is answered in each state, each time with another session.
@@ -608,6 +625,12 @@ TEST(ProtocolExamples, FR40_TheCodecAgreesWithEachExample) {
   }
 }
 
+/// The example of a Welcome, as the firmware of this build sends it.
+Bytes withThisBuild(Bytes body) {
+  std::copy(firmwareIdentity.buildId.begin(), firmwareIdentity.buildId.end(), body.begin() + 7);
+  return test::withCrc(body);
+}
+
 /// @brief The connection accepts each example of the PC, in the order of the examples. Its Welcome
 /// is that of the examples but for the build id.
 /// @verifies FR-30
@@ -621,16 +644,29 @@ TEST_F(PcConnectionTest, FR40_TheConnectionAcceptsEachExample) {
       receive(example.line);
       EXPECT_EQ(connection.counts(), LinkCounts());
       ++accepted;
-    } else if (example.body[1] == kWelcome) {
-      Bytes expected = example.body;
-      std::copy(firmwareIdentity.buildId.begin(), firmwareIdentity.buildId.end(),
-                expected.begin() + 7);
-      EXPECT_EQ(sent().front(), test::withCrc(expected));
+    } else if (example.body[1] == kWelcome && example.body[3] == 1) {
+      EXPECT_EQ(sent().front(), withThisBuild(example.body));
     }
   }
   EXPECT_GE(accepted, 6);
   EXPECT_TRUE(connection.connected());
   EXPECT_TRUE(orders.stopOrdered());
+}
+
+/// @brief The Welcome of the examples that tells a fault is what the firmware makes of the same start.
+/// @verifies FR-76
+TEST_F(PcConnectionTest, FR76_TheWelcomeAfterAFaultAgreesWithTheExample) {
+  start = {ResetCause::Software, FaultKind::Assertion, 3, 0x4A6E};
+  send(kHello);
+  send(kHello);
+  int compared = 0;
+  for (const Example& example : examples()) {
+    if (example.body[1] == kWelcome && example.body[3] == 2) {
+      EXPECT_EQ(sent().back(), withThisBuild(example.body));
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, 1);
 }
 
 /// @brief The report of the examples is what the firmware makes of the same data.

@@ -2,6 +2,7 @@
 
 import os
 import select
+import struct
 import threading
 import time
 import tty
@@ -39,6 +40,7 @@ class FakeMcu:
         self.silent = False
         self.noise = b""
         self.stop = 0
+        self.start = (1, 0, 0, 0)
         self._ended = threading.Event()
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
@@ -78,7 +80,7 @@ class FakeMcu:
             self.connected = False
             self.session += 1
             welcome = bytes([self.session, 1, 2, 3]) + b"0123abcd" + bytes([100, 0, 4])
-            self._send(0x81, 0, welcome)
+            self._send(0x81, 0, welcome + struct.pack("<BBHI", *self.start))
         elif frame.kind == 0x02 and frame.payload[0] == self.session:
             self.connected = True
         elif frame.kind == 0x04:

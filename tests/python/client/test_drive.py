@@ -148,7 +148,31 @@ def test_the_monitor_shows_lines(mcu: Any, capsys: pytest.CaptureFixture[str]) -
     shown = capsys.readouterr()
     assert len(shown.out.splitlines()) == 3
     assert "0 deg, 0 rpm  measured - deg, - - - - rpm" in shown.out
-    assert "connected to firmware 1.2.3 build 0123abcd" in shown.err
+    assert "connected to firmware 1.2.3 build 0123abcd; last reset: power on\n" in shown.err
+
+
+def test_the_monitor_shows_the_fault_before_the_last_start(
+    mcu: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    mcu.start = (7, 1, 3, 0x4A6E)
+    assert monitor.run(options(mcu, reports=1)) == 0
+    told = "last reset: software, after assertion 3 failed at 0x00004a6e"
+    assert told in capsys.readouterr().err
+    with Link(mcu.path) as link:
+        assert told in monitor.as_table(next(link.reports(5.0)), link)
+
+
+@pytest.mark.parametrize(("start", "told"), [((4, 0, 0, 0), False), ((4, 7, 2, 0), True)])
+def test_driving_by_keyboard_tells_a_fault_once(
+    mcu: Any, capsys: pytest.CaptureFixture[str], start: tuple[int, ...], told: bool
+) -> None:
+    mcu.start = start
+    with Link(mcu.path) as link:
+        next(link.reports(5.0))
+        welcome = drive.tell_fault(link, None)
+        assert drive.tell_fault(link, welcome) is welcome
+    shown = capsys.readouterr().out
+    assert shown.count("last reset: watchdog, after clock failed in step 2") == told
 
 
 def test_the_monitor_shows_a_table(mcu: Any) -> None:

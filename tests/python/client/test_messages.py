@@ -2,6 +2,7 @@
 
 import os
 import random
+import re
 import struct
 from pathlib import Path
 
@@ -15,6 +16,7 @@ from weeding_robot_client.messages import (
     Order,
     Quantity,
     Report,
+    Start,
     Welcome,
     WheelSetPoint,
     from_frame,
@@ -60,8 +62,46 @@ def test_message_to_the_mcu_is_the_worked_example(name: str, message: Order) -> 
     assert to_frame(message, frame.sequence) == frame
 
 
-def test_welcome_of_the_worked_example() -> None:
-    assert from_frame(example("welcome")) == Welcome(1, (1, 0, 0), "0123abcd", 100, 4)
+def test_welcome_of_the_worked_examples() -> None:
+    common = ((1, 0, 0), "0123abcd", 100, 4)
+    assert from_frame(example("welcome: session 1")) == Welcome(1, *common, Start(1))
+    after_fault = Start(cause=7, fault=1, number=3, address=0x4A6E)
+    assert from_frame(example("welcome: session 2")) == Welcome(2, *common, after_fault)
+
+
+@pytest.mark.parametrize(
+    ("start", "words"),
+    [
+        (Start(0), "unknown cause"),
+        (Start(1), "power on"),
+        (Start(4), "watchdog"),
+        (Start(8), "debugger"),
+        (Start(9), "cause 9"),
+        (Start(7, 1, 3, 0x4A6E), "software, after assertion 3 failed at 0x00004a6e"),
+        (Start(7, 4, 0, 0x89ABCDEF), "software, after bus fault at 0x89abcdef"),
+        (Start(7, 6, 38), "software, after unexpected interrupt, exception 38"),
+        (Start(4, 7, 2), "watchdog, after clock failed in step 2"),
+        (Start(200, 100, 5, 16), "cause 200, after fault 100, number 5 at 0x00000010"),
+    ],
+)
+def test_a_start_is_told_in_words(start: Start, words: str) -> None:
+    assert str(start) == words
+    assert start.faulted == (" after " in words)
+
+
+def test_every_reset_cause_and_fault_of_the_protocol_has_words() -> None:
+    page = (EXAMPLES.parent / "protocol.rst").read_text()
+    tables = page.split(".. _protocol-start:")[1].split(".. _protocol-report:")[0]
+    causes, faults = re.split(r"\* - fault kind", tables)
+    row = re.compile(r"\* - (\d+)\n     - ([a-z ]+)")
+    cause_names = {int(number): name for number, name in row.findall(causes)}
+    fault_names = {int(number): name for number, name in row.findall(faults)}
+    assert list(cause_names) == list(range(9))
+    assert list(fault_names) == list(range(8))
+    for number, name in cause_names.items():
+        assert str(Start(number)).startswith(name)
+    for number in range(1, 8):
+        assert f", after {fault_names[number]}" in str(Start(7, number))
 
 
 def test_report_of_the_worked_example() -> None:
@@ -210,7 +250,7 @@ def test_an_order_out_of_range_is_refused() -> None:
     ("frame", "reason"),
     [
         (Frame(0x82, 0, bytes(95)), "95 bytes"),
-        (Frame(0x81, 0, bytes(16)), "16 bytes"),
+        (Frame(0x81, 0, bytes(15)), "15 bytes"),
         (Frame(0x83, 0, b""), "0x83"),
         (Frame(0x82, 0, bytes(8) + b"\4" + bytes(87)), "unknown state"),
         (Frame(0x82, 0, bytes(10) + b"\2" + bytes(85)), "source"),

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+
+#include "devices/Timebase.hpp"
+#include "devices/Watchdog.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief A watchdog on the host. It resets nothing; it notes what a watchdog would have done.
+class HostWatchdog final : public Watchdog {
+ public:
+  /// @brief Starts the watchdog, as a reset does.
+  /// @param timebase gives the time
+  explicit HostWatchdog(const Timebase& timebase);
+
+  /// @brief The number of refreshes.
+  /// @return refreshes since start.
+  [[nodiscard]] std::uint32_t refreshes() const;
+
+  /// @brief Tells whether the watchdog would have reset the system.
+  /// @return true once the time-out has passed without a refresh, also when one came later.
+  [[nodiscard]] bool missed() const;
+
+  void refresh() override;
+
+ private:
+  const Timebase& timebase_;
+  Instant last_;
+  std::uint32_t refreshes_ = 0;
+  bool missed_ = false;
+};
+
+}  // namespace wr
