@@ -15,7 +15,7 @@
 #include "sim/host/HostTimebase.hpp"
 #include "sim/host/HostTimer.hpp"
 #include "sim/host/PtySerialPort.hpp"
-#include "support/PcFrames.hpp"
+#include "sim/scenario/PcFrames.hpp"
 
 namespace wr::test {
 namespace {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cstdint>
+
 #include "services/SystemConstants.hpp"
 #include "system/SteppedRobot.hpp"
 
@@ -10,17 +12,18 @@ const int kN = SystemConstants::instance().waitingCycles();
 
 class OperationStatesOfRobot : public testing::Test {
  protected:
-  // Connects the PC while the remote control commands, so that every later cycle reports.
+  // Connects the PC and lets it order until the robot reads from it.
   void SetUp() override {
-    robot.rcOrder(100, 0);
-    robot.hello();
-    robot.cycle();
-    robot.rcOrder(500, 200);
-    robot.confirm();
-    robot.cycle();
+    robot.connect();
+    for (int i = 0; i < kN + 4 && !robot.report().orderRead(); ++i) {
+      robot.order({.id = 1, .steering = 200, .wheels = {{{0, 500}, {0, 500}, {0, 500}, {0, 500}}}});
+      robot.cycle();
+    }
+    ASSERT_EQ(robot.report().mode, kPc);
+    ASSERT_EQ(robot.report().state, kWorking);
   }
 
-  // A cycle in which the PC gives a sign of life and nobody orders.
+  // A cycle in which the PC gives a sign of life and does not order.
   void silentCycle() {
     robot.keepAlive();
     robot.cycle();
@@ -34,14 +37,6 @@ class OperationStatesOfRobot : public testing::Test {
 
   SteppedRobot robot;
 };
-
-/// @brief After start, with orders of the remote control, the robot is in Working and in the mode RC.
-/// @verifies FR-10
-TEST_F(OperationStatesOfRobot, FR10_BeginsInWorkingAndModeRc) {
-  EXPECT_EQ(robot.report().cycle, 2U);
-  EXPECT_EQ(robot.report().state, kWorking);
-  EXPECT_EQ(robot.report().mode, kRc);
-}
 
 /// @brief The first failed read sets the waiting state.
 /// @verifies FR-15
@@ -62,18 +57,18 @@ TEST_F(OperationStatesOfRobot, FR16_FailedReadsLeadThroughTheWaitingStates) {
   }
   silentCycle();
   EXPECT_EQ(robot.report().state, kWaitingN);
-  EXPECT_EQ(robot.report().mode, kRc);
+  EXPECT_EQ(robot.report().mode, kPc);
   silentCycle();
   EXPECT_EQ(robot.report().state, kReconnecting);
-  EXPECT_EQ(robot.report().mode, kRc);
+  EXPECT_EQ(robot.report().mode, kPc);
 }
 
 /// @brief A wait that a message ended begins anew with the next failed read.
 /// @verifies FR-16
 TEST_F(OperationStatesOfRobot, FR16_MessageStartsTheCountAnew) {
   silentCycles(kN - 1);
-  robot.rcOrder(0, 0);
-  silentCycle();
+  robot.order({.id = 2});
+  robot.cycle();
   EXPECT_EQ(robot.report().state, kWorking);
   silentCycles(kN - 1);
   EXPECT_EQ(robot.report().state, kWaiting);
@@ -86,11 +81,11 @@ TEST_F(OperationStatesOfRobot, FR16_MessageStartsTheCountAnew) {
 TEST_F(OperationStatesOfRobot, FR13_MessageSetsWorkingFromEachState) {
   for (int failed = 0; failed <= kN + 1; ++failed) {
     silentCycles(failed);
-    robot.rcOrder(failed, 0);
-    silentCycle();
+    robot.order({.id = static_cast<std::uint16_t>(10 + failed)});
+    robot.cycle();
     EXPECT_EQ(robot.report().state, kWorking) << failed;
     EXPECT_TRUE(robot.report().orderRead()) << failed;
-    EXPECT_EQ(robot.report().wheels[0].value, failed);
+    EXPECT_EQ(robot.report().orderId, 10 + failed);
   }
 }
 
@@ -99,10 +94,9 @@ TEST_F(OperationStatesOfRobot, FR13_MessageSetsWorkingFromEachState) {
 TEST_F(OperationStatesOfRobot, FR14_WaitingStatesFollowTheLastSetPoints) {
   for (int failed = 1; failed <= kN; ++failed) {
     silentCycle();
-    EXPECT_EQ(robot.system.calls, kControlled) << failed;
-    EXPECT_EQ(robot.system.applied.wheels[0].value, 500);
-    EXPECT_EQ(robot.system.applied.steering, Angle(200));
-    EXPECT_FALSE(robot.report().held());
+    EXPECT_EQ(robot.report().wheels[0].value, 500);
+    EXPECT_EQ(robot.report().steering, 200);
+    EXPECT_FALSE(robot.report().held()) << failed;
   }
 }
 
@@ -110,7 +104,7 @@ TEST_F(OperationStatesOfRobot, FR14_WaitingStatesFollowTheLastSetPoints) {
 /// @verifies FR-17
 TEST_F(OperationStatesOfRobot, FR17_ReconnectingAlternatesTheMode) {
   silentCycles(kN + 1);
-  int mode = kRc;
+  int mode = kPc;
   for (int i = 0; i < 6; ++i) {
     silentCycle();
     mode = mode == kRc ? kPc : kRc;
@@ -124,16 +118,14 @@ TEST_F(OperationStatesOfRobot, FR17_ReconnectingAlternatesTheMode) {
 TEST_F(OperationStatesOfRobot, FR18_ReconnectingHoldsTheRobot) {
   silentCycles(kN + 1);
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(robot.system.calls, kHeld);
     EXPECT_TRUE(robot.report().held());
     silentCycle();
   }
-  robot.rcOrder(100, 0);
-  silentCycle();
-  robot.rcOrder(100, 0);
-  silentCycle();
+  robot.order({.id = 2});
+  robot.cycle();
+  robot.order({.id = 3});
+  robot.cycle();
   EXPECT_EQ(robot.report().state, kWorking);
-  EXPECT_EQ(robot.system.calls, kControlled);
   EXPECT_FALSE(robot.report().held());
 }
 
@@ -141,10 +133,11 @@ TEST_F(OperationStatesOfRobot, FR18_ReconnectingHoldsTheRobot) {
 /// @verifies FR-3
 TEST_F(OperationStatesOfRobot, FR3_ControlAndWriteFollowTheRead) {
   silentCycles(kN);
-  EXPECT_EQ(robot.system.calls, kControlled);
+  EXPECT_EQ(robot.report().state, kWaitingN);
+  EXPECT_FALSE(robot.report().held());
   silentCycle();
   EXPECT_EQ(robot.report().state, kReconnecting);
-  EXPECT_EQ(robot.system.calls, kHeld);
+  EXPECT_TRUE(robot.report().held());
 }
 
 }  // namespace

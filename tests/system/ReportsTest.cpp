@@ -89,34 +89,6 @@ TEST_F(ReportsOfRobot, FR62_MissingValuesAreMarked) {
   EXPECT_EQ(robot.report().tension0, 0);
 }
 
-/// @brief A value that a control system gives is marked as valid, also if it is 0; the others are missing.
-/// @verifies FR-62
-TEST_F(ReportsOfRobot, FR62_ValuesThatExistAreMarkedAsValid) {
-  robot.system.measured.wheels[0].velocity = Velocity(0);
-  robot.system.measured.wheels[0].position = HallCount(-70'000);
-  robot.system.measured.steering = Angle(-150);
-  robot.system.outputs.tensions[0] = Tension(-3000);
-  robot.connect();
-  EXPECT_EQ(robot.report().measured, 0b1'0000'0000'0101);
-  EXPECT_EQ(robot.report().applied, 0b0'0001);
-  EXPECT_EQ(robot.report().position0, -70'000);
-  EXPECT_EQ(robot.report().steeringPosition, -150);
-  EXPECT_EQ(robot.report().tension0, -3000);
-}
-
-/// @brief A value that was measured in one cycle and not in the next is missing in the next report.
-/// @verifies FR-62
-TEST_F(ReportsOfRobot, FR62_ValueOfTheCycleBeforeIsMissing) {
-  robot.system.measured.wheels[0].current = Current(12);
-  robot.connect();
-  EXPECT_EQ(robot.report().measured, 0b10);
-  robot.system.measured = {};
-  robot.keepAlive();
-  robot.cycle();
-  EXPECT_EQ(robot.report().measured, 0);
-  EXPECT_EQ(robot.report().current0, 0);
-}
-
 /// @brief Frames that are not in order are counted in the report of their cycle, each kind by itself, and
 /// nothing else is different from a cycle without them.
 /// @verifies FR-48
@@ -140,8 +112,8 @@ TEST_F(ReportsOfRobot, FR63_ReportCountsDroppedFramesByReason) {
   };
   for (const auto& [bytes, times] : frames) {
     for (int i = 0; i < times; ++i) {
-      robot.port.arrive(bytes);
-      robot.port.arrive(Bytes{0});
+      robot.arrive(bytes);
+      robot.arrive(Bytes{0});
     }
   }
   robot.cycle();
@@ -151,26 +123,6 @@ TEST_F(ReportsOfRobot, FR63_ReportCountsDroppedFramesByReason) {
   EXPECT_EQ(robot.report().flags, before.flags);
   EXPECT_EQ(robot.report().source, kNobody);
   EXPECT_EQ(robot.report().orderId, before.orderId);
-}
-
-/// @brief While the line takes nothing, reports are dropped whole and counted, and the cycles go on.
-/// @verifies FR-64
-TEST_F(ReportsOfRobot, FR64_ReportWithoutRoomIsDroppedWholeAndCounted) {
-  robot.connect();
-  const std::uint32_t before = robot.report().cycle;
-  robot.drain = false;
-  for (int i = 0; i < 8; ++i) {
-    robot.keepAlive();
-    robot.cycle();
-  }
-  robot.drain = true;
-  robot.keepAlive();
-  robot.cycle();  // the port is still full when this cycle writes; then the line takes everything
-  robot.keepAlive();
-  robot.cycle();
-  EXPECT_EQ(robot.report().cycle, before + 10);
-  EXPECT_EQ(robot.report().reportsNotSent, 5);
-  EXPECT_EQ(robot.system.cycle, before + 10);
 }
 
 }  // namespace

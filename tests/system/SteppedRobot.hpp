@@ -1,32 +1,38 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stdexcept>
-#include <vector>
+#include <string>
+#include <utility>
 
-#include "main_control/SpySystem.hpp"
-#include "sim/host/HostRobot.hpp"
-#include "sim/host/HostSerialPort.hpp"
-#include "sim/host/HostTimebase.hpp"
-#include "support/PcFrames.hpp"
+#include "sim/scenario/PcFrames.hpp"
+#include "sim/scenario/RobotLine.hpp"
 
 namespace wr::test {
 
-/// The whole firmware in stepped time, with one control system that notes its orders, and a PC.
+using std::chrono::microseconds;
+
+/// Switches a new robot on. What it runs on is chosen when the tests are linked.
+[[nodiscard]] std::unique_ptr<RobotLine> switchOn();
+
+/// Sequences of the comparison with the reference that this binding runs in reasonable time.
+[[nodiscard]] int referenceSequences();
+
+/// The whole firmware in stepped time, and a PC on its line.
 class SteppedRobot {
  public:
-  SteppedRobot() : robot(time, port) {
-    robot.systems().add(system);
-    robot.start();
-  }
+  SteppedRobot() : SteppedRobot(switchOn()) {}
+  explicit SteppedRobot(std::unique_ptr<RobotLine> line) : line_(std::move(line)) {}
+  SteppedRobot(const SteppedRobot&) = delete;
+  SteppedRobot& operator=(const SteppedRobot&) = delete;
+  virtual ~SteppedRobot() = default;
 
   /// Lets the rest of the period pass, and runs the cycle of the clock pulse at its end.
-  void cycle() {
-    system.calls.clear();
-    time.advance(robot.period() - passed_);
-    passed_ = Microseconds(0);
-    robot.clockPulse();
+  virtual void cycle() {
+    require(line_->runThroughPulse());
     take();
   }
 
@@ -37,20 +43,17 @@ class SteppedRobot {
   }
 
   /// Lets a part of the period pass.
-  void wait(Microseconds duration) {
-    time.advance(duration);
-    passed_ = passed_ + duration;
+  void wait(microseconds duration) { require(line_->runUntil(line_->now() + duration)); }
+
+  void arrive(std::span<const std::uint8_t> bytes) { line_->send(bytes); }
+  void arriveBeforePulse(std::span<const std::uint8_t> bytes, microseconds before) {
+    line_->sendBeforePulse(bytes, before);
   }
 
-  void rcOrder(int velocity, int direction) {
-    robot.rcVelocity(Velocity(velocity));
-    robot.rcDirection(Angle(direction));
-  }
-
-  void hello() { port.arrive(pc.hello()); }
-  void confirm() { port.arrive(pc.confirm(session.value())); }
-  void keepAlive() { port.arrive(pc.keepAlive()); }
-  void order(const PcOrder& order) { port.arrive(pc.order(order)); }
+  void hello() { arrive(pc.hello()); }
+  void confirm() { arrive(pc.confirm(session.value())); }
+  void keepAlive() { arrive(pc.keepAlive()); }
+  void order(const PcOrder& order) { arrive(pc.order(order)); }
 
   /// Connects the PC. It takes two cycles, of which the second one reports.
   void connect() {
@@ -70,21 +73,19 @@ class SteppedRobot {
 
   [[nodiscard]] bool reported() const { return report_.has_value(); }
 
-  HostTimebase time;
-  HostSerialPort port;
-  SpySystem system;
-  HostRobot robot;
   PcSender pc;
   std::optional<std::uint8_t> session;
-  bool drain = true;  // false: the line takes nothing, and the port fills
 
  private:
+  void require(bool running) const {
+    if (!running) {
+      throw std::runtime_error("finding: " + line_->finding().value().text);
+    }
+  }
+
   void take() {
     report_.reset();
-    if (!drain) {
-      return;
-    }
-    for (const Bytes& body : bodies(port.takeSent())) {
+    for (const Bytes& body : bodies(line_->takeSent())) {
       if (const auto offered = sessionOf(body)) {
         session = offered;
       } else {
@@ -93,7 +94,7 @@ class SteppedRobot {
     }
   }
 
-  Microseconds passed_{0};
+  std::unique_ptr<RobotLine> line_;
   std::optional<PcReport> report_;
 };
 

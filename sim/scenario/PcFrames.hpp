@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace wr::test {
+namespace wr {
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -55,6 +55,17 @@ struct PcReport {
   [[nodiscard]] bool overran() const { return (flags & 8U) != 0; }
 };
 
+/// A Welcome as the PC reads it.
+struct PcWelcome {
+  std::uint8_t session = 0;
+  std::uint16_t cyclePeriod = 0;
+  std::uint8_t waitingCycles = 0;
+  std::uint8_t resetCause = 0;
+  std::uint8_t faultKind = 0;
+  std::uint16_t faultNumber = 0;
+  std::uint32_t faultAddress = 0;
+};
+
 /// Makes the bytes of one frame after another, counting the sequence numbers.
 class PcSender {
  public:
@@ -72,10 +83,13 @@ class PcSender {
 /// The bodies of all frames in some bytes, without their CRC. A frame that is not in order throws.
 [[nodiscard]] std::vector<Bytes> bodies(std::span<const std::uint8_t> line);
 
+/// The content of a Welcome; nothing if the body is no Welcome.
+[[nodiscard]] std::optional<PcWelcome> welcomeOf(const Bytes& body);
+
 /// The session of a Welcome; nothing if the body is no Welcome.
 [[nodiscard]] std::optional<std::uint8_t> sessionOf(const Bytes& body);
 
 /// The content of a report; nothing if the body is no Report.
 [[nodiscard]] std::optional<PcReport> reportOf(const Bytes& body);
 
-}  // namespace wr::test
+}  // namespace wr

@@ -1,8 +1,8 @@
-#include "support/PcFrames.hpp"
+#include "sim/scenario/PcFrames.hpp"
 
 #include <stdexcept>
 
-namespace wr::test {
+namespace wr {
 
 namespace {
 
@@ -147,11 +147,23 @@ std::vector<Bytes> bodies(std::span<const std::uint8_t> line) {
   return result;
 }
 
-std::optional<std::uint8_t> sessionOf(const Bytes& body) {
+std::optional<PcWelcome> welcomeOf(const Bytes& body) {
   if (body.at(1) != 0x81) {
     return std::nullopt;
   }
-  return Fields(body).u8(0);
+  const Fields fields(body);
+  return PcWelcome{.session = fields.u8(0),
+                   .cyclePeriod = fields.u16(12),
+                   .waitingCycles = fields.u8(14),
+                   .resetCause = fields.u8(15),
+                   .faultKind = fields.u8(16),
+                   .faultNumber = fields.u16(17),
+                   .faultAddress = fields.u32(19)};
+}
+
+std::optional<std::uint8_t> sessionOf(const Bytes& body) {
+  const std::optional<PcWelcome> welcome = welcomeOf(body);
+  return welcome ? std::optional(welcome->session) : std::nullopt;
 }
 
 std::optional<PcReport> reportOf(const Bytes& body) {
@@ -185,4 +197,4 @@ std::optional<PcReport> reportOf(const Bytes& body) {
   return report;
 }
 
-}  // namespace wr::test
+}  // namespace wr

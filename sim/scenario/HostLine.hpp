@@ -1,0 +1,38 @@
+#pragma once
+
+#include "sim/host/HostRobot.hpp"
+#include "sim/host/HostSerialPort.hpp"
+#include "sim/host/HostTimebase.hpp"
+#include "sim/scenario/RobotLine.hpp"
+
+namespace wr {
+
+/// @brief The firmware on the host, in stepped time. Its line takes no time.
+class HostLine final : public RobotLine {
+ public:
+  /// @brief Makes the robot. It does not run yet.
+  HostLine();
+
+  /// @brief Switches the robot on.
+  void start();
+
+  void send(std::span<const std::uint8_t> bytes) override;
+  void sendBeforePulse(std::span<const std::uint8_t> bytes, Time before) override;
+  [[nodiscard]] std::vector<std::uint8_t> takeSent() override;
+  bool runUntil(Time instant) override;
+  bool runThroughPulse() override;
+  [[nodiscard]] Time now() const override;
+  [[nodiscard]] std::optional<LineFinding> finding() const override;
+
+  HostTimebase time;
+  HostSerialPort port;
+  HostRobot robot;
+
+ private:
+  [[nodiscard]] Time period() const;
+  void advanceTo(Time instant);
+
+  Time nextPulse_{};
+};
+
+}  // namespace wr

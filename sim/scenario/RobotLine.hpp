@@ -1,0 +1,61 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace wr {
+
+/// @brief What a simulated board found to be wrong with the firmware.
+struct LineFinding {
+  std::string id;    ///< kind of the finding
+  std::string text;  ///< the whole of it, in one line
+};
+
+/// @brief A robot in stepped time, seen from the PC's end of its line.
+class RobotLine {
+ public:
+  /// @brief Time since the robot was switched on.
+  using Time = std::chrono::microseconds;
+
+  RobotLine() = default;
+  RobotLine(const RobotLine&) = delete;
+  RobotLine& operator=(const RobotLine&) = delete;
+  virtual ~RobotLine() = default;
+
+  /// @brief Puts bytes on the line, which brings them one after the other from now on.
+  /// @param bytes the bytes
+  virtual void send(std::span<const std::uint8_t> bytes) = 0;
+
+  /// @brief Puts bytes on the line so that the last one is whole some time before the next clock pulse.
+  /// There must have been a clock pulse.
+  /// @param bytes the bytes
+  /// @param before how long before the pulse
+  virtual void sendBeforePulse(std::span<const std::uint8_t> bytes, Time before) = 0;
+
+  /// @brief The bytes that the robot has sent since the last call.
+  /// @return the bytes, oldest first
+  [[nodiscard]] virtual std::vector<std::uint8_t> takeSent() = 0;
+
+  /// @brief Lets time pass up to an instant.
+  /// @param instant the instant
+  /// @return false if a finding has stopped the robot
+  virtual bool runUntil(Time instant) = 0;
+
+  /// @brief Runs to the next clock pulse, through its cycle, and until all that it sent is on the line.
+  /// @return false if a finding has stopped the robot
+  virtual bool runThroughPulse() = 0;
+
+  /// @brief The present time.
+  /// @return time since the robot was switched on
+  [[nodiscard]] virtual Time now() const = 0;
+
+  /// @brief What has stopped the robot.
+  /// @return the finding; nothing while there is none
+  [[nodiscard]] virtual std::optional<LineFinding> finding() const = 0;
+};
+
+}  // namespace wr

@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "services/Command.hpp"
+#include "sim/host/HostThread.hpp"
+#include "system/host/HostSteppedRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+class Action final : public Command {
+ public:
+  explicit Action(std::function<void()> action) : action_(std::move(action)) {}
+  void execute() override { action_(); }
+
+ private:
+  std::function<void()> action_;
+};
+
+class ControlCycleOfRobotOnHost : public testing::Test {
+ protected:
+  HostSteppedRobot robot;
+};
+
+/// @brief A cycle reads the order, then controls with it, then reports it.
+/// @verifies FR-2
+TEST_F(ControlCycleOfRobotOnHost, FR2_CycleReadsThenControlsThenWrites) {
+  robot.rcOrder(1, 0);
+  robot.connect();
+  bool reportedBeforeControl = false;
+  robot.system.work = [&] {
+    reportedBeforeControl = !robot.port.takeSent().empty();
+    robot.system.measured.wheels[0].velocity = Velocity(robot.system.applied.wheels[0].value);
+  };
+  robot.rcOrder(432, 0);
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_FALSE(reportedBeforeControl);
+  EXPECT_EQ(robot.report().wheels[0].value, 432);
+  EXPECT_EQ(robot.report().velocity0, 432);
+}
+
+/// @brief A cycle that has not begun when the next clock pulse comes is reported as an overrun, and is
+/// followed by one cycle more.
+/// @verifies FR-4
+TEST_F(ControlCycleOfRobotOnHost, FR4_CycleThatHasNotBegunAtTheNextPulseIsAnOverrun) {
+  robot.connect();
+  const std::uint32_t before = robot.report().cycle;
+  HostThread busy(robot.robot.scheduler(), HostRobot::kMainPriority + 1);
+  Action twoPulses([&] {
+    robot.robot.clockPulse();
+    robot.time.advance(robot.robot.period());
+    robot.robot.clockPulse();
+  });
+  busy.start(twoPulses);
+  busy.post();
+  const std::vector<Bytes> sent = bodies(robot.port.takeSent());
+  ASSERT_EQ(sent.size(), 2U);
+  EXPECT_EQ(reportOf(sent[0])->cycle, before + 1);
+  EXPECT_TRUE(reportOf(sent[0])->overran());
+  EXPECT_EQ(reportOf(sent[0])->overruns, 1);
+  EXPECT_EQ(reportOf(sent[1])->cycle, before + 2);
+  EXPECT_FALSE(reportOf(sent[1])->overran());
+  EXPECT_EQ(reportOf(sent[1])->overruns, 1);
+}
+
+/// @brief A clock pulse that comes while the cycle controls marks this very cycle as an overrun.
+/// @verifies FR-4
+TEST_F(ControlCycleOfRobotOnHost, FR4_PulseDuringTheCycleMarksTheCycle) {
+  robot.connect();
+  bool late = true;
+  robot.system.work = [&] {
+    if (std::exchange(late, false)) {
+      robot.time.advance(robot.robot.period());
+      robot.robot.clockPulse();
+    }
+  };
+  robot.robot.clockPulse();
+  const std::vector<Bytes> sent = bodies(robot.port.takeSent());
+  ASSERT_EQ(sent.size(), 2U);
+  EXPECT_TRUE(reportOf(sent[0])->overran());
+  EXPECT_FALSE(reportOf(sent[1])->overran());
+  EXPECT_EQ(reportOf(sent[1])->overruns, 1);
+  EXPECT_EQ(reportOf(sent[1])->time, reportOf(sent[0])->time + 100);
+}
+
+/// @brief A cycle in which a control system did not complete its work is reported as an overrun.
+/// @verifies FR-5
+TEST_F(ControlCycleOfRobotOnHost, FR5_WorkThatIsNotCompletedIsAnOverrun) {
+  robot.connect();
+  EXPECT_FALSE(robot.report().overran());
+  robot.system.completes = false;
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_TRUE(robot.report().overran());
+  EXPECT_EQ(robot.report().overruns, 1);
+  robot.system.completes = true;
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_FALSE(robot.report().overran());
+  EXPECT_EQ(robot.report().overruns, 1);
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+
+#include "main_control/SpySystem.hpp"
+#include "sim/scenario/HostLine.hpp"
+#include "system/SteppedRobot.hpp"
+
+namespace wr::test {
+
+/// The robot on the host, where a test also reaches what is behind the PC's line: the remote
+/// control, the scheduler, and one control system that notes its orders.
+class HostSteppedRobot : public SteppedRobot {
+ public:
+  HostSteppedRobot() : HostSteppedRobot(std::make_unique<HostLine>()) {}
+
+  void cycle() override {
+    system.calls.clear();
+    SteppedRobot::cycle();
+  }
+
+  /// Runs a cycle while the line takes nothing, so that the port fills.
+  void cycleWithoutLine() { host_.runThroughPulse(); }
+
+  void rcOrder(int velocity, int direction) {
+    robot.rcVelocity(Velocity(velocity));
+    robot.rcDirection(Angle(direction));
+  }
+
+ private:
+  explicit HostSteppedRobot(std::unique_ptr<HostLine> line) : HostSteppedRobot(*line, line) {}
+
+  HostSteppedRobot(HostLine& host, std::unique_ptr<HostLine>& line)
+      : SteppedRobot(std::move(line)),
+        host_(host),
+        time(host.time),
+        port(host.port),
+        robot(host.robot) {
+    robot.systems().add(system);
+    host.start();
+  }
+
+  HostLine& host_;
+
+ public:
+  HostTimebase& time;
+  HostSerialPort& port;
+  HostRobot& robot;
+  SpySystem system;
+};
+
+}  // namespace wr::test

@@ -1,0 +1,60 @@
+#include "system/OperationStatesReference.hpp"
+#include "system/host/HostSteppedRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+// Adds the remote control, and compares what no report tells as well.
+class ComparisonInside final : public Comparison {
+ public:
+  ComparisonInside(HostSteppedRobot& robot, std::mt19937& random)
+      : Comparison(robot, random), robot_(robot) {}
+
+ private:
+  void beginSequence() override { rc_ = Runs(oneIn(2), 5, 12); }
+
+  void beforeCycle() override {
+    if (!rc_.next(random())) {
+      return;
+    }
+    const int passed = number(1, kPeriod - 1);
+    robot_.wait(microseconds(passed));
+    if (!oneIn(8)) {
+      robot_.robot.rcVelocity(Velocity(number(-3000, 3000)));
+      reference().velocityAt = lastPulse() + passed;
+    }
+    if (!oneIn(8)) {
+      robot_.robot.rcDirection(Angle(number(-3200, 3200)));
+      reference().directionAt = lastPulse() + passed;
+    }
+  }
+
+  void compareInside() override {
+    MainController& controller = robot_.robot.controller();
+    ASSERT_EQ(static_cast<int>(controller.getMode().id()), reference().mode) << cycles;
+    ASSERT_EQ(controller.getData().stopped(), reference().stop) << cycles;
+    ASSERT_EQ(robot_.system.calls, reference().held ? kHeld : kControlled) << cycles;
+  }
+
+  HostSteppedRobot& robot_;
+  Runs rc_{false, 5, 12};
+};
+
+/// @brief In 10000 random sequences of orders from both sources the robot does in every cycle what a
+/// reference written from the requirements does, and takes each transition of both machines often.
+/// @verifies FR-10
+/// @verifies FR-11
+/// @verifies FR-12
+/// @verifies FR-13
+/// @verifies FR-15
+/// @verifies FR-16
+/// @verifies FR-17
+/// @verifies FR-18
+/// @verifies FR-19
+/// @verifies FR-20
+TEST(OperationStatesReference, RobotDoesWhatTheReferenceDoes) {
+  compareInSequences<HostSteppedRobot, ComparisonInside>(10'000, 100);
+}
+
+}  // namespace
+}  // namespace wr::test

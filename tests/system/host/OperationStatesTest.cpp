@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include "services/SystemConstants.hpp"
+#include "system/host/HostSteppedRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+const int kN = SystemConstants::instance().waitingCycles();
+
+class OperationStatesOfRobotOnHost : public testing::Test {
+ protected:
+  // Connects the PC while the remote control commands, so that every later cycle reports.
+  void SetUp() override {
+    robot.rcOrder(100, 0);
+    robot.hello();
+    robot.cycle();
+    robot.rcOrder(500, 200);
+    robot.confirm();
+    robot.cycle();
+  }
+
+  // A cycle in which the PC gives a sign of life and nobody orders.
+  void silentCycle() {
+    robot.keepAlive();
+    robot.cycle();
+  }
+
+  void silentCycles(int count) {
+    for (int i = 0; i < count; ++i) {
+      silentCycle();
+    }
+  }
+
+  HostSteppedRobot robot;
+};
+
+/// @brief After start, with orders of the remote control, the robot is in Working and in the mode RC.
+/// @verifies FR-10
+TEST_F(OperationStatesOfRobotOnHost, FR10_BeginsInWorkingAndModeRc) {
+  EXPECT_EQ(robot.report().cycle, 2U);
+  EXPECT_EQ(robot.report().state, kWorking);
+  EXPECT_EQ(robot.report().mode, kRc);
+}
+
+/// @brief In the waiting states the control systems follow the set-points that were read last.
+/// @verifies FR-14
+TEST_F(OperationStatesOfRobotOnHost, FR14_WaitingStatesFollowTheLastSetPoints) {
+  for (int failed = 1; failed <= kN; ++failed) {
+    silentCycle();
+    EXPECT_EQ(robot.system.calls, kControlled) << failed;
+    EXPECT_EQ(robot.system.applied.wheels[0].value, 500);
+    EXPECT_EQ(robot.system.applied.steering, Angle(200));
+    EXPECT_FALSE(robot.report().held());
+  }
+}
+
+/// @brief Each failed read in Reconnecting changes the reading mode.
+/// @verifies FR-17
+TEST_F(OperationStatesOfRobotOnHost, FR17_ReconnectingAlternatesTheMode) {
+  silentCycles(kN + 1);
+  int mode = kRc;
+  for (int i = 0; i < 6; ++i) {
+    silentCycle();
+    mode = mode == kRc ? kPc : kRc;
+    EXPECT_EQ(robot.report().state, kReconnecting);
+    EXPECT_EQ(robot.report().mode, mode);
+  }
+}
+
+/// @brief In Reconnecting the wheels are halted and the steering is held, until an order is read.
+/// @verifies FR-18
+TEST_F(OperationStatesOfRobotOnHost, FR18_ReconnectingHoldsTheRobot) {
+  silentCycles(kN + 1);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(robot.system.calls, kHeld);
+    EXPECT_TRUE(robot.report().held());
+    silentCycle();
+  }
+  robot.rcOrder(100, 0);
+  silentCycle();
+  robot.rcOrder(100, 0);
+  silentCycle();
+  EXPECT_EQ(robot.report().state, kWorking);
+  EXPECT_EQ(robot.system.calls, kControlled);
+  EXPECT_FALSE(robot.report().held());
+}
+
+}  // namespace
+}  // namespace wr::test

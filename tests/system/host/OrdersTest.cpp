@@ -1,0 +1,130 @@
+#include <gtest/gtest.h>
+
+#include "services/SystemConstants.hpp"
+#include "system/host/HostSteppedRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+const int kN = SystemConstants::instance().waitingCycles();
+
+class OrdersOfRobotOnHost : public testing::Test {
+ protected:
+  // Connects the PC and lets it order until the robot reads from it.
+  void commandByPc() {
+    robot.connect();
+    for (int i = 0; i < kN + 4 && (robot.report().mode != kPc || !robot.report().orderRead());
+         ++i) {
+      robot.order({.id = 1});
+      robot.cycle();
+    }
+    ASSERT_EQ(robot.report().mode, kPc);
+    ASSERT_EQ(robot.report().state, kWorking);
+  }
+
+  void commandByRc() {
+    robot.rcOrder(100, 0);
+    robot.hello();
+    robot.cycle();
+    robot.rcOrder(100, 0);
+    robot.confirm();
+    robot.cycle();
+    ASSERT_EQ(robot.report().mode, kRc);
+    ASSERT_EQ(robot.report().state, kWorking);
+  }
+
+  HostSteppedRobot robot;
+};
+
+/// @brief In the mode RC an order of the PC is not read.
+/// @verifies FR-11
+TEST_F(OrdersOfRobotOnHost, FR11_ModeRcReadsNoOrderOfThePc) {
+  commandByRc();
+  robot.rcOrder(200, 0);
+  robot.order({.id = 9});
+  robot.cycle();
+  EXPECT_EQ(robot.report().source, kRc);
+  EXPECT_EQ(robot.report().orderId, 0);
+  EXPECT_EQ(robot.report().wheels[3].value, 200);
+  robot.order({.id = 10});
+  robot.cycle();
+  EXPECT_FALSE(robot.report().orderRead());
+  EXPECT_EQ(robot.report().state, kWaiting);
+}
+
+/// @brief One signal of the remote control alone is no order; the second one completes it.
+/// @verifies FR-50
+TEST_F(OrdersOfRobotOnHost, FR50_OrderOfTheRemoteControlNeedsBothSignals) {
+  robot.connect();
+  robot.robot.rcVelocity(Velocity(100));
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_FALSE(robot.report().orderRead());
+  robot.robot.rcDirection(Angle(50));
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_TRUE(robot.report().orderRead());
+  EXPECT_EQ(robot.report().wheels[0].value, 100);
+  EXPECT_EQ(robot.report().steering, 50);
+}
+
+/// @brief In the mode PC an order of the remote control is not read.
+/// @verifies FR-12
+TEST_F(OrdersOfRobotOnHost, FR12_ModePcReadsNoOrderOfTheRemoteControl) {
+  commandByPc();
+  robot.rcOrder(200, 0);
+  robot.order({.id = 9});
+  robot.cycle();
+  EXPECT_EQ(robot.report().source, kPc);
+  EXPECT_EQ(robot.report().orderId, 9);
+  robot.rcOrder(200, 0);
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_FALSE(robot.report().orderRead());
+  EXPECT_EQ(robot.report().state, kWaiting);
+}
+
+/// @brief The source of the set-points stays that of the last order, also while the mode alternates.
+/// @verifies FR-19
+TEST_F(OrdersOfRobotOnHost, FR19_SourceIsThatOfTheSetPointsInForce) {
+  commandByRc();
+  EXPECT_EQ(robot.report().source, kRc);
+  for (int i = 0; i < kN + 2; ++i) {
+    robot.keepAlive();
+    robot.cycle();
+  }
+  EXPECT_EQ(robot.report().mode, kPc);
+  EXPECT_EQ(robot.report().source, kRc);
+  robot.order({.id = 3});
+  robot.cycle();
+  EXPECT_EQ(robot.report().source, kPc);
+  EXPECT_EQ(robot.report().orderId, 3);
+}
+
+/// @brief A stop of the PC holds the robot although the remote control commands, until the PC orders
+/// without stop. The orders of the remote control are still read.
+/// @verifies FR-21
+TEST_F(OrdersOfRobotOnHost, FR21_StopOfThePcActsInModeRc) {
+  commandByRc();
+  robot.rcOrder(200, 0);
+  robot.order({.id = 40, .stop = true});
+  robot.cycle();
+  EXPECT_EQ(robot.report().mode, kRc);
+  EXPECT_TRUE(robot.report().stop());
+  EXPECT_TRUE(robot.report().held());
+  EXPECT_EQ(robot.system.calls, kHeld);
+  robot.rcOrder(300, 0);
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_EQ(robot.report().wheels[0].value, 300);
+  EXPECT_TRUE(robot.report().stop());
+  EXPECT_EQ(robot.system.calls, kHeld);
+  robot.rcOrder(300, 0);
+  robot.order({.id = 41});
+  robot.cycle();
+  EXPECT_FALSE(robot.report().stop());
+  EXPECT_EQ(robot.system.calls, kControlled);
+}
+
+}  // namespace
+}  // namespace wr::test
