@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
+from traceability.image import TOTALS, sources_of_image
 from traceability.model.results import RESULTS, read_json
 from traceability.model.schema import Finding, Model, Module
 from traceability.model.traces import nodes_of
@@ -19,7 +20,7 @@ def write_metrics(root: Path, model: Model, measured: dict[str, Any] | None = No
     """Writes the figures. ``measured`` adds what other steps of the run found, by key."""
     path = root / METRICS
     path.parent.mkdir(parents=True, exist_ok=True)
-    figures = metrics(model) | drift(root, model) | (measured or {})
+    figures = metrics(model) | drift(root, model) | image(root) | (measured or {})
     text = json.dumps(figures, indent=1, sort_keys=True) + "\n"
     if not path.exists() or path.read_text(encoding="utf-8") != text:
         path.write_text(text, encoding="utf-8")
@@ -32,6 +33,14 @@ def drift(root: Path, model: Model) -> dict[str, Any]:
     if not isinstance(record, dict) or record.get("sources") != model.sources_hash:
         return {}
     return {"drift.seeded": record["seeded"], "drift.caught": record["caught"]}
+
+
+def image(root: Path) -> dict[str, Any]:
+    """The bytes of the image, when it was built from the present sources."""
+    record = read_json(root / TOTALS)
+    if not isinstance(record, dict) or record.get("sources") != sources_of_image(root):
+        return {}
+    return {"firmware.flash_bytes": record["flash"], "firmware.ram_bytes": record["ram"]}
 
 
 def site_figures(site: Path, findings: Iterable[Finding]) -> dict[str, Any]:
@@ -47,7 +56,7 @@ def metrics(model: Model) -> dict[str, Any]:
     requirements = list(model.requirements.values())
     trees = [nodes_of(item.tree) for item in requirements if item.tree is not None]
     fresh = not model.results_stale
-    tests = [test for test in model.tests.values() if test.result is not None]
+    runs = [run for test in model.tests.values() for run in test.results.values() if run.result]
     applications = list(model.patterns.values())
     decided = all(application.clauses for application in applications)
     return {
@@ -67,16 +76,11 @@ def metrics(model: Model) -> dict[str, Any]:
         "requirements.suspect": None,
         "trees.total": len(trees),
         "trees.static": sum(all(node.reachable for node in nodes) for nodes in trees),
-        "trees.executed": (
-            sum(all(n.executed for n in nodes if n.recordable) for nodes in trees)
-            if fresh
-            else None
-        ),
-        "tests.total": len(tests) if fresh else None,
-        "tests.passed": sum(test.result == "passed" for test in tests) if fresh else None,
+        "trees.executed": (sum(bool(item.runs) for item in requirements) if fresh else None),
+        "tests.total": len(runs) if fresh else None,
+        "tests.passed": sum(run.result == "passed" for run in runs) if fresh else None,
         "coverage.line": _share(designs, "lines_covered", "lines_total") if fresh else None,
         "coverage.branch": _share(designs, "branches_covered", "branches_total") if fresh else None,
-        # Of an image; a library is not one.
         "firmware.flash_bytes": None,
         "firmware.ram_bytes": None,
         "firmware.stack_bytes": None,

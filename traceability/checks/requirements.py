@@ -5,20 +5,27 @@ from __future__ import annotations
 import re
 
 from traceability.model.build import Facts
+from traceability.model.results import RESULTS, RUNS
 from traceability.model.schema import Finding, Model, Place
 
 
 def check(model: Model, _facts: Facts) -> list[Finding]:
-    found = _tags(model) + _requirements(model) + _unknown(model)
-    if model.results_stale:
-        what = (
-            "there are no test results"
-            if model.results_hash is None
-            else ("the test results are older than the sources")
+    return _tags(model) + _requirements(model) + _unknown(model) + _stale(model) + _results(model)
+
+
+def _stale(model: Model) -> list[Finding]:
+    return [
+        Finding(
+            Place(f"{RESULTS}/{RUNS[binding]}.json", 1),
+            "req-stale",
+            f"there are no test results of the {binding}"
+            if made_from is None
+            else f"the test results of the {binding} are older than the sources",
+            "run ./wr test",
         )
-        place = Place("build/results/trace.json", 1)
-        return [*found, Finding(place, "req-stale", what, "run ./wr test")]
-    return found + _results(model)
+        for binding, made_from in model.results_hashes.items()
+        if model.stale_on(binding)
+    ]
 
 
 def _requirements(model: Model) -> list[Finding]:
@@ -51,11 +58,13 @@ def _results(model: Model) -> list[Finding]:
         Finding(
             test.place,
             "req-passed",
-            f"{test.id} {words[test.result]}, and it verifies {', '.join(test.verifies)}",
+            f"{test.id} {words[one.result]} on the {binding}, and it verifies "
+            f"{', '.join(test.verifies)}",
             "correct the code or the test, then run ./wr test",
         )
         for test in model.tests.values()
-        if test.verifies and test.result != "passed"
+        for binding, one in test.results.items()
+        if test.verifies and one.result != "passed" and not one.stale
     ]
 
 

@@ -152,10 +152,21 @@ class Names:
     def verdict(self, state: str) -> Markup:
         return glyph(*VERDICTS[state])
 
-    def result(self, test: Test) -> Markup:
-        if test.stale and test.result:
-            return glyph("warn", f"{test.result}, stale")
-        return glyph(*RESULTS.get(test.result, ("none", str(test.result))))
+    def result(self, test: Test, binding: str) -> Markup:
+        """The result on one binding; a dash where the test is not built for it."""
+        one = test.results.get(binding)
+        if one is None:
+            return Markup('<span class="mut" title="not built for it">\N{EN DASH}</span>')
+        if one.stale and one.result:
+            return glyph("warn", f"{one.result}, stale")
+        return glyph(*RESULTS.get(one.result, ("none", str(one.result))))
+
+    def results(self, test: Test) -> Markup:
+        """The result on each binding that the test is built for."""
+        parts = [
+            Markup("{} {}").format(binding, self.result(test, binding)) for binding in test.results
+        ]
+        return Markup(", ").join(parts)
 
     def text(self, html: str) -> Markup:
         """A text of the model, with the names and ids in it as links."""

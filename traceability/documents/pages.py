@@ -17,6 +17,7 @@ from traceability.model.schema import (
     Requirement,
     StateMachine,
     TreeNode,
+    TreeRun,
 )
 
 FIRST_TESTS = 12  # shown open on the page of a module
@@ -79,7 +80,7 @@ def home_page(portal: Portal) -> Page:
         "home",
         example=example,
         method=method,
-        rows=aligned(portal, example)[:14] if example else [],
+        rows=aligned(portal, example, first_run(example))[:14] if example else [],
     )
 
 
@@ -220,12 +221,20 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
         "requirement",
         requirement=requirement,
         nodes=nodes,
-        rows=aligned(portal, requirement),
+        runs=[
+            (binding, run, aligned(portal, requirement, run))
+            for binding, run in requirement.runs.items()
+        ],
+        rows=aligned(portal, requirement, None),
         tests=tests,
         methods=list({m.id: m for m in methods}.values()),
         machines=machines_of(portal, requirement.id),
         line_kind=line_kind,
     )
+
+
+def first_run(requirement: Requirement) -> TreeRun | None:
+    return next(iter(requirement.runs.values()), None)
 
 
 def machines_of(portal: Portal, requirement: str) -> list[StateMachine]:
@@ -249,13 +258,14 @@ class Row:
     trunks: list[int] = field(default_factory=list)
 
 
-def aligned(portal: Portal, requirement: Requirement) -> list[Row]:
+def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> list[Row]:
     """Each node of the tree on the row of the recorded call that it matches."""
-    rows = [Row(call=t.method, call_depth=t.depth) for t in requirement.trace]
+    rows = [Row(call=t.method, call_depth=t.depth) for t in run.rows] if run else []
+    nodes = portal.flat(requirement.tree) if requirement.tree else []
+    places = run.places if run else [None] * len(nodes)
     loose: list[tuple[int, Row]] = []
     last = -1
-    for depth, node in portal.flat(requirement.tree) if requirement.tree else []:
-        at = node.trace_row
+    for (depth, node), at in zip(nodes, places, strict=True):
         if at is not None and 0 <= at < len(rows) and rows[at].node is None:
             rows[at].node, rows[at].depth, rows[at].matched = node, depth, True
             last = at

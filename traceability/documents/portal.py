@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -94,6 +95,7 @@ class Portal:
         environment.filters["text"] = self.names.text
         environment.filters["gist"] = names.gist
         environment.filters["file_name"] = names.file_name
+        environment.filters["bold"] = Markup("<b>{}</b>").format
         for kind in ("mod", "meth", "pat", "req", "src"):
             environment.filters[kind] = getattr(self.names, kind)
         environment.globals.update(
@@ -162,10 +164,15 @@ class Portal:
             if element.modules
         }
 
-    def executed(self, nodes: list[tuple[int, TreeNode]]) -> str:
-        """Kind of glyph for a tree: "none" as long as a part of it is not measured."""
-        ran = [node.executed for _, node in nodes if node.recordable]
-        return "none" if None in ran else "ok" if all(ran) else "bad"
+    def executed(self, requirement: Requirement) -> str:
+        """Kind of glyph for a tree: "none" as long as no test of it was recorded."""
+        if requirement.runs:
+            return "ok"
+        measured = requirement.tree is not None and requirement.tree.ran is not None
+        return "bad" if measured else "none"
+
+    def executed_on(self, requirement: Requirement) -> str:
+        return ", ".join(requirement.runs)
 
     def path_of(self, module: Module) -> list[str]:
         """Logic modules from the top down to the module's own."""
@@ -203,10 +210,24 @@ class Portal:
         return [*own, *verifying]
 
     def passed(self, tests: list[Test]) -> int | None:
-        """How many passed in results that fit the sources; ``None`` when there are none."""
-        if self.model.results_stale or not any(test.result for test in tests):
+        """How many runs passed, with results that fit the sources; ``None`` when there are none."""
+        runs = [run for test in tests for run in test.results.values()]
+        if self.model.results_stale or not any(run.result for run in runs):
             return None
-        return sum(test.result == "passed" for test in tests)
+        return sum(run.result == "passed" for run in runs)
+
+    def share_of(self, requirement: Requirement, binding: str) -> str:
+        """How many of the tests that verify a requirement passed on a binding."""
+        tests = [self.model.tests[name] for name in requirement.verified_by]
+        runs = [test.results[binding] for test in tests if binding in test.results]
+        if not runs:
+            return "\N{EN DASH}"
+        passed = sum(run.result == "passed" and not run.stale for run in runs)
+        return f"{passed}/{len(runs)}"
+
+    def runs(self, tests: Iterable[Test]) -> int:
+        """A test counts once on each binding that it is built for."""
+        return sum(len(test.results) for test in tests)
 
     def applications_of(self, module: Module) -> list[str]:
         return list(dict.fromkeys(role.application for role in module.roles))

@@ -10,6 +10,8 @@ from pathlib import Path
 from traceability.model.annotations import Annotations, MemberText, Text, read_annotations
 from traceability.model.declared import Declared, read_declared
 from traceability.model.results import (
+    Result,
+    bindings_of,
     plain_name,
     read_coverage,
     read_results,
@@ -17,6 +19,9 @@ from traceability.model.results import (
     read_sizes,
 )
 from traceability.model.schema import (
+    BINDINGS,
+    HOST,
+    BindingResult,
     Call,
     LogicModule,
     Method,
@@ -29,9 +34,17 @@ from traceability.model.schema import (
     RoleBinding,
     Test,
     TreeNode,
+    TreeRun,
     Use,
 )
-from traceability.model.syntax import BodyFact, ClassFact, MethodFact, Syntax, read_syntax
+from traceability.model.syntax import (
+    BodyFact,
+    ClassFact,
+    MethodFact,
+    Syntax,
+    is_board,
+    read_syntax,
+)
 from traceability.model.traces import (
     Traces,
     embed,
@@ -86,7 +99,7 @@ def build(root: Path) -> Model:
         commit=_commit(root),
         version=_version(root),
         sources_hash=source_hash(root),
-        results_hash=read_results_hash(root),
+        results_hashes={},
     )
     _add_logic_modules(model, facts)
     _add_modules(model, facts)
@@ -97,7 +110,7 @@ def build(root: Path) -> Model:
     model.machines = facts.declared.machines
     model.architecture = facts.declared.architecture
     model.allowed_uses = facts.declared.allowed
-    traces = read_traces(root, build_folder / "symbols.json")
+    traces = read_traces(root, build_folder)
     _add_tests(model, facts)
     _add_executed_modules(model, traces)
     _add_measures(model, root)
@@ -162,7 +175,7 @@ def camel(folder: str) -> str:
 
 
 def _add_logic_modules(model: Model, facts: Facts) -> None:
-    folders = {str(Path(fact.place.file).parent) for fact in facts.syntax.classes}
+    folders = {str(Path(place.file).parent) for place in _places(facts)}
     for folder in {str(up) for path in folders for up in (Path(path), *Path(path).parents)}:
         logic = folder.removeprefix("src/")
         if folder not in ("src", "."):
@@ -173,12 +186,18 @@ def _add_logic_modules(model: Model, facts: Facts) -> None:
             model.logic_modules[logic_module.parent].children.append(logic_module.id)
 
 
+def _places(facts: Facts) -> list[Place]:
+    """Where classes and functions stand: a folder may hold functions only."""
+    classes = [fact.place for fact in facts.syntax.classes]
+    return classes + [body.place for body in facts.syntax.bodies]
+
+
 def _logic_module(facts: Facts, folder: str, parent: str) -> LogicModule:
     described = facts.annotations.folders.get(folder)
     text = described.text if described else Text()
     place = Place(f"{folder}/module.dox", 1)
     if not (facts.root / place.file).exists():
-        first = min(f.place.file for f in facts.syntax.classes if f.place.file.startswith(folder))
+        first = min(place.file for place in _places(facts) if place.file.startswith(folder))
         place = Place(first, 1)
     return LogicModule(
         id=folder.removeprefix("src/"),
@@ -440,8 +459,9 @@ def _add_uses(model: Model, facts: Facts) -> None:
     for body in facts.syntax.bodies:
         for call in body.calls:
             owner = call.target.rsplit("::", 1)[0]
-            if owner in folders:
-                pair = (logic_of(body.place.file), folders[owner])
+            target = logic_of(call.declared) if call.declared else folders.get(owner)
+            if target is not None:
+                pair = (logic_of(body.place.file), target)
                 places = found.setdefault(pair, [])
                 if not places:
                     places.append(call.place)
@@ -451,7 +471,14 @@ def _add_uses(model: Model, facts: Facts) -> None:
 
 
 def _add_tests(model: Model, facts: Facts) -> None:
-    results = read_results(facts.root)
+    """Each test with its results. A binding that has tests is to have results of these sources."""
+    results = {binding: read_results(facts.root, binding) for binding in BINDINGS}
+    tested = {
+        binding for member in facts.annotations.tests for binding in bindings_of(member.place.file)
+    }
+    for binding in BINDINGS:
+        if binding in tested or binding == HOST:
+            model.results_hashes[binding] = read_results_hash(facts.root, binding)
     lines: dict[str, list[str]] = {}
     for member in facts.annotations.tests:
         file = member.place.file
@@ -461,7 +488,6 @@ def _add_tests(model: Model, facts: Facts) -> None:
         if macro is None:
             continue
         suite, case = macro
-        result = results.get(f"{suite}.{case}")
         model.tests[f"{suite}.{case}"] = Test(
             id=f"{suite}.{case}",
             suite=suite,
@@ -469,10 +495,10 @@ def _add_tests(model: Model, facts: Facts) -> None:
             brief=member.text.brief,
             place=member.place,
             verifies=member.verifies,
-            result=result.result if result else None,
-            milliseconds=round(result.milliseconds, 3) if result else None,
-            stale=model.results_stale,
-            message=result.message if result else "",
+            results={
+                binding: _result_of(results[binding].get(f"{suite}.{case}"), model, binding)
+                for binding in bindings_of(file)
+            },
         )
     for test in model.tests.values():
         for name in test.verifies:
@@ -480,19 +506,27 @@ def _add_tests(model: Model, facts: Facts) -> None:
                 model.requirements[name].verified_by.append(test.id)
 
 
+def _result_of(found: Result | None, model: Model, binding: str) -> BindingResult:
+    stale = model.stale_on(binding)
+    if found is None:
+        return BindingResult(stale=stale)
+    return BindingResult(found.result, round(found.milliseconds, 3), found.message, stale)
+
+
 def _test_name(lines: list[str], line: int) -> tuple[str, str] | None:
     match = TEST_MACRO.match(" ".join(lines[line - 1 : line + 2]))
     return (match[1], match[2]) if match else None
 
 
-def _add_executed_modules(model: Model, traces: Traces) -> None:
+def _add_executed_modules(model: Model, recordings: dict[str, Traces]) -> None:
     executed: dict[str, set[str]] = {}
-    for recorded in sorted(traces.tests):
-        suite, _, case = recorded.partition(".")
-        name = plain_name(suite, case)
-        if name in model.tests:
-            classes = {method.split("::")[0] for method in traces.methods(recorded)}
-            executed.setdefault(name, set()).update(classes)
+    for traces in recordings.values():
+        for recorded in sorted(traces.tests):
+            suite, _, case = recorded.partition(".")
+            name = plain_name(suite, case)
+            if name in model.tests:
+                classes = {method.split("::")[0] for method in traces.methods(recorded)}
+                executed.setdefault(name, set()).update(classes)
     for test in model.tests.values():
         named = Path(test.place.file).stem.removesuffix("Test")
         classes = executed.get(test.id, set()) | {named}
@@ -525,7 +559,7 @@ def _add_measures(model: Model, root: Path) -> None:
             module.flash_bytes, module.ram_bytes = sizes[module.name]
 
 
-def _add_trees(model: Model, facts: Facts, traces: Traces) -> None:
+def _add_trees(model: Model, facts: Facts, recordings: dict[str, Traces]) -> None:
     known = {
         method.id
         for fact in facts.syntax.classes
@@ -539,7 +573,8 @@ def _add_trees(model: Model, facts: Facts, traces: Traces) -> None:
         requirement.tree = tree
         _resolve(tree, facts)
         _reach(tree, facts)
-        _execute(model, requirement, facts, traces, known)
+        for binding, traces in recordings.items():
+            _execute(model, requirement, Run(binding, traces, facts, known))
 
 
 def _resolve(tree: TreeNode, facts: Facts) -> None:
@@ -547,7 +582,8 @@ def _resolve(tree: TreeNode, facts: Facts) -> None:
         owner, _, name = node.label.rpartition("::")
         method = facts.method(owner, name)
         node.resolved = method.id if method else None
-        node.recordable = bool(accepted(node, facts) or node.children or method is None)
+        if method is not None and not node.children:
+            node.outside = [one for one in BINDINGS if not accepted_on(one, node, facts)]
 
 
 def accepted(node: TreeNode, facts: Facts) -> set[str]:
@@ -557,6 +593,15 @@ def accepted(node: TreeNode, facts: Facts) -> set[str]:
     if node.resolved in facts.bodies:
         return {node.resolved}
     return set(facts.overriders.get(node.resolved, []))
+
+
+def accepted_on(binding: str, node: TreeNode, facts: Facts) -> set[str]:
+    """Those of them that a binding has: methods of the K64 are not on the host."""
+    return {
+        method
+        for method in accepted(node, facts)
+        if binding != HOST or not all(is_board(b.place.file) for b in facts.bodies.get(method, []))
+    }
 
 
 def _bodies_of(node: TreeNode, facts: Facts) -> list[BodyFact]:
@@ -593,44 +638,51 @@ def _is_activated(wanted: set[str], facts: Facts) -> bool:
     return bool(wanted & (commands | called))
 
 
-def _execute(
-    model: Model, requirement: Requirement, facts: Facts, traces: Traces, known: set[str]
-) -> None:
+@dataclass
+class Run:
+    """What the recordings of a binding are searched with."""
+
+    binding: str
+    traces: Traces
+    facts: Facts
+    known: set[str]  # methods of design modules
+
+    def accepts(self, node: TreeNode) -> set[str]:
+        return accepted_on(self.binding, node, self.facts)
+
+
+def _execute(model: Model, requirement: Requirement, run: Run) -> None:
+    """Looks for the tree in the recordings of passing tests, the shortest first."""
     tree = requirement.tree
     passing = [
         name
         for name in requirement.verified_by
-        if model.tests[name].result == "passed" and name in traces.tests
+        if run.binding in model.tests[name].gave("passed") and name in run.traces.tests
     ]
     if tree is None or not passing:
         return
-    recorded = {name: traces.rows(name, known.__contains__) for name in passing}
-    order = {id(node): number for number, node in enumerate(nodes_of(tree))}
-    failed: TreeNode | None = None
+    recorded = {name: run.traces.rows(name, run.known.__contains__) for name in passing}
+    nodes = nodes_of(tree)
+    order = {id(node): number for number, node in enumerate(nodes)}
+    furthest = 0
     for name in sorted(recorded, key=lambda test: len(recorded[test])):
         rows = recorded[name]
-        found = embed(tree, rows, lambda node: accepted(node, facts))
+        found = embed(tree, rows, run.accepts)
         if found.failed is None:
-            for node in recorded_nodes(tree):
-                node.executed = True
-            requirement.trace_test = name
-            placed = sorted(found.rows.values())
-            shown, requirement.trace_start, numbers = excerpt(rows, placed)
-            requirement.trace = shown
-            for node in recorded_nodes(tree):
-                node.trace_row = numbers.get(found.rows[id(node)])
-            return
-        if failed is None or order[id(found.failed)] > order[id(failed)]:
-            failed = found.failed
-    for node in recorded_nodes(tree):
-        node.executed = failed is not None and order[id(node)] < order[id(failed)]
+            shown, start, numbers = excerpt(rows, sorted(found.rows.values()))
+            places = [numbers.get(found.rows.get(id(node), -1)) for node in nodes]
+            requirement.runs[run.binding] = TreeRun(name, shown, start, places)
+            furthest = len(nodes)
+            break
+        furthest = max(furthest, order[id(found.failed)])
+    for node in recorded_nodes(tree, run.binding):
+        node.executed[run.binding] = order[id(node)] < furthest
 
 
 def _set_states(model: Model) -> None:
     for requirement in model.requirements.values():
         requirement.reasons = _reasons(model, requirement)
-        results = [model.tests[name].result for name in requirement.verified_by]
-        if "failed" in results:
+        if any(model.tests[name].gave("failed") for name in requirement.verified_by):
             requirement.state = "failed"
         elif requirement.reasons:
             requirement.state = "unverified"
@@ -646,13 +698,14 @@ def _reasons(model: Model, requirement: Requirement) -> list[str]:
     if not requirement.verified_by:
         reasons.append("no test verifies it")
     for result, words in (("failed", "failed"), ("skipped", "skipped"), (None, "did not run")):
-        tests = [name for name in requirement.verified_by if model.tests[name].result == result]
-        if tests:
-            reasons.append(f"{words}: {', '.join(tests)}")
+        for binding in BINDINGS:
+            tests = [n for n in requirement.verified_by if binding in model.tests[n].gave(result)]
+            if tests:
+                reasons.append(f"{words} on the {binding}: {', '.join(tests)}")
     if requirement.tree is None:
         return [*reasons, "it has no tree of invocations"]
     nodes = nodes_of(requirement.tree)
     reasons += [f"no call reaches {node.label}" for node in nodes if not node.reachable]
-    if not all(node.executed for node in recorded_nodes(requirement.tree)):
+    if not requirement.runs:
         reasons.append("no passing test executed its tree")
     return reasons

@@ -8,7 +8,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from traceability.model.schema import HOST, VIRTUAL_K64
+
 RESULTS = Path("build/results")
+RUNS = {HOST: "trace", VIRTUAL_K64: "board"}  # the run of the tests that tells for a binding
+BOARD_ONLY = ("tests/sim/k64/", "tests/torture/", "tests/k64/")
+HOST_ONLY = "tests/system/host/"
+BOTH = "tests/system/"
 
 
 @dataclass
@@ -32,14 +38,23 @@ def read_json(path: Path) -> Any:
         return None
 
 
-def read_results_hash(root: Path) -> str | None:
-    record = read_json(root / RESULTS / "trace.hash")
+def bindings_of(file: str) -> list[str]:
+    """The bindings that a test is built for, by its folder."""
+    if file.startswith(BOARD_ONLY):
+        return [VIRTUAL_K64]
+    if file.startswith(BOTH) and not file.startswith(HOST_ONLY):
+        return [HOST, VIRTUAL_K64]
+    return [HOST]
+
+
+def read_results_hash(root: Path, binding: str) -> str | None:
+    record = read_json(root / RESULTS / f"{RUNS[binding]}.hash")
     return str(record["sources"]) if isinstance(record, dict) and "sources" in record else None
 
 
-def read_results(root: Path) -> dict[str, Result]:
+def read_results(root: Path, binding: str) -> dict[str, Result]:
     """``Suite.Name`` -> result. The instances of a parameterised test count as one."""
-    data = read_json(root / RESULTS / "trace.json")
+    data = read_json(root / RESULTS / f"{RUNS[binding]}.json")
     found: dict[str, Result] = {}
     for suite in (data or {}).get("testsuites", []):
         for test in suite.get("testsuite", []):

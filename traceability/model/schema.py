@@ -14,6 +14,11 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from traceability.model.build import Facts
 
+# What the firmware runs on in a test: this machine, or the virtual board that boots the image.
+HOST = "host"
+VIRTUAL_K64 = "virtual K64"
+BINDINGS = (HOST, VIRTUAL_K64)
+
 
 @dataclass
 class Place:
@@ -160,10 +165,16 @@ class TreeNode:
     kind: str  # "root", "call", "post"
     place: Place
     reachable: bool | None = None
-    executed: bool | None = None
-    recordable: bool = True  # False when only the platform implements it, outside the trace
-    trace_row: int | None = None  # row of the recorded trace that this node matches
+    executed: dict[str, bool] = field(
+        default_factory=dict
+    )  # binding with a recorded test -> so far
+    outside: list[str] = field(default_factory=list)  # bindings that implement it out of the trace
     children: list[TreeNode] = field(default_factory=list)
+
+    @property
+    def ran(self) -> bool | None:
+        """Whether any binding executed it; ``None`` when none was measured."""
+        return any(self.executed.values()) if self.executed else None
 
 
 @dataclass
@@ -176,8 +187,28 @@ class TraceRow:
 
 
 @dataclass
+class TreeRun:
+    """A recorded run of a test that holds a whole tree: what the page shows beside the tree."""
+
+    test: str
+    rows: list[TraceRow]
+    start: int  # index of the first shown row in the whole recording
+    places: list[int | None]  # the row that each node of the tree matches, from the root
+
+
+@dataclass
+class BindingResult:
+    """A test on one binding: "passed", "failed", "skipped", or None when it did not run."""
+
+    result: str | None = None
+    milliseconds: float | None = None
+    message: str = ""
+    stale: bool = False
+
+
+@dataclass
 class Test:
-    """A test case. The result is "passed", "failed", "skipped" or None when it did not run."""
+    """A test case, with a result for each binding that it is built for."""
 
     id: str
     suite: str
@@ -185,12 +216,16 @@ class Test:
     brief: str
     place: Place
     verifies: list[str] = field(default_factory=list)
-    result: str | None = None
-    milliseconds: float | None = None
-    stale: bool = False
-    binding: str = "host"
-    message: str = ""
+    results: dict[str, BindingResult] = field(default_factory=dict)
     modules: list[str] = field(default_factory=list)
+
+    def gave(self, result: str | None) -> list[str]:
+        """The bindings on which it gave this result."""
+        return [binding for binding, one in self.results.items() if one.result == result]
+
+    @property
+    def passed(self) -> bool:
+        return bool(self.results) and all(one.result == "passed" for one in self.results.values())
 
 
 @dataclass
@@ -208,9 +243,7 @@ class Requirement:
     satisfied_by: list[str] = field(default_factory=list)
     verified_by: list[str] = field(default_factory=list)
     tree: TreeNode | None = None
-    trace_test: str | None = None  # the test whose trace is shown beside the tree
-    trace: list[TraceRow] = field(default_factory=list)
-    trace_start: int = 0  # index of the first shown row in the whole recording
+    runs: dict[str, TreeRun] = field(default_factory=dict)  # binding -> run that holds the tree
     state: str = "unverified"
     reasons: list[str] = field(default_factory=list)
 
@@ -283,7 +316,7 @@ class Model:
     commit: str
     version: str
     sources_hash: str
-    results_hash: str | None
+    results_hashes: dict[str, str | None]  # binding with tests -> sources of its last run
     logic_modules: dict[str, LogicModule] = field(default_factory=dict)
     modules: dict[str, Module] = field(default_factory=dict)
     patterns: dict[str, PatternApplication] = field(default_factory=dict)
@@ -297,7 +330,11 @@ class Model:
     files: list[str] = field(default_factory=list)  # sources that get a source page
     facts: Facts | None = field(default=None, repr=False)  # for the checks; no document reads it
 
+    def stale_on(self, binding: str) -> bool:
+        """Whether the results of a binding are missing or older than the sources."""
+        return self.results_hashes.get(binding) != self.sources_hash
+
     @property
     def results_stale(self) -> bool:
-        """Whether the test results are missing or older than the sources."""
-        return self.results_hash != self.sources_hash
+        """Whether those of any binding are."""
+        return any(self.stale_on(binding) for binding in self.results_hashes)

@@ -1,8 +1,9 @@
 """Reads what the code is, from libclang's syntax tree: what compiles is the truth.
 
 A file below ``src`` is read once: a header with the source file of the same name, a header without
-one for itself. The facts of a translation unit are kept in a cache, whose key is the content of
-every file of the project that the unit includes.
+one for itself. Files below ``src/k64`` are read for the K64, with the library of its compiler. The
+facts of a translation unit are kept in a cache, whose key is the content of every file of the
+project that the unit includes.
 """
 
 from __future__ import annotations
@@ -27,6 +28,9 @@ from traceability.model.schema import Place
 from traceability.sources import file_hash, files_below
 
 NAMESPACE = "wr"
+BOARD = "src/k64/"
+BOARD_COMPILER = "arm-none-eabi-g++"
+BOARD_FLAGS = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"]
 _CLASSES = {CursorKind.CLASS_DECL, CursorKind.STRUCT_DECL, CursorKind.CLASS_TEMPLATE}
 _METHODS = {
     CursorKind.CXX_METHOD,
@@ -95,6 +99,7 @@ class CallFact:
     target: str
     virtual: bool
     place: Place
+    declared: str = ""  # the file that declares a function outside classes
 
 
 @dataclass
@@ -121,6 +126,16 @@ class NameFact:
 
 
 @dataclass
+class BlockFact:
+    """A namespace below that of the project, declared in ``file``, is opened or used at a place."""
+
+    block: str
+    file: str
+    place: Place
+    declares: bool
+
+
+@dataclass
 class IncludeFact:
     target: str
     place: Place
@@ -132,6 +147,8 @@ class Syntax:
     bodies: list[BodyFact] = field(default_factory=list)
     names: list[NameFact] = field(default_factory=list)
     includes: list[IncludeFact] = field(default_factory=list)
+    blocks: list[BlockFact] = field(default_factory=list)
+    casts: list[Place] = field(default_factory=list)  # numbers made into addresses
     errors: list[tuple[Place, str]] = field(default_factory=list)
 
     def merge(self, other: Syntax) -> None:
@@ -139,6 +156,8 @@ class Syntax:
         self.bodies += other.bodies
         self.names += other.names
         self.includes += other.includes
+        self.blocks += other.blocks
+        self.casts += other.casts
         self.errors += other.errors
 
 
@@ -148,7 +167,8 @@ def read_syntax(root: Path, cache: Path) -> Syntax:
     hashes: dict[str, str] = {}
     units = translation_units(root)
     stale: list[tuple[Path, Path, list[str], str]] = []
-    prepare_standard(root, cache)
+    for board in sorted({is_board(unit) for unit in units}):
+        prepare_standard(root, cache, board)
     for unit, files in units.items():
         stored = _stored(root, cache, unit, hashes)
         if stored is None:
@@ -171,13 +191,16 @@ def translation_units(root: Path) -> dict[str, list[str]]:
     """Unit -> the files whose facts are taken from it."""
     paths = files_below(root, ("src",), (".cpp", ".hpp"))
     files = [str(path.relative_to(root)) for path in paths]
-    files = [file for file in files if not file.startswith("src/k64/")]
     units: dict[str, list[str]] = {}
     for file in files:
         source = file.removesuffix(".hpp") + ".cpp"
         unit = source if file.endswith(".hpp") and source in files else file
         units.setdefault(unit, []).append(file)
     return units
+
+
+def is_board(file: str) -> bool:
+    return file.startswith(BOARD)
 
 
 def _entry(cache: Path, unit: str) -> Path:
@@ -196,7 +219,7 @@ def _stored(root: Path, cache: Path, unit: str, hashes: dict[str, str]) -> bool 
         entry = json.loads(_entry(cache, unit).read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return None
-    if entry["reader"] != _reader_hash():
+    if entry["reader"] != _reader_hash(is_board(unit)):
         return None
     for file, known in entry["files"].items():
         if file not in hashes:
@@ -207,23 +230,41 @@ def _stored(root: Path, cache: Path, unit: str, hashes: dict[str, str]) -> bool 
 
 
 @functools.cache
-def _reader_hash() -> str:
-    return hashlib.sha256(Path(__file__).read_bytes() + repr(_arguments()).encode()).hexdigest()
+def _reader_hash(board: bool) -> str:
+    own = Path(__file__).read_bytes()
+    return hashlib.sha256(own + repr(_arguments(board)).encode()).hexdigest()
 
 
 @functools.cache
-def _arguments() -> list[str]:
+def _arguments(board: bool) -> list[str]:
+    common = ["-std=c++20", "-x", "c++", "-fno-exceptions"]
+    if board:
+        folders = [word for path in _board_folders() for word in ("-isystem", path)]
+        target = ["--target=thumbv7em-none-eabihf", *BOARD_FLAGS, "-nostdinc", "-nostdinc++"]
+        return [*common, *target, *folders]
     compiler = shutil.which("g++") or "g++"
     answer = subprocess.run(
         [compiler, "-print-file-name=include"], capture_output=True, text=True, check=True
     )
-    return ["-std=c++20", "-x", "c++", "-isystem", answer.stdout.strip(), "-fno-exceptions"]
+    return [*common, "-isystem", answer.stdout.strip()]
+
+
+def _board_folders() -> list[str]:
+    """Where the compiler of the K64 looks for headers, as it says itself."""
+    answer = subprocess.run(
+        [BOARD_COMPILER, *BOARD_FLAGS, "-E", "-x", "c++", "-v", "/dev/null"],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    listed = answer.stderr.partition("#include <...> search starts here:")[2]
+    return [str(Path(line.strip()).resolve()) for line in listed.splitlines() if line[:1] == " "]
 
 
 def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> None:
-    facts, included = parse(root, unit, files, standard(cache))
+    facts, included = parse(root, unit, files, standard(cache, is_board(unit)))
     entry = {
-        "reader": _reader_hash(),
+        "reader": _reader_hash(is_board(unit)),
         "files": {file: file_hash(root / file) for file in sorted(included)},
         "facts": asdict(facts),
     }
@@ -233,31 +274,33 @@ def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> No
     path.write_text(json.dumps(entry), encoding="utf-8")
 
 
-def standard(cache: Path) -> Path:
-    return cache / "standard.pch"
+def standard(cache: Path, board: bool = False) -> Path:
+    return cache / ("standard_k64.pch" if board else "standard.pch")
 
 
-def prepare_standard(root: Path, cache: Path) -> None:
+def prepare_standard(root: Path, cache: Path, board: bool) -> None:
     """Parses the headers of the standard library that src includes, once for all units."""
     names: set[str] = set()
     for path in files_below(root, ("src",), (".cpp", ".hpp")):
-        names.update(re.findall(r"^#include (<[^>]+>)", path.read_text("utf-8"), re.MULTILINE))
-    header = cache / "standard.hpp"
-    text = "".join(f"#include {name}\n" for name in sorted(names)) + f"// {_reader_hash()}\n"
+        if board or not is_board(str(path.relative_to(root))):
+            names.update(re.findall(r"^#include (<[^>]+>)", path.read_text("utf-8"), re.MULTILINE))
+    parsed = standard(cache, board)
+    header = parsed.with_suffix(".hpp")
+    text = "".join(f"#include {name}\n" for name in sorted(names)) + f"// {_reader_hash(board)}\n"
     if header.exists() and header.read_text(encoding="utf-8") == text:
         return
-    standard(cache).unlink(missing_ok=True)
+    parsed.unlink(missing_ok=True)
     header.write_text(text, encoding="utf-8")
     options = cindex.TranslationUnit.PARSE_INCOMPLETE
-    arguments = ["c++-header" if one == "c++" else one for one in _arguments()]
+    arguments = ["c++-header" if one == "c++" else one for one in _arguments(board)]
     tree = cindex.Index.create().parse(str(header), args=arguments, options=options)
     if not any(problem.severity >= cindex.Diagnostic.Error for problem in tree.diagnostics):
-        tree.save(str(standard(cache)))
+        tree.save(str(parsed))
 
 
 def parse(root: Path, unit: str, files: list[str], known: Path) -> tuple[Syntax, set[str]]:
     """The facts of the files, and all files of the project that the unit includes."""
-    arguments = [*_arguments(), "-I", str(root / "src")]
+    arguments = [*_arguments(is_board(unit)), "-I", str(root / "src")]
     if known.exists():
         arguments += ["-include-pch", str(known)]
     tree = cindex.Index.create().parse(str(root / unit), args=arguments)
@@ -336,7 +379,7 @@ class _Reader:
                 self.facts.classes.append(
                     ClassFact(
                         name=cursor.spelling,
-                        qualified=f"{NAMESPACE}::{cursor.spelling}",
+                        qualified=qualified_name(cursor),
                         kind="enum" if kind == CursorKind.ENUM_DECL else "alias",
                         place=place,
                         end=cursor.extent.end.line,
@@ -350,6 +393,7 @@ class _Reader:
         elif kind == CursorKind.CXX_BASE_SPECIFIER:
             self.name(owner, cursor.referenced, "base", place)
             return
+        self.address(cursor, place)
         if kind in _NAMES:
             self.reference(cursor, body, owner, place)
         if kind == CursorKind.CALL_EXPR and cursor.spelling == "emplace" and body is not None:
@@ -362,6 +406,7 @@ class _Reader:
         target = cursor.referenced
         if target is None or self.place(target) is None:
             return
+        self.block(target.semantic_parent, place, declares=False)
         if cursor.kind in (CursorKind.TYPE_REF, CursorKind.TEMPLATE_REF):
             self.name(owner, target, "type", place)
             return
@@ -372,8 +417,29 @@ class _Reader:
         if target.kind == CursorKind.CONSTRUCTOR:
             self.name(owner, parent, "construct", place)
         if body is not None and target.kind in _FUNCTIONS:
-            call = CallFact(function_id(target), _is_dynamic(cursor), place)
+            first = None if class_name(parent) else self.place(target.canonical)
+            declared = first.file if first else ""
+            call = CallFact(function_id(target), _is_dynamic(cursor), place, declared)
             body.calls.append(call)
+
+    def address(self, cursor: Cursor, place: Place) -> None:
+        if cursor.kind == CursorKind.CXX_REINTERPRET_CAST_EXPR:
+            self.facts.casts.append(place)
+        elif cursor.kind == CursorKind.NAMESPACE:
+            self.block(cursor, place, declares=True)
+        elif cursor.kind == CursorKind.NAMESPACE_REF:
+            self.block(cursor.referenced, place, declares=False)
+
+    def block(self, cursor: Cursor | None, place: Place, *, declares: bool) -> None:
+        """Notes a namespace that lies in that of the project, and what its header holds."""
+        while cursor is not None and cursor.kind != CursorKind.NAMESPACE:
+            cursor = cursor.semantic_parent
+        name = namespace_of(cursor)
+        at = self.place(cursor) if cursor is not None and name else None
+        if at is not None:
+            fact = BlockFact(name, at.file, place, declares)
+            if fact not in self.facts.blocks[-4:]:
+                self.facts.blocks.append(fact)
 
     def emplacement(self, cursor: Cursor, body: BodyFact, owner: str, place: Place) -> None:
         """``field_.emplace(...)`` constructs the class that the field holds by value."""
@@ -416,7 +482,7 @@ class _Reader:
         name = class_name(cursor)
         fact = ClassFact(
             name=name,
-            qualified=f"{NAMESPACE}::{name}",
+            qualified=qualified_name(cursor),
             kind="struct" if cursor.kind == CursorKind.STRUCT_DECL else "class",
             place=place,
             end=cursor.extent.end.line,
@@ -519,6 +585,20 @@ def class_name(cursor: Cursor | None) -> str:
         parts.insert(0, cursor.spelling)
         cursor = cursor.semantic_parent
     return "::".join(parts)
+
+
+def namespace_of(cursor: Cursor | None) -> str:
+    """The namespaces around a cursor, without that of the project; empty at its level."""
+    parts: list[str] = []
+    while cursor is not None and cursor.kind != CursorKind.TRANSLATION_UNIT:
+        if cursor.kind == CursorKind.NAMESPACE and not cursor.is_anonymous():
+            parts.insert(0, cursor.spelling)
+        cursor = cursor.semantic_parent
+    return "::".join(parts[1:] if parts[:1] == [NAMESPACE] else parts)
+
+
+def qualified_name(cursor: Cursor) -> str:
+    return "::".join(filter(None, (NAMESPACE, namespace_of(cursor), class_name(cursor))))
 
 
 def function_id(cursor: Cursor) -> str:
@@ -626,5 +706,9 @@ def _facts_from(data: dict[str, Any]) -> Syntax:
     for item in data["includes"]:
         item["place"] = _place_from(item["place"])
         facts.includes.append(IncludeFact(**item))
+    for item in data["blocks"]:
+        item["place"] = _place_from(item["place"])
+        facts.blocks.append(BlockFact(**item))
+    facts.casts = [_place_from(place) for place in data["casts"]]
     facts.errors = [(_place_from(place), text) for place, text in data["errors"]]
     return facts

@@ -11,10 +11,24 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from traceability.model.schema import TraceRow, TreeNode
+from traceability.model.schema import HOST, VIRTUAL_K64, TraceRow, TreeNode
 
-EXECUTABLE = Path("build/trace/tests/firmware_tests")
-TRACES = Path("build/trace/traces")
+
+@dataclass(frozen=True)
+class Source:
+    """Where the recordings of a binding lie, and what holds the names of their addresses."""
+
+    executable: Path
+    folder: Path
+    names: str  # program that lists the symbols
+
+
+SOURCES = {
+    HOST: Source(Path("build/trace/tests/firmware_tests"), Path("build/trace/traces"), "nm"),
+    VIRTUAL_K64: Source(
+        Path("build/k64/weeding_robot.elf"), Path("build/host/traces-board"), "arm-none-eabi-nm"
+    ),
+}
 EXIT = 1 << 63
 SHOWN = 60
 
@@ -31,12 +45,14 @@ class Row:
 
 @dataclass
 class Traces:
-    root: Path
+    """The recordings of a binding."""
+
+    folder: Path
     symbols: dict[int, str] = field(default_factory=dict)  # address -> method
     tests: set[str] = field(default_factory=set)
 
     def file(self, test: str) -> Path:
-        return self.root / TRACES / f"{test}.bin"
+        return self.folder / f"{test}.bin"
 
     def events(self, test: str) -> array[int]:
         events: array[int] = array("Q")
@@ -75,29 +91,36 @@ class Traces:
         return rows
 
 
-def read_traces(root: Path, cache: Path) -> Traces:
-    traces = Traces(root)
-    if (root / EXECUTABLE).exists():
-        traces.symbols = _symbols(root / EXECUTABLE, cache)
-        traces.tests = {path.name.removesuffix(".bin") for path in (root / TRACES).glob("*.bin")}
-    return traces
+def read_traces(root: Path, cache: Path) -> dict[str, Traces]:
+    found: dict[str, Traces] = {}
+    for binding, source in SOURCES.items():
+        traces = Traces(root / source.folder)
+        tests = {path.name.removesuffix(".bin") for path in traces.folder.glob("*.bin")}
+        if tests and (root / source.executable).exists():
+            known = cache / f"symbols-{source.names}.json"
+            traces.symbols = _symbols(root / source.executable, source.names, known)
+            traces.tests = tests
+        found[binding] = traces
+    return found
 
 
-def _symbols(executable: Path, cache: Path) -> dict[int, str]:
+def _symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
+    """Address -> method. On the K64 without the bit that tells the instruction set."""
     state = executable.stat()
     key = f"{state.st_mtime_ns} {state.st_size}"
     if cache.exists():
         known = json.loads(cache.read_text(encoding="utf-8"))
         if known["key"] == key:
             return {int(address): name for address, name in known["symbols"].items()}
-    run = subprocess.run(["nm", "-C", str(executable)], capture_output=True, text=True, check=True)
+    run = subprocess.run([names, "-C", str(executable)], capture_output=True, text=True, check=True)
     symbols: dict[int, str] = {}
+    even = 0 if names == "nm" else 1
     for line in run.stdout.splitlines():
         match = re.match(r"([0-9a-f]+) [tTwWuV] (.*)", line)
         if match and "wr::" in match[2]:
             method = method_of(match[2])
             if method:
-                symbols[int(match[1], 16)] = method
+                symbols[int(match[1], 16) & ~even] = method
     cache.parent.mkdir(parents=True, exist_ok=True)
     cache.write_text(json.dumps({"key": key, "symbols": symbols}), encoding="utf-8")
     return symbols
@@ -146,8 +169,8 @@ def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str
             placed = {id(node): index}
             position = index + 1
             for child in node.children:
-                if not child.recordable:
-                    continue
+                if not child.children and not names[id(child)]:
+                    continue  # implemented outside the trace
                 last = len(rows) if child.kind == "post" else rows[index].end
                 found = fit(child, position, last)
                 if found is None:
@@ -169,8 +192,8 @@ def nodes_of(tree: TreeNode) -> list[TreeNode]:
     return found
 
 
-def recorded_nodes(tree: TreeNode) -> list[TreeNode]:
-    return [node for node in nodes_of(tree) if node.recordable]
+def recorded_nodes(tree: TreeNode, binding: str) -> list[TreeNode]:
+    return [node for node in nodes_of(tree) if binding not in node.outside]
 
 
 def excerpt(rows: list[Row], placed: list[int]) -> tuple[list[TraceRow], int, dict[int, int]]:

@@ -5,8 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from traceability.model.schema import (
+    HOST,
+    VIRTUAL_K64,
     AllowedUse,
     ArchitectureElement,
+    BindingResult,
     Call,
     Clause,
     LogicModule,
@@ -23,6 +26,7 @@ from traceability.model.schema import (
     TraceRow,
     Transition,
     TreeNode,
+    TreeRun,
     Use,
 )
 
@@ -45,7 +49,7 @@ def make_project(root: Path) -> Model:
 
 
 def make_model() -> Model:
-    model = Model("0123456789abcdef", "0.1", "hash", "hash")
+    model = Model("0123456789abcdef", "0.1", "hash", {HOST: "hash", VIRTUAL_K64: "hash"})
     model.logic_modules = {
         "main_control": LogicModule(
             "main_control", "MainControl", None, "<p>Main Control.</p>", "<p>Runs the cycle.</p>",
@@ -86,7 +90,7 @@ def make_model() -> Model:
     model.tests = {
         "RcTest.Reads": Test(
             "RcTest.Reads", "RcTest", "Reads", "<p>It reads.</p>", Place("tests/RcTest.cpp", 9),
-            ["FR-15"], "passed", 0.25,
+            ["FR-15"], {HOST: BindingResult("passed", 0.25)},
         )
     }  # fmt: skip
     asked = Place("design/fsm/a.toml", 3)
@@ -149,13 +153,11 @@ def make_module(name: str, logic: str, abstract: bool, bases: list[str]) -> Modu
 
 def make_requirement() -> Requirement:
     place = Place("design/trees/a.tree", 2)
-    child = TreeNode("RC::read", "RC", "read", "RC::read", "call", place, True, True)
-    child.trace_row = 2
+    child = TreeNode("RC::read", "RC", "read", "RC::read", "call", place, True, {HOST: True})
     root = TreeNode(
         "MainController::read", "MainController", "read", "MainController::read", "root", place,
-        True, True, children=[child],
+        True, {HOST: True}, children=[child],
     )  # fmt: skip
-    root.trace_row = 0
     trace = [
         TraceRow(0, "MainController::read", "MainController"),
         TraceRow(1, "Pipe::read", None),
@@ -164,5 +166,5 @@ def make_requirement() -> Requirement:
     return Requirement(
         "FR-15", "<p>The system shall wait.</p>", "Reading", Place("requirements/a.dox", 5),
         "<p>Why.</p>", "<p>The paper.</p>", "<p>Test.</p>", "high", ["RC::read"],
-        ["RcTest.Reads"], root, "RcTest.Reads", trace, 40, "verified",
+        ["RcTest.Reads"], root, {HOST: TreeRun("RcTest.Reads", trace, 40, [0, 2])}, "verified",
     )  # fmt: skip

@@ -16,7 +16,15 @@ from traceability.documents.links import Links
 from traceability.documents.names import Names
 from traceability.documents.pages import aligned, all_pages
 from traceability.documents.portal import CheckText, Portal
-from traceability.model.schema import Finding, Model, Place
+from traceability.model.schema import (
+    HOST,
+    VIRTUAL_K64,
+    BindingResult,
+    Finding,
+    Model,
+    Place,
+    TreeRun,
+)
 
 CHECKS = [CheckText("tree-static", "Calls are possible", "Each edge is one.", "runs.", "call it.")]
 
@@ -52,16 +60,17 @@ def test_a_module_page_has_its_secret_caller_role_requirement_and_test(
 def test_a_result_of_this_run_is_shown_and_a_stale_one_is_not(tmp_path: Path) -> None:
     model = make_project(tmp_path)
     fresh = {p.name: p.body for p in all_pages(Portal(tmp_path, model, [], CHECKS))}
-    stale_model = dataclasses.replace(model, results_hash="older")
+    stale_model = dataclasses.replace(model, results_hashes={HOST: "older"})
     stale = {p.name: p.body for p in all_pages(Portal(tmp_path, stale_model, [], CHECKS))}
-    assert "1 of 1 passed" in fresh["tests"]
+    assert "1 of 1 runs passed" in fresh["tests"]
     assert "older than the sources" not in fresh["tests"]
-    assert "1 of 1 passed" not in stale["tests"]
+    assert "1 of 1 runs passed" not in stale["tests"]
     assert "older than the sources" in stale["tests"]
 
 
 def test_a_node_lies_on_the_row_of_the_call_that_it_matches(portal: Portal) -> None:
-    rows = aligned(portal, portal.model.requirements["FR-15"])
+    requirement = portal.model.requirements["FR-15"]
+    rows = aligned(portal, requirement, requirement.runs[HOST])
     found = [(row.node.label if row.node else "", row.call) for row in rows]
     assert found == [
         ("MainController::read", "MainController::read"),
@@ -74,9 +83,29 @@ def test_a_node_lies_on_the_row_of_the_call_that_it_matches(portal: Portal) -> N
 def test_a_node_without_a_match_has_a_row_of_its_own(portal: Portal) -> None:
     requirement = make_model().requirements["FR-15"]
     assert requirement.tree is not None
-    requirement.tree.children[0].trace_row = None
-    rows = aligned(portal, requirement)
+    requirement.runs[HOST].places[1] = None
+    rows = aligned(portal, requirement, requirement.runs[HOST])
     assert [(row.node.label if row.node else "", row.call) for row in rows][1] == ("RC::read", "")
+
+
+def test_each_binding_has_a_result_of_its_own(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
+    first = model.tests["RcTest.Reads"]
+    failed = BindingResult("failed", 30.0, "expected 1")
+    model.tests["Robot.Drives"] = dataclasses.replace(
+        first, id="Robot.Drives", name="Drives", results=first.results | {VIRTUAL_K64: failed}
+    )
+    requirement = model.requirements["FR-15"]
+    requirement.verified_by.append("Robot.Drives")
+    requirement.runs[VIRTUAL_K64] = TreeRun("Robot.Drives", requirement.runs[HOST].rows, 0, [0, 2])
+    pages = {p.name: p.body for p in all_pages(Portal(tmp_path, model, [], CHECKS))}
+    assert "2 of 3 runs passed" in pages["tests"]
+    assert "virtual K64: expected 1" in pages["tests"]
+    assert "not built for it" in pages["tests"]
+    assert '<td class="num" data-l="host">2/2</td>' in pages["requirements/index"]
+    assert '<td class="num" data-l="virtual K64">0/1</td>' in pages["requirements/index"]
+    assert "Calls recorded on the virtual K64" in pages["requirements/FR-15"]
+    assert "host, virtual K64" in pages["trees"]
 
 
 def test_a_module_shows_first_its_own_tests_then_those_of_its_requirements(tmp_path: Path) -> None:
@@ -96,7 +125,7 @@ def test_a_module_shows_first_its_own_tests_then_those_of_its_requirements(tmp_p
     page = next(page.body for page in all_pages(portal) if page.name == "modules/RC")
     rest = page.partition("<summary>1 more test that executes RC</summary>")[2]
     assert "Robot.<wbr>Drives" in rest
-    assert "&lt;1<" in page
+    assert "&lt;1 ms<" in page
 
 
 def test_links_of_a_page_fit_its_depth(portal: Portal) -> None:
@@ -240,7 +269,7 @@ def test_the_page_of_a_removed_module_is_removed(site: tuple[Path, Model]) -> No
 def test_a_check_that_needs_fresh_results_does_not_hold_without_them(tmp_path: Path) -> None:
     model = make_project(tmp_path)
     assert "holds" in Portal(tmp_path, model, [], CHECKS).verdict_of("tree-dynamic")
-    stale = dataclasses.replace(model, results_hash=None)
+    stale = dataclasses.replace(model, results_hashes={HOST: None})
     assert "no fresh results" in Portal(tmp_path, stale, [], CHECKS).verdict_of("tree-dynamic")
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.python.model.small_tree import write_tree
-from traceability.model.schema import Model
+from traceability.model.schema import HOST, BindingResult, Model
 from traceability.pipeline import build_model
 from traceability.sources import source_hash
 
@@ -81,7 +81,7 @@ def test_requirement_with_section_method_and_test(model: Model) -> None:
     assert requirement.satisfied_by == ["Mode::newMessage", "OperationState::read"]
     assert requirement.verified_by == ["Working.WaitsWithoutMessage"]
     assert requirement.state == "unverified"
-    assert model.tests["Working.WaitsWithoutMessage"].result is None
+    assert model.tests["Working.WaitsWithoutMessage"].gave(None) == [HOST]
     assert model.results_stale
 
 
@@ -92,7 +92,7 @@ def test_heir_in_a_tree_resolves_to_the_inherited_method(model: Model) -> None:
     assert (working.label, working.resolved) == ("Working::read", "OperationState::read")
     assert working.reachable
     assert working.children[0].reachable
-    assert working.executed is None
+    assert working.ran is None
 
 
 def test_results_count_only_for_the_sources_they_were_made_from(tree: Path) -> None:
@@ -104,7 +104,7 @@ def test_results_count_only_for_the_sources_they_were_made_from(tree: Path) -> N
     (results / "trace.hash").write_text(json.dumps({"sources": source_hash(tree)}))
     assert not build_model(tree).results_stale
     test = build_model(tree).tests["Working.WaitsWithoutMessage"]
-    assert (test.result, test.milliseconds) == ("passed", 2.0)
+    assert test.results == {HOST: BindingResult("passed", 2.0)}
     path = tree / "src/main_control/operation_modes/RC.cpp"
     path.write_text(path.read_text() + "\n// changed\n")
     assert build_model(tree).results_stale

@@ -6,7 +6,8 @@ import json
 from pathlib import Path
 from typing import Any
 
-from traceability.model.results import read_coverage, read_results, read_sizes
+from traceability.model.results import bindings_of, read_coverage, read_results, read_sizes
+from traceability.model.schema import HOST, VIRTUAL_K64
 
 
 def write(root: Path, name: str, data: Any) -> None:
@@ -16,9 +17,18 @@ def write(root: Path, name: str, data: Any) -> None:
 
 
 def test_nothing_measured_is_nothing(tmp_path: Path) -> None:
-    assert read_results(tmp_path) == {}
+    assert read_results(tmp_path, HOST) == {}
     assert read_coverage(tmp_path) == {}
     assert read_sizes(tmp_path) == {}
+
+
+def test_a_folder_of_tests_has_its_bindings() -> None:
+    assert bindings_of("tests/services/PipeTest.cpp") == [HOST]
+    assert bindings_of("tests/sim/HostPlatformTest.cpp") == [HOST]
+    assert bindings_of("tests/sim/k64/NvicTest.cpp") == [VIRTUAL_K64]
+    assert bindings_of("tests/k64/K64BoardTest.cpp") == [VIRTUAL_K64]
+    assert bindings_of("tests/system/OrdersTest.cpp") == [HOST, VIRTUAL_K64]
+    assert bindings_of("tests/system/host/RcTest.cpp") == [HOST]
 
 
 def test_one_failed_instance_fails_a_parameterised_test(tmp_path: Path) -> None:
@@ -27,7 +37,7 @@ def test_one_failed_instance_fails_a_parameterised_test(tmp_path: Path) -> None:
     cases = [base | {"name": "T/0"} | failure, base | {"name": "T/1"}]
     suite = {"name": "All/Suite", "testsuite": cases}
     write(tmp_path, "trace.json", {"testsuites": [suite]})
-    result = read_results(tmp_path)["Suite.T"]
+    result = read_results(tmp_path, HOST)["Suite.T"]
     assert (result.result, result.message, result.milliseconds) == ("failed", "expected 1", 2.0)
 
 
@@ -37,7 +47,7 @@ def test_skipped_and_disabled_tests_did_not_pass(tmp_path: Path) -> None:
         {"name": "B", "status": "NOTRUN", "result": "SUPPRESSED", "time": "0s"},
     ]
     write(tmp_path, "trace.json", {"testsuites": [{"name": "S", "testsuite": cases}]})
-    assert {name: result.result for name, result in read_results(tmp_path).items()} == {
+    assert {name: result.result for name, result in read_results(tmp_path, HOST).items()} == {
         "S.A": "skipped",
         "S.B": "skipped",
     }

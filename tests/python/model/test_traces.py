@@ -48,7 +48,6 @@ def recorded(tmp_path: Path, calls: str) -> list[Row]:
         stack.append(address)
     traces.symbols = {address: f"M::{name}" for name, address in addresses.items()}
     file = traces.file("S.T")
-    file.parent.mkdir(parents=True)
     file.write_bytes(struct.pack(f"<{len(events)}Q", *events))
     return traces.rows("S.T", lambda method: not method.startswith("M::x"))
 
