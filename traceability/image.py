@@ -2,6 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+from traceability.sources import files_below, hash_of
+
+TOTALS = Path("build/results/image_k64.json")  # flash and RAM of the image that was built
+MADE_FROM = ("src", "setup/k64-toolchain.cmake", "CMakeLists.txt", "CMakePresets.json")
+
 FIELD = 0x400
 SIZE = 16
 FLASH = 0x100000
@@ -42,3 +49,8 @@ def _why(address: int, value: int) -> str:
             return "mass erase would be off"
         return "keys or access of the maker would differ"
     return next(why for first, last, why in PURPOSES if first <= address <= last)
+
+
+def sources_of_image(root: Path) -> str:
+    """The hash of all that the image is made from."""
+    return hash_of(root, files_below(root, MADE_FROM))

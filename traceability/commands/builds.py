@@ -5,14 +5,17 @@ from __future__ import annotations
 import json
 import os
 import shutil
-import subprocess
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TextIO
 
 from traceability.commands.steps import FailureError, run
-from traceability.sources import source_hash
+from traceability.sources import file_hash, source_hash
+
+IMAGE = "build/k64/weeding_robot.bin"
+# The tests on the virtual K64 are a run of their own, built with the preset of this machine.
+BOARD, BOARD_TESTS, BOARD_PRESET = "board", "board_tests", "host"
 
 
 @dataclass(frozen=True)
@@ -47,6 +50,11 @@ def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
     run(log, ["cmake", "--build", directory, "--parallel", jobs(), *wanted])
 
 
+def build_for_board(root: Path, log: TextIO, target: str) -> None:
+    """Builds a program that holds the virtual K64."""
+    build(root, BOARD_PRESET, log, target)
+
+
 def gtest_counts(results: Path) -> Counts:
     """Counts of a result file of GoogleTest; a disabled or skipped test did not run."""
     passed = failed = skipped = 0
@@ -74,43 +82,55 @@ def junit_counts(results: Path) -> Counts:
     return Counts(passed, failed, skipped)
 
 
-def results_of(root: Path, preset: str) -> Path:
+def results_of(root: Path, run_name: str) -> Path:
     """The result file of the tests; coverage.json is the coverage itself."""
-    name = "coverage_tests" if preset == "coverage" else preset
+    name = "coverage_tests" if run_name == "coverage" else run_name
     return root / "build" / "results" / f"{name}.json"
 
 
-def is_current(root: Path, preset: str) -> bool:
+def tested(root: Path, run_name: str) -> dict[str, str]:
+    """What the results depend on."""
+    image = {"image": file_hash(root / IMAGE)} if run_name == BOARD else {}
+    return {"sources": source_hash(root), **image}
+
+
+def is_current(root: Path, run_name: str) -> bool:
     """Whether there are results, and they are those of the present sources."""
-    stamp = root / "build" / "results" / f"{preset}.hash"
+    stamp = root / "build" / "results" / f"{run_name}.hash"
     return (
-        results_of(root, preset).exists()
+        results_of(root, run_name).exists()
         and stamp.exists()
-        and json.loads(stamp.read_text()) == {"sources": source_hash(root)}
+        and json.loads(stamp.read_text()) == tested(root, run_name)
     )
 
 
-def run_tests(root: Path, preset: str, log: TextIO) -> tuple[Counts, bool]:
-    """Builds and runs the C++ tests, unless they ran on these very sources.
+def run_tests(root: Path, run_name: str, log: TextIO) -> tuple[Counts, bool]:
+    """Builds and runs the C++ tests of a preset, or those on the virtual K64.
 
-    Returns the counts, and whether the tests were run now.
+    They are not run when they ran on these very sources. Returns the counts, and whether the tests
+    were run now.
     """
-    results = results_of(root, preset)
-    stamp = root / "build" / "results" / f"{preset}.hash"
-    if is_current(root, preset):
+    on_board = run_name == BOARD
+    results = results_of(root, run_name)
+    stamp = root / "build" / "results" / f"{run_name}.hash"
+    if is_current(root, run_name):
         return gtest_counts(results), False
-    now = {"sources": source_hash(root)}
-    build(root, preset, log)
+    now = tested(root, run_name)
+    if on_board:
+        build_for_board(root, log, BOARD_TESTS)
+    else:
+        build(root, run_name, log)
     results.parent.mkdir(parents=True, exist_ok=True)
     results.unlink(missing_ok=True)
     stamp.unlink(missing_ok=True)
-    binaries = root / "build" / preset
-    shutil.rmtree(binaries / "traces", ignore_errors=True)
+    binaries = root / "build" / (BOARD_PRESET if on_board else run_name)
+    shutil.rmtree(binaries / ("traces-board" if on_board else "traces"), ignore_errors=True)
     for counter in binaries.rglob("*.gcda"):
         counter.unlink()
+    program = binaries / "tests" / (BOARD_TESTS if on_board else "firmware_tests")
     ended = ""
     try:
-        run(log, [binaries / "tests" / "firmware_tests", f"--gtest_output=json:{results}"])
+        run(log, [program, f"--gtest_output=json:{results}"])
     except FailureError as error:
         ended = str(error)
     if not results.exists():
@@ -144,24 +164,3 @@ def require_counts(counts: Counts, fresh: bool) -> str:
     if counts.failed or not counts.passed:
         raise FailureError(str(counts))
     return str(counts) if fresh else f"{counts} (unchanged)"
-
-
-def firmware_sizes(root: Path) -> dict[str, dict[str, int]]:
-    """Flash and RAM of each source file in the library for the K64; writes size_k64.json."""
-    libraries = list((root / "build" / "k64").rglob("libfirmware.a"))
-    if len(libraries) != 1:
-        raise FailureError("the library for the K64 was not built")
-    table = subprocess.run(
-        ["arm-none-eabi-size", libraries[0]], capture_output=True, text=True, check=True
-    ).stdout
-    sizes = {}
-    for line in table.splitlines()[1:]:
-        text, data, bss, _, _, member = line.split(maxsplit=5)
-        module = member.split(".", 1)[0]
-        sizes[module] = {"flash": int(text) + int(data), "ram": int(data) + int(bss)}
-    target = root / "build" / "results" / "size_k64.json"
-    target.parent.mkdir(parents=True, exist_ok=True)
-    content = json.dumps(dict(sorted(sizes.items())), indent=1) + "\n"
-    if not target.exists() or target.read_text() != content:
-        target.write_text(content)
-    return sizes

@@ -7,17 +7,18 @@ import os
 import sys
 from pathlib import Path
 
-from traceability.commands import check, firmware, lint, portal, robot, serve, sim, test
-from traceability.commands.steps import FailureError
+from traceability.commands import check, firmware, flash, lint, portal, robot, serve, sim, test
+from traceability.commands.steps import FailureError, MissingError
 
 ROOT = Path(__file__).resolve().parents[2]
+MISSING = 3
 INTERRUPTED = 130
 
 
 def parser() -> argparse.ArgumentParser:
     top = argparse.ArgumentParser(prog="./wr")
     commands = top.add_subparsers(dest="command", required=True, metavar="<command>")
-    for module in (portal, test, check, lint, firmware, sim, robot, serve):
+    for module in (portal, test, check, lint, firmware, flash, sim, robot, serve):
         module.add(commands)
     setup = commands.add_parser(
         "setup",
@@ -41,5 +42,5 @@ def main(arguments: list[str]) -> int:
         return 1
     except FailureError as error:
         print(f"wr {options.command}: {error}", file=sys.stderr)
-        return 1
+        return MISSING if isinstance(error, MissingError) else 1
     return code

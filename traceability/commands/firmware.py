@@ -1,4 +1,4 @@
-"""./wr firmware: the firmware for this machine, and its library for the K64."""
+"""./wr firmware: the firmware for this machine, and its image for the K64."""
 
 from __future__ import annotations
 
@@ -6,52 +6,90 @@ import argparse
 from pathlib import Path
 from typing import TextIO
 
-from traceability.commands.builds import build, firmware_sizes
-from traceability.commands.steps import Steps
+from traceability.commands.builds import IMAGE, build
+from traceability.commands.sizes import ELF, PARTS, Size, output, total, write_sizes
+from traceability.commands.steps import FailureError, Steps
+
+TARGET = "weeding_robot"
+BIN = Path(IMAGE)
+FILES = {
+    ".elf": "for a debugger",
+    ".bin": "for the board's drive, ./wr flash writes it",
+    ".hex": "for other programmers",
+    ".map": "what the linker placed where",
+}
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "firmware",
         help="build the firmware for this machine and for the K64",
-        description="Builds the firmware for this machine (run it with ./wr sim), and its library "
-        "for the K64 with the size of each module.",
+        description="Builds the firmware for this machine (run it with ./wr sim), and the image "
+        "for the K64 (write it with ./wr flash). Prints the flash and RAM of each module.",
     )
     parser.set_defaults(run=lambda root, _options: firmware(root))
 
 
 def firmware(root: Path) -> int:
     steps = Steps(root, 2)
-    build_firmware(root, steps)
-    if steps.failed:
+    build_host(root, steps)
+    sizes = build_k64(root, steps)
+    if steps.failed or sizes is None:
         return 1
-    print_sizes(firmware_sizes(root))
+    print_sizes(sizes)
+    version, build_id = identity(root / ELF, root / BIN)
+    print(f"\nversion {version}, build id {build_id}")
+    for suffix, use in FILES.items():
+        print(f"  {ELF.with_suffix(suffix)}  {use}")
     print("For this machine: build/host/sim/weeding_robot_host (./wr sim)")
     return 0
 
 
 def build_firmware(root: Path, steps: Steps) -> None:
     """Two steps: for this machine, and for the K64."""
+    build_host(root, steps)
+    build_k64(root, steps)
 
-    def host(log: TextIO) -> None:
-        build(root, "host", log, "weeding_robot_host")
+
+def build_host(root: Path, steps: Steps) -> None:
+    steps.run("firmware (this machine)", lambda log: build(root, "host", log, "weeding_robot_host"))
+
+
+def build_k64(root: Path, steps: Steps) -> dict[str, Size] | None:
+    """Builds the image and measures it; None when that failed."""
+    sizes: dict[str, Size] | None = None
 
     def k64(log: TextIO) -> str:
-        build(root, "k64", log, "firmware")
-        return summary(firmware_sizes(root))
+        nonlocal sizes
+        build(root, "k64", log, TARGET)
+        sizes = write_sizes(root)
+        return summary(sizes)
 
-    steps.run("firmware (this machine)", host)
     steps.run("firmware (K64)", k64)
+    return sizes
 
 
-def summary(sizes: dict[str, dict[str, int]]) -> str:
-    flash = sum(size["flash"] for size in sizes.values())
-    ram = sum(size["ram"] for size in sizes.values())
-    return f"library: {flash} bytes flash, {ram} bytes RAM in {len(sizes)} files"
+def summary(sizes: dict[str, Size]) -> str:
+    whole = total(sizes)
+    return f"{whole.flash} bytes flash, {whole.ram} bytes RAM"
 
 
-def print_sizes(sizes: dict[str, dict[str, int]]) -> None:
-    print(f"\n{'file':32} {'flash':>8} {'RAM':>8}   bytes")
-    for name, size in sorted(sizes.items(), key=lambda item: -item[1]["flash"]):
-        print(f"{name:32} {size['flash']:8} {size['ram']:8}")
-    print(f"\n{summary(sizes)}, before linking")
+def print_sizes(sizes: dict[str, Size]) -> None:
+    """A table: the modules, largest first, then what is no module, then the sum."""
+    modules = sorted(sizes.keys() - set(PARTS), key=lambda name: (-sizes[name].flash, name))
+    print(f"\n{'bytes of':32} {'flash':>8} {'RAM':>8}")
+    for name in [*modules, *(part for part in PARTS if part in sizes)]:
+        print(f"{name:32} {sizes[name].flash:8} {sizes[name].ram:8}")
+    whole = total(sizes)
+    print(f"{'the image':32} {whole.flash:8} {whole.ram:8}")
+
+
+def identity(elf: Path, image: Path) -> tuple[str, str]:
+    """Version and build id, read from the bytes of the image."""
+    for line in output("arm-none-eabi-nm", "--demangle", elf).splitlines():
+        address, _, symbol = line.split(maxsplit=2) if line.count(" ") > 1 else ("", "", "")
+        if symbol == "wr::firmwareIdentity":
+            start = int(address, 16)
+            found = image.read_bytes()[start : start + 11]
+            return ".".join(map(str, found[:3])), found[3:].decode("ascii", errors="replace")
+    raise FailureError(f"{elf.name} has no identity")

@@ -7,14 +7,20 @@ import time
 from pathlib import Path
 from typing import TextIO
 
-from traceability.commands.builds import Counts, measure_coverage, require_counts, run_tests
+from traceability.commands.builds import (
+    BOARD,
+    Counts,
+    measure_coverage,
+    require_counts,
+    run_tests,
+)
 from traceability.commands.check import STEPS as DOCUMENT_STEPS
 from traceability.commands.check import make_documents, report
 from traceability.commands.firmware import build_firmware
 from traceability.commands.serve import add_port, serve
 from traceability.commands.steps import Steps
 
-BUILD_STEPS = 4
+BUILD_STEPS = 5
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -22,8 +28,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "portal",
         help="build the firmware, test it, check it, build its portal and serve it",
         description="Builds the firmware for this machine and for the K64, runs its tests with "
-        "traces and coverage, checks the documents against the code, builds the portal and serves "
-        "it on this machine. Findings and failed tests do not stop the portal from being built.",
+        "traces and coverage, and with the image on the virtual K64, checks the documents against "
+        "the code, builds the portal and serves it on this machine. Findings and failed tests do "
+        "not stop the portal from being built.",
     )
     add_port(parser)
     parser.add_argument("--no-serve", action="store_true", help="end when the portal is built")
@@ -43,6 +50,7 @@ def portal(root: Path, options: argparse.Namespace) -> int:
         build_firmware(root, steps)
         traced_tests(root, steps)
         covered_tests(root, steps)
+        board_tests(root, steps)
     figures = (lambda: {"build.cold_s": round(time.monotonic() - start, 1)}) if cold else dict
     code = report(make_documents(root, steps, figures), steps)
     print(f"The portal is in {root / 'build' / 'site'}")
@@ -50,14 +58,26 @@ def portal(root: Path, options: argparse.Namespace) -> int:
 
 
 def traced_tests(root: Path, steps: Steps) -> Counts:
+    return counted_tests(root, steps, "trace", "trace")
+
+
+def board_tests(root: Path, steps: Steps) -> Counts:
+    """The tests that run on the virtual K64, with the image that was built."""
+    if "firmware (K64)" in steps.failed:
+        steps.skip("tests (virtual K64)", "there is no image")
+        return Counts()
+    return counted_tests(root, steps, "virtual K64", BOARD)
+
+
+def counted_tests(root: Path, steps: Steps, title: str, run_name: str) -> Counts:
     counts = Counts()
 
     def action(log: TextIO) -> str:
         nonlocal counts
-        counts, fresh = run_tests(root, "trace", log)
+        counts, fresh = run_tests(root, run_name, log)
         return require_counts(counts, fresh)
 
-    steps.run("tests (trace)", action)
+    steps.run(f"tests ({title})", action)
     return counts
 
 

@@ -1,4 +1,4 @@
-"""./wr sim: runs the firmware on this machine."""
+"""./wr sim: runs the firmware on this machine, or its image on the virtual board."""
 
 from __future__ import annotations
 
@@ -8,18 +8,26 @@ from pathlib import Path
 
 from weeding_robot_client.options import positive
 
-from traceability.commands.builds import build
+from traceability.commands.builds import build, build_for_board
+from traceability.commands.firmware import BIN, build_k64
+from traceability.commands.sizes import ELF
 from traceability.commands.steps import Steps
 
 PROGRAM = "weeding_robot_host"
+BOARD_PROGRAM = "weeding_robot_board"
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "sim",
-        help="run the firmware on this machine",
+        help="run the firmware on this machine, or its image on a virtual board",
         description="Builds the firmware for this machine and runs it in real time. Its PC link is "
-        "a pseudo-terminal, to which ./wr drive and ./wr monitor connect. Ctrl-C ends it.",
+        "a pseudo-terminal, to which ./wr drive and ./wr monitor connect. Ctrl-C ends it. With "
+        "--board, builds the image for the K64 and runs that on the virtual K64. Exit code 4: the "
+        "virtual K64 found a fault.",
+    )
+    parser.add_argument(
+        "--board", action="store_true", help="run the image for the K64 on the virtual K64"
     )
     parser.add_argument(
         "--link",
@@ -29,17 +37,47 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--cycles", type=positive, help="end after this number of control cycles of 100 ms"
     )
-    parser.set_defaults(run=sim)
+    parser.add_argument(
+        "--scenario", type=Path, metavar="FILE", help="play this scenario instead of a PC link"
+    )
+    parser.add_argument(
+        "--trace", type=Path, metavar="FILE", help="with --board: write what happened, and when"
+    )
+    parser.set_defaults(run=lambda root, options: sim(root, options, parser))
 
 
-def sim(root: Path, options: argparse.Namespace) -> int:
-    steps = Steps(root, 1)
-    if steps.run("firmware (this machine)", lambda log: build(root, "host", log, PROGRAM)):
-        link = options.link or root / "build" / "pc-link"
+def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+    """Builds what is asked for, and becomes it."""
+    if options.trace and not options.board:
+        parser.error(f"--trace {options.trace} needs --board")
+    steps = Steps(root, 2 if options.board else 1)
+    if options.board:
+        build_k64(root, steps)
+        steps.run("virtual K64", lambda log: build_for_board(root, log, BOARD_PROGRAM))
+    else:
+        steps.run("firmware (this machine)", lambda log: build(root, "host", log, PROGRAM))
+    if steps.failed:
+        return 1
+    words = command(root, options)
+    return os.execv(words[0], words)
+
+
+def command(root: Path, options: argparse.Namespace) -> list[str]:
+    """The program and its options. A scenario takes the place of the PC link."""
+    program = BOARD_PROGRAM if options.board else PROGRAM
+    words = [str(root / "build" / "host" / "sim" / program)]
+    if options.board:
+        words += ["--image", str(root / BIN), "--elf", str(root / ELF)]
+    link = options.link
+    if link is None and options.scenario is None:
+        link = root / "build" / "pc-link"
         link.parent.mkdir(parents=True, exist_ok=True)
-        program = root / "build" / "host" / "sim" / PROGRAM
-        words = [str(program), "--link", str(link)]
-        if options.cycles is not None:
-            words += ["--cycles", str(options.cycles)]
-        os.execv(program, words)
-    return 1
+    for name, value in (
+        ("--link", link),
+        ("--cycles", options.cycles),
+        ("--scenario", options.scenario),
+        ("--trace", options.trace),
+    ):
+        if value is not None:
+            words += [name, str(value)]
+    return words

@@ -20,6 +20,10 @@ class FailureError(Exception):
     """A step failed. The message says what is wrong."""
 
 
+class MissingError(FailureError):
+    """What the command needs is not there."""
+
+
 def run(log: TextIO, command: Sequence[str | Path], env: Mapping[str, str] | None = None) -> None:
     """Runs a command with its output in the log; raises FailureError when it fails."""
     words = [str(word) for word in command]

@@ -17,11 +17,11 @@ from traceability.commands.builds import (
 from traceability.commands.check import STEPS as DOCUMENT_STEPS
 from traceability.commands.check import make_documents, report
 from traceability.commands.firmware import build_firmware
-from traceability.commands.portal import covered_tests, traced_tests
+from traceability.commands.portal import board_tests, covered_tests, traced_tests
 from traceability.commands.steps import FailureError, Steps, run
 from traceability.sources import files_below, hash_of
 
-OTHER_STEPS = 7
+OTHER_STEPS = 8
 # What tests of Python read: some run on a copy of the whole project.
 READ_BY_TESTS = (
     *("src", "sim", "tests", "client", "docs", "design", "requirements", "traceability", "site"),
@@ -34,9 +34,10 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "test",
         help="run every test and every check",
-        description="Runs the tests of the firmware (with traces, with coverage and with "
-        "sanitizers), those of the tools, every check, and those of the portal's pages in a "
-        "browser. The last line counts the tests of the firmware, of the tools and of the pages.",
+        description="Runs the tests of the firmware (with traces, with coverage, with "
+        "sanitizers, and with the image on the virtual K64), those of the tools, every check, and "
+        "those of the portal's pages in a browser. The last line counts the tests of the firmware "
+        "(once for this machine, once for the virtual K64), of the tools and of the pages.",
     )
     parser.set_defaults(run=lambda root, _options: test(root))
 
@@ -47,6 +48,7 @@ def test(root: Path) -> int:
     counts = traced_tests(root, steps)
     covered_tests(root, steps)
     steps.run("tests (sanitize)", lambda log: require_counts(*run_tests(root, "sanitize", log)))
+    counts += board_tests(root, steps)
     pages = root / "tests" / "python" / "site"
     python = root / "tests" / "python"
     counts += run_pytest(root, steps, "tools", [python, f"--ignore={pages}"])

@@ -132,6 +132,45 @@ def test_failed_tests_and_no_tests_fail_the_step() -> None:
             builds.require_counts(counts, fresh=True)
 
 
-def test_sizes_need_the_library(tmp_path: Path) -> None:
-    with pytest.raises(FailureError, match="not built"):
-        builds.firmware_sizes(tmp_path)
+@pytest.fixture
+def board(root: Path) -> Path:
+    """The same tree with tests on the virtual K64, and an image."""
+    tests = root / "build/host/tests/board_tests"
+    tests.parent.mkdir(parents=True)
+    write_program(tests, "exit 0")
+    (root / "build/k64").mkdir()
+    (root / builds.IMAGE).write_bytes(b"image")
+    return root
+
+
+def run_board_tests(root: Path) -> tuple[Counts, bool]:
+    with (root / "log").open("a") as log:
+        return builds.run_tests(root, builds.BOARD, log)
+
+
+def test_tests_on_the_board_run_once_for_the_same_sources_and_image(board: Path) -> None:
+    assert run_board_tests(board) == (Counts(2, 0, 0), True)
+    assert run_board_tests(board) == (Counts(2, 0, 0), False)
+    assert (board / "build/results/board.json").exists()
+
+
+def test_tests_on_the_board_run_again_with_another_image(board: Path) -> None:
+    run_board_tests(board)
+    (board / builds.IMAGE).write_bytes(b"other image")
+    assert not builds.is_current(board, builds.BOARD)
+    assert run_board_tests(board)[1]
+    (board / "src/RC.cpp").write_text("int b;\n")
+    assert run_board_tests(board)[1]
+    assert runs(board) == 3
+
+
+def test_results_of_the_board_and_of_this_machine_are_kept_apart(board: Path) -> None:
+    (board / "build/trace/traces").mkdir(parents=True)
+    run_tests(board)
+    kept = board / "build/trace/traces/New.Test.bin"
+    kept.parent.mkdir(exist_ok=True)
+    kept.touch()
+    run_board_tests(board)
+    assert kept.exists()
+    assert builds.is_current(board, "trace")
+    assert builds.is_current(board, builds.BOARD)

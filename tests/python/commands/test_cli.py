@@ -15,7 +15,18 @@ from traceability.commands import cli, lint, serve
 from traceability.commands.steps import FailureError
 
 ROOT = Path(__file__).parents[3]
-COMMANDS = ("portal", "test", "check", "lint", "firmware", "sim", "drive", "monitor", "serve")
+COMMANDS = (
+    "portal",
+    "test",
+    "check",
+    "lint",
+    "firmware",
+    "flash",
+    "sim",
+    "drive",
+    "monitor",
+    "serve",
+)
 
 
 def wr(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
@@ -56,6 +67,8 @@ def test_no_command_and_unknown_command_are_wrong_usage(arguments: tuple[str, ..
         ("serve", "--port", "0"),
         ("serve", "--port", "x"),
         ("sim", "--cycles", "0"),
+        ("sim", "--trace", "file"),
+        ("flash", "--with", "wire"),
         ("monitor", "--reports", "0"),
         ("check", "--fast"),
     ],

@@ -1,0 +1,144 @@
+"""./wr flash: writes the image into the board."""
+
+from __future__ import annotations
+
+import argparse
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TextIO
+
+from traceability.commands import usb_drive
+from traceability.commands.firmware import BIN, build_k64
+from traceability.commands.steps import FailureError, MissingError, Steps, run
+from traceability.image import lock_problems
+
+USB = Path("/sys/bus/usb/devices")
+ARM = "0d28"  # vendor of the debug probe that is on the FRDM-K64F
+ADVICE = """\
+Connect a USB cable to the socket of the board that is marked SDA, and try again. Or name the
+folder where the board's drive is mounted: ./wr flash --drive FOLDER. docs/bring_up.rst explains
+each way."""
+
+
+@dataclass(frozen=True)
+class Way:
+    """One way to the board; ``missing`` is empty when it is there."""
+
+    missing: str
+    does: str
+    write: Callable[[TextIO], str | None]
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "flash",
+        help="write the firmware into the board",
+        description="Builds the image for the K64, checks that it would not lock the chip, and "
+        "writes it into a FRDM-K64F: with pyOCD, else with OpenOCD, else by a copy to the drive "
+        "that the board shows. Exit code 3: there is no way to a board.",
+    )
+    parser.add_argument(
+        "--with",
+        dest="way",
+        choices=("pyocd", "openocd", "drive"),
+        help="the way to the board (default: the first that is there)",
+    )
+    parser.add_argument(
+        "--drive", type=Path, metavar="PATH", help="where the drive of the board is mounted"
+    )
+    parser.add_argument(
+        "--image", type=Path, metavar="BIN", help=f"write this image (default: {BIN}, built first)"
+    )
+    parser.add_argument(
+        "--dry-run", action="store_true", help="check the image, and say what would be done"
+    )
+    parser.set_defaults(run=lambda root, options: flash(root, options, parser))
+
+
+def flash(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+    name = "drive" if options.drive else options.way
+    if options.way not in (None, name):
+        parser.error(f"--drive does not go with --with {options.way}")
+    image: Path = options.image or root / BIN
+    steps = Steps(root, 2 if options.image else 3)
+    if not options.image:
+        build_k64(root, steps)
+    if steps.failed or not steps.run("image", lambda _log: checked(image)):
+        return 1
+    name, way = choose(ways(image, options.drive), name)
+    if options.dry_run:
+        steps.skip(f"flash ({name})", f"dry run, would {way.does}")
+        return 0
+    return 0 if steps.run(f"flash ({name})", way.write) else 1
+
+
+def checked(image: Path) -> str:
+    """Says the size of an image that does not lock the chip; fails for any other."""
+    try:
+        content = image.read_bytes()
+    except OSError as error:
+        raise FailureError(f"cannot read {image}: {error.strerror}") from error
+    if problems := lock_problems(content):
+        raise FailureError("not written, it could lock the chip: " + "; ".join(problems))
+    return f"{len(content)} bytes, does not lock the chip"
+
+
+def ways(image: Path, folder: Path | None) -> dict[str, Way]:
+    """All ways, the one to try first in front."""
+    file = image.resolve()
+    flags = ("-t", "k64f", "--no-wait", "--format", "bin", "--base-address", "0")
+    # OpenOCD reads a script: braces keep the path one word.
+    script = f"program {{{file}}} verify reset exit 0x0"
+    return {
+        "pyocd": tool("pyocd", "flash", *flags, str(file)),
+        "openocd": tool("openocd", "-f", "board/nxp_frdm-k64f.cfg", "-c", script),
+        "drive": copy(file, folder),
+    }
+
+
+def tool(name: str, *arguments: str) -> Way:
+    missing = "" if shutil.which(name) else "not installed"
+    words = [name, *arguments]
+    return Way(missing, f"run {' '.join(words)}", lambda log: run(log, words))
+
+
+def copy(image: Path, folder: Path | None) -> Way:
+    drives = [folder] if folder else usb_drive.mounted()
+    if len(drives) != 1:
+        many = f"several are mounted: {', '.join(map(str, drives))}; choose with --drive"
+        return Way(many if drives else "none is mounted", "", lambda _log: None)
+    drive = drives[0]
+    missing = usb_drive.problem(drive)
+    return Way(missing, f"copy {image} to {drive}", lambda log: usb_drive.copy(image, drive, log))
+
+
+def choose(found: dict[str, Way], name: str | None) -> tuple[str, Way]:
+    """The way that is asked for, or the first that leads to a board."""
+    probe = name is not None or has_probe()
+    for other, way in found.items():
+        if name in (None, other) and not way.missing and (probe or other == "drive"):
+            return other, way
+    said = [f"{other}: {way.missing or 'installed'}" for other, way in found.items()]
+    if name:
+        raise MissingError(f"{name}: {found[name].missing}\n{ADVICE}")
+    said.append(f"debug probe on USB: {'one is connected' if probe else 'none'}")
+    looked = "\n  ".join(said)
+    raise MissingError(f"there is no way to a board. Looked for\n  {looked}\n{ADVICE}")
+
+
+def has_probe() -> bool:
+    """Whether a debug probe as that of the FRDM-K64F is connected."""
+
+    def text(file: Path) -> str:
+        try:
+            return file.read_text(errors="replace").strip()
+        except OSError:
+            return ""
+
+    devices = list(USB.iterdir()) if USB.is_dir() else []
+    return any(
+        text(device / "idVendor") == ARM or "CMSIS-DAP" in text(device / "product")
+        for device in devices
+    )
