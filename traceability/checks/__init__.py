@@ -4,7 +4,16 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from traceability.checks import documents, links, modules, patterns, requirements, trees, uses
+from traceability.checks import (
+    documents,
+    links,
+    modules,
+    patterns,
+    registers,
+    requirements,
+    trees,
+    uses,
+)
 from traceability.model.schema import Finding, Model
 
 FAMILIES = (
@@ -12,6 +21,7 @@ FAMILIES = (
     modules.check,
     patterns.check,
     uses.check,
+    registers.check,
     trees.check,
     requirements.check,
 )

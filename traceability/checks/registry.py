@@ -131,6 +131,24 @@ _FIXED = [
         "remove the include or the call, or allow the use with a reason.",
     ),
     Check(
+        "uses-board",
+        "Drivers and virtual board do not know each other",
+        "No file of sim/ or tests/ includes one of src/k64, and no file of sim/k64 one of src: a "
+        "driver and its model share no mistake. In src, uses-allowed shows who uses src/k64.",
+        "the same number, written down wrongly twice.",
+        "write what the file needs from the manual of the part, or test the image.",
+    ),
+    Check(
+        "secret-registers",
+        "A block of registers has owners",
+        "A namespace of src/k64/registers.hpp is named only by the modules that own it in "
+        "design/register_owners.toml; each owner uses it; no other place of src makes a register "
+        "or makes a number into an address.",
+        "which channel or pin of a block an owner touches; the effect of a register on another "
+        "block.",
+        "call an operation of the owner, or change the design.",
+    ),
+    Check(
         "uses-cycle",
         "No cycles of uses",
         "The uses between the top folders form no cycle; inside one, the cycles are those declared "

@@ -2,13 +2,37 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from traceability.model.build import Facts
 from traceability.model.schema import AllowedUse, Finding, Model, Use
+from traceability.model.syntax import includes_of, is_board
+from traceability.sources import files_below
+
+VIRTUAL_BOARD = "sim/k64/"
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
     allowed = [use for use in model.uses if _is_allowed(model, use)]
-    return _forbidden(model) + _unused(model) + _cycles(allowed, facts)
+    return _forbidden(model) + _unused(model) + _cycles(allowed, facts) + _board(facts.root)
+
+
+def _board(root: Path) -> list[Finding]:
+    """Simulators and tests see no driver, and the virtual K64 nothing of the firmware."""
+    found: list[Finding] = []
+    for path in files_below(root, ("sim", "tests"), (".cpp", ".hpp", ".h")):
+        file = str(path.relative_to(root))
+        for include in includes_of(root, file):
+            if is_board(include.target):
+                text = f"{file} includes {include.target}, which only the composition sees"
+                mend = "test the image on the virtual K64 instead"
+            elif file.startswith(VIRTUAL_BOARD) and include.target.startswith("src/"):
+                text = f"the virtual K64 includes {include.target} of the firmware"
+                mend = "write what it needs from the manual of the part: a mistake is not shared"
+            else:
+                continue
+            found.append(Finding(include.place, "uses-board", text, mend))
+    return found
 
 
 def _covers(allowed: AllowedUse, use: Use) -> bool:

@@ -48,6 +48,15 @@ class Cycle:
 
 
 @dataclass
+class Block:
+    """A block of registers, and the modules that own it."""
+
+    name: str
+    owners: list[str]
+    place: Place
+
+
+@dataclass
 class Declared:
     machines: dict[str, StateMachine] = field(default_factory=dict)
     architecture: list[ArchitectureElement] = field(default_factory=list)
@@ -58,6 +67,7 @@ class Declared:
     applications: dict[str, KnownApplication] = field(default_factory=dict)
     clauses: dict[str, ClauseText] = field(default_factory=dict)
     names: dict[str, list[str]] = field(default_factory=dict)  # logic module -> its modules
+    blocks: list[Block] = field(default_factory=list)
 
 
 def read_declared(root: Path) -> Declared:
@@ -88,6 +98,10 @@ def read_declared(root: Path) -> Declared:
     for item, _ in _tables(root, design / "clauses.toml", "clause"):
         clause = ClauseText(**item)
         declared.clauses[clause.id] = clause
+    declared.blocks = [
+        Block(item["name"], item["owners"], place)
+        for item, place in _tables(root, design / "register_owners.toml", "block")
+    ]
     for item, _ in _tables(root, design / "modules.toml", "logic"):
         declared.names[item["folder"]] = item["modules"]
     return declared

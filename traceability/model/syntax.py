@@ -22,7 +22,7 @@ from pathlib import Path
 from typing import Any
 
 from clang import cindex
-from clang.cindex import Cursor, CursorKind
+from clang.cindex import Cursor, CursorKind, TypeKind
 
 from traceability.model.schema import Place
 from traceability.sources import file_hash, files_below
@@ -333,7 +333,7 @@ def includes_of(root: Path, file: str) -> list[IncludeFact]:
         written = re.match(r'\s*#\s*include\s*[<"]([^>"]+)[>"]', line)
         if written is None:
             continue
-        for folder in ((root / file).parent, root / "src"):
+        for folder in ((root / file).parent, root / "src", root):
             target = (folder / written[1]).resolve()
             if target.is_file() and target.is_relative_to(root):
                 name = str(target.relative_to(root))
@@ -424,7 +424,10 @@ class _Reader:
 
     def address(self, cursor: Cursor, place: Place) -> None:
         if cursor.kind == CursorKind.CXX_REINTERPRET_CAST_EXPR:
-            self.facts.casts.append(place)
+            value = list(cursor.get_children())[-1]
+            kinds = [one.type.get_canonical().kind for one in (cursor, value)]
+            if kinds[0] == TypeKind.POINTER and kinds[1] != TypeKind.POINTER:
+                self.facts.casts.append(place)
         elif cursor.kind == CursorKind.NAMESPACE:
             self.block(cursor, place, declares=True)
         elif cursor.kind == CursorKind.NAMESPACE_REF:

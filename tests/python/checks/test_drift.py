@@ -16,7 +16,7 @@ from traceability.pipeline import build_model
 from traceability.sources import source_hash
 
 ROOT = Path(__file__).parents[3]
-COPIED = ("src", "tests", "requirements", "design", "traceability/doxygen", "build/model/cache")
+COPIED = ("src", "sim", "tests", "requirements", "design", "traceability/doxygen", "build/model/cache")
 
 STATES = "src/main_control/operation_states"
 MODES = "src/main_control/operation_modes"
@@ -197,6 +197,38 @@ FAULTS: list[tuple[str, str, str, str, str, str]] = [
         "tree-node",
         "",
         "actionNoMessage",
+    ),
+    (
+        "src/k64/K64Pit.cpp",
+        r"^void K64Pit::start\([^)]*\) \{$",
+        "\\g<0>\n  wdog::REFRESH.write({0});",
+        "secret-registers",
+        "",
+        "wdog::REFRESH",
+    ),
+    (
+        "src/main_control/MainController.cpp",
+        r"^#include \"main_control/MainController.hpp\"$",
+        '#include "main_control/MainController.hpp"\n#include "k64/K64Watchdog.hpp"',
+        "uses-allowed",
+        "",
+        "k64/K64Watchdog.hpp",
+    ),
+    (
+        "tests/system/OrdersTest.cpp",
+        r"^#include ",
+        '#include "k64/registers.hpp"\n#include ',
+        "uses-board",
+        "",
+        "k64/registers.hpp",
+    ),
+    (
+        "sim/k64/Finding.hpp",
+        r"^#include <chrono>$",
+        '#include <chrono>\n#include "services/StartRecord.hpp"',
+        "uses-board",
+        "",
+        "StartRecord.hpp",
     ),
     (
         "design/uses.toml",

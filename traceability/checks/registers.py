@@ -1,0 +1,99 @@
+"""secret-registers: a block of registers is named only by the modules that own it."""
+
+from __future__ import annotations
+
+from traceability.model.build import Facts
+from traceability.model.declared import Block
+from traceability.model.schema import Finding, Model, Place
+
+REGISTERS = "src/k64/registers.hpp"  # the table of all blocks
+REGISTER = "src/k64/Register.hpp"  # where a number becomes an address
+OWNERS = "design/register_owners.toml"
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    found = _undeclared(facts) + _used(model, facts) + _past_the_table(facts)
+    return found + [finding for block in facts.declared.blocks for finding in _idle(block, facts)]
+
+
+def _finding(place: Place, text: str, mend: str) -> Finding:
+    return Finding(place, "secret-registers", text, mend)
+
+
+def _owners(facts: Facts) -> dict[str, Block]:
+    return {block.name: block for block in facts.declared.blocks}
+
+
+def _files(module: str, facts: Facts) -> set[str]:
+    """Where a module is written; empty when there is none of the name."""
+    fact = facts.classes.get(module)
+    if fact is None:
+        return set()
+    header = fact.place.file
+    return {header, header.removesuffix(".hpp") + ".cpp"}
+
+
+def _undeclared(facts: Facts) -> list[Finding]:
+    known = _owners(facts)
+    return [
+        _finding(
+            fact.place,
+            f"the block {fact.block} has no owner in {OWNERS}",
+            "declare the module that owns it",
+        )
+        for fact in facts.syntax.blocks
+        if fact.declares and fact.place.file == REGISTERS and fact.block not in known
+    ]
+
+
+def _used(model: Model, facts: Facts) -> list[Finding]:
+    known = _owners(facts)
+    found: dict[tuple[str, int, str], Finding] = {}
+    for fact in facts.syntax.blocks:
+        block = known.get(fact.block)
+        if block is None or fact.file != REGISTERS or fact.place.file == REGISTERS:
+            continue
+        if not any(fact.place.file in _files(owner, facts) for owner in block.owners):
+            names = [
+                m.name for m in model.modules.values() if fact.place.file in (m.header, m.source)
+            ]
+            user = names[0] if names else fact.place.file
+            found[fact.place.file, fact.place.line, block.name] = _finding(
+                fact.place,
+                f"{user} names registers of {block.name}, which {' and '.join(block.owners)} own"
+                f"{'s' if len(block.owners) == 1 else ''}",
+                "call an operation of the owner",
+            )
+    return list(found.values())
+
+
+def _past_the_table(facts: Facts) -> list[Finding]:
+    """A register that is not in the table, or an address made from a number."""
+    mend = f"add the register to {REGISTERS}, and use it there"
+    own = [
+        _finding(name.place, "a register is made outside the table of registers", mend)
+        for name in facts.syntax.names
+        if name.target == "Register"
+        and name.how == "type"
+        and name.place.file not in (REGISTERS, REGISTER)
+    ]
+    return own + [
+        _finding(place, "a number is made into an address", mend)
+        for place in facts.syntax.casts
+        if place.file != REGISTER
+    ]
+
+
+def _idle(block: Block, facts: Facts) -> list[Finding]:
+    declared = {
+        fact.block for fact in facts.syntax.blocks if fact.declares and fact.file == REGISTERS
+    }
+    if block.name not in declared:
+        text = f"{REGISTERS} has no block {block.name}"
+        return [_finding(block.place, text, "remove the entry, or correct the name")]
+    users = {fact.place.file for fact in facts.syntax.blocks if fact.block == block.name}
+    return [
+        _finding(block.place, f"{owner} does not use the block {block.name}", "correct the owners")
+        for owner in block.owners
+        if not users & _files(owner, facts)
+    ]
