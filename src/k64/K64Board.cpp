@@ -1,0 +1,215 @@
+#include "k64/K64Board.hpp"
+
+#include <array>
+
+#include "k64/K64Gpio.hpp"
+#include "k64/core.hpp"
+#include "k64/pins.hpp"
+#include "k64/registers.hpp"
+
+namespace wr {
+
+namespace {
+
+// Clocks of the board and of the part, each with its limits.
+constexpr std::uint32_t kExternalClock = 50'000'000;  // [Hz]
+constexpr std::uint32_t kPllDivider = 20;             // 1 to 25
+constexpr std::uint32_t kPllFactor = 48;              // 24 to 55
+constexpr std::uint32_t kPllReference = kExternalClock / kPllDivider;
+constexpr std::uint32_t kFlexBusClock = K64Board::kCoreClock / 3;
+constexpr std::uint32_t kFlashClock = K64Board::kCoreClock / 5;
+static_assert(kPllReference >= 2'000'000 && kPllReference <= 4'000'000, "reference of the PLL");
+static_assert(kPllReference * kPllFactor == K64Board::kCoreClock, "the PLL gives the core clock");
+static_assert(K64Board::kCoreClock / K64Board::kBusClock == 2 && K64Board::kBusClock <= 60'000'000);
+static_assert(kFlexBusClock <= 50'000'000 && kFlashClock <= 25'000'000);
+
+// The dividers after reset are 1, so they are set before the clock rises.
+constexpr auto kDividers = sim::CLKDIV1.field(1 - 1, 28) | sim::CLKDIV1.field(2 - 1, 24) |
+                           sim::CLKDIV1.field(3 - 1, 20) | sim::CLKDIV1.field(5 - 1, 16);
+
+// Looks at a status register before a step of the clock is given up. A look takes less than 20
+// clocks of the slowest clock, 20.9 MHz: the four steps together stay far below the watchdog
+// time-out.
+constexpr std::uint32_t kLooks = 20'000;
+
+using Status = decltype(mcg::S)::Bits;
+
+bool comes(Status mask, Status wanted) {
+  for (std::uint32_t look = 0; look < kLooks; ++look) {
+    if ((mcg::S.read() & mask) == wanted) {
+      return true;
+    }
+  }
+  return false;
+}
+
+constexpr std::uint32_t kMark = 0x57656564;
+
+// What lies outside the memory that a start initialises. At power-on it holds anything.
+struct FaultRecord {
+  std::uint32_t mark;
+  std::uint32_t kind;
+  std::uint32_t number;
+  std::uint32_t address;
+  std::uint32_t check;
+
+  [[nodiscard]] std::uint32_t sum() const { return mark ^ kind ^ (number << 16U) ^ address; }
+
+  [[nodiscard]] bool holds() const {
+    return mark == kMark && check == ~sum() && kind != 0 &&
+           kind <= static_cast<std::uint32_t>(FaultKind::ClockFailed);
+  }
+};
+
+[[gnu::section(".noinit")]] FaultRecord faultRecord;
+
+void recordFault(FaultKind kind, std::uint16_t number, std::uint32_t address) {
+  faultRecord.mark = kMark;
+  faultRecord.kind = static_cast<std::uint32_t>(kind);
+  faultRecord.number = number;
+  faultRecord.address = address;
+  faultRecord.check = ~faultRecord.sum();
+  finishStores();
+}
+
+// Where the firmware ends until a reset comes: from the core, or from the watchdog at the latest.
+[[noreturn]] void awaitReset() {
+  for (;;) {
+    asm volatile("nop");
+  }
+}
+
+ResetCause resetCause() {
+  const auto first = rcm::SRS0.read();
+  const auto second = rcm::SRS1.read();
+  if ((first & rcm::SRS0_POR).any()) {
+    return ResetCause::PowerOn;
+  }
+  if ((first & rcm::SRS0_LVD).any()) {
+    return ResetCause::LowVoltage;
+  }
+  if ((first & rcm::SRS0_WDOG).any()) {
+    return ResetCause::Watchdog;
+  }
+  if ((first & (rcm::SRS0_LOC | rcm::SRS0_LOL)).any()) {
+    return ResetCause::ClockLost;
+  }
+  if ((second & rcm::SRS1_LOCKUP).any()) {
+    return ResetCause::Lockup;
+  }
+  if ((second & rcm::SRS1_SW).any()) {
+    return ResetCause::Software;
+  }
+  if ((second & (rcm::SRS1_JTAG | rcm::SRS1_MDM_AP)).any()) {
+    return ResetCause::Debugger;
+  }
+  return (first & rcm::SRS0_PIN).any() ? ResetCause::Pin : ResetCause::Unknown;
+}
+
+void connect(const Pin& pin) {
+  const auto control = port::PCR.at(static_cast<std::uint32_t>(pin.port) * port::kPortDistance +
+                                    pin.number * port::kPinDistance);
+  const auto mux = port::PCR.field(static_cast<std::uint32_t>(pin.mux), port::kMuxLowest);
+  control.write(pin.role == Role::Input ? mux | port::PCR_PE | port::PCR_PS : mux);
+}
+
+}  // namespace
+
+void K64Board::makeOutputsSafe() {
+  sim::SCGC5.set(sim::SCGC5_PORTA | sim::SCGC5_PORTB | sim::SCGC5_PORTC | sim::SCGC5_PORTE);
+  for (const Pin& pin : kPins) {
+    if (pin.isOutput()) {
+      K64Gpio::makeSafe(pin);
+      connect(pin);
+    }
+  }
+}
+
+void K64Board::connectInputs() {
+  for (const Pin& pin : kPins) {
+    if (!pin.isOutput()) {
+      connect(pin);
+    }
+  }
+}
+
+void K64Board::enableFloatingPoint() {
+  scb::CPACR.set(scb::CPACR_FPU);
+  finishInstructions();
+}
+
+std::uint16_t K64Board::startClock() {
+  sim::CLKDIV1.write(kDividers);
+  // The core stays on the internal FLL until the external clock is known to run.
+  mcg::C2.write(mcg::C2_RANGE_VERY_HIGH);
+  mcg::C1.write(mcg::C1_CLKS_PLL_FLL | mcg::C1_FRDIV_1536);
+  if (!comes(mcg::S_IREFST, {})) {
+    return 1;
+  }
+  mcg::C1.write(mcg::C1_CLKS_EXTERNAL | mcg::C1_FRDIV_1536);
+  if (!comes(mcg::S_CLKST, mcg::S_CLKST_EXTERNAL)) {
+    return 2;
+  }
+  mcg::C5.write(mcg::C5.field(kPllDivider - 1, 0));
+  mcg::C6.write(mcg::C6_PLLS | mcg::C6.field(kPllFactor - 24, 0));
+  if (!comes(mcg::S_PLLST | mcg::S_LOCK0, mcg::S_PLLST | mcg::S_LOCK0)) {
+    return 3;
+  }
+  mcg::C1.write(mcg::C1_CLKS_PLL_FLL | mcg::C1_FRDIV_1536);
+  return comes(mcg::S_CLKST, mcg::S_CLKST_PLL) ? 0 : 4;
+}
+
+void K64Board::openGates() {
+  sim::SCGC4.set(sim::SCGC4_UART0);
+  sim::SCGC6.set(sim::SCGC6_PIT);
+}
+
+StartRecord K64Board::takeStartRecord() {
+  StartRecord record{.cause = resetCause()};
+  if (faultRecord.holds()) {
+    record.fault = static_cast<FaultKind>(faultRecord.kind);
+    record.number = static_cast<std::uint16_t>(faultRecord.number);
+    record.address = faultRecord.address;
+  }
+  faultRecord.mark = 0;
+  return record;
+}
+
+void K64Board::endWithFault(FaultKind kind, std::uint16_t number, std::uint32_t address) {
+  closeInterrupts();
+  makeOutputsSafe();
+  recordFault(kind, number, address);
+  scb::AIRCR.write(scb::AIRCR_VECTKEY | scb::AIRCR_SYSRESETREQ);
+  finishStores();
+  awaitReset();
+}
+
+void K64Board::endWithoutClock(std::uint16_t step) {
+  closeInterrupts();
+  makeOutputsSafe();
+  recordFault(FaultKind::ClockFailed, step, 0);
+  awaitReset();
+}
+
+FaultKind K64Board::faultOf(std::uint16_t exception) {
+  constexpr std::uint16_t kHardFault = 3;
+  constexpr std::array kFaults = {FaultKind::HardFault, FaultKind::MemoryFault, FaultKind::BusFault,
+                                  FaultKind::UsageFault};
+  if (exception < kHardFault || exception >= kHardFault + kFaults.size()) {
+    return FaultKind::UnexpectedInterrupt;
+  }
+  if (exception > kHardFault) {
+    return kFaults[exception - kHardFault];
+  }
+  // The handlers of the other faults are not enabled: their faults come as this one.
+  const auto status = scb::CFSR.read();
+  if ((status & scb::CFSR_MEMORY).any()) {
+    return FaultKind::MemoryFault;
+  }
+  if ((status & scb::CFSR_BUS).any()) {
+    return FaultKind::BusFault;
+  }
+  return (status & scb::CFSR_USAGE).any() ? FaultKind::UsageFault : FaultKind::HardFault;
+}
+
+}  // namespace wr

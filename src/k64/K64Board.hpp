@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+
+#include "services/StartRecord.hpp"
+
+namespace wr {
+
+/// @brief The K64 as a whole, and the board FRDM-K64F around it.
+/// @function Brings the microcontroller from reset to full clock with safe outputs, and ends it safely
+/// after a fault. Keeps what ended it over the reset.
+/// @secret How clocks, pins and resets of the K64 are controlled, and how a fault is remembered.
+class K64Board {
+ public:
+  K64Board() = delete;
+
+  /// @brief Clock of the core [Hz].
+  static constexpr std::uint32_t kCoreClock = 120'000'000;
+  /// @brief Clock of the timers and of the bus to the other blocks [Hz].
+  static constexpr std::uint32_t kBusClock = 60'000'000;
+
+  /// @brief Brings all outputs to their safe level. Touches no memory.
+  /// @isr{yes}
+  /// @satisfies FR-71
+  static void makeOutputsSafe();
+
+  /// @brief Connects all pins that are no outputs. Touches no memory.
+  /// @pre makeOutputsSafe() was called.
+  /// @isr{no}
+  static void connectInputs();
+
+  /// @brief Lets the core execute instructions with floating-point numbers.
+  /// @isr{no}
+  static void enableFloatingPoint();
+
+  /// @brief Brings the core from the clock after reset to 120 MHz.
+  /// @return 0 when the clock runs, else the number of the step that failed: 1 the external clock does
+  /// not come, 2 the core does not change to it, 3 the PLL does not lock, 4 the core does not
+  /// change to the PLL
+  /// @post After a failure the core runs from a clock that works, if there is one.
+  /// @isr{no}
+  /// @satisfies FR-72
+  [[nodiscard]] static std::uint16_t startClock();
+
+  /// @brief Lets the clock into the timers and into the serial port.
+  /// @isr{no}
+  static void openGates();
+
+  /// @brief Tells why this start came, and what was recorded before it. The record is told once.
+  /// @return cause of the reset, and the fault before it
+  /// @isr{no}
+  /// @satisfies FR-77
+  [[nodiscard]] static StartRecord takeStartRecord();
+
+  /// @brief Ends the firmware: outputs safe, fault recorded, reset. Never returns.
+  /// @param kind what happened
+  /// @param number number that belongs to the kind, 0 without one
+  /// @param address instruction at which it happened, 0 when it is not known
+  /// @isr{yes}
+  /// @satisfies FR-75
+  [[noreturn]] static void endWithFault(FaultKind kind, std::uint16_t number,
+                                        std::uint32_t address);
+
+  /// @brief Ends a start without a clock: outputs safe, fault recorded. The watchdog resets. Never
+  /// returns.
+  /// @param step number of the step that failed
+  /// @isr{no}
+  /// @satisfies FR-73
+  [[noreturn]] static void endWithoutClock(std::uint16_t step);
+
+  /// @brief Tells what kind of fault an exception stands for.
+  /// @param exception number of the exception
+  /// @return the fault; UnexpectedInterrupt for an exception that is no fault
+  /// @isr{yes}
+  [[nodiscard]] static FaultKind faultOf(std::uint16_t exception);
+};
+
+}  // namespace wr

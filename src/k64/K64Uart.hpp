@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+#include "devices/SerialPort.hpp"
+
+namespace wr {
+
+/// @brief Serial port 0 of the K64, which is the USB debug port of the board.
+/// @function Receives and sends bytes in the background: 115200 baud, 8 bits, no parity, 1 stop bit.
+/// @secret How bytes go between the registers of the port and the storage, and what the errors of the
+/// line demand.
+class K64Uart final : public SerialPort {
+ public:
+  /// @brief Speed of the line [baud].
+  static constexpr std::uint32_t kBaud = 115'200;
+
+  /// @brief Makes a port that is switched off.
+  constexpr K64Uart() = default;
+
+  /// @brief Switches the port on.
+  /// @pre The core runs at its full clock, and the clock of the port runs.
+  /// @isr{no}
+  void start();
+
+  /// @brief Takes what was received, and gives what is to be sent. The vectors of the port's interrupts
+  /// call it.
+  /// @isr{yes}
+  void serve();
+
+  std::size_t read(std::span<std::uint8_t> bytes) override;
+  [[nodiscard]] std::size_t free() const override;
+  bool write(std::span<const std::uint8_t> bytes) override;
+  [[nodiscard]] std::uint16_t lostBytes() const override;
+
+ private:
+  // Bytes from one writer to one reader; each may interrupt the other.
+  template <std::size_t kSize>
+  class Ring {
+   public:
+    [[nodiscard]] std::size_t count() const { return written_.load() - read_.load(); }
+    [[nodiscard]] std::size_t free() const { return kSize - count(); }
+    void put(std::uint8_t byte) {  // only with room
+      const std::size_t at = written_.load();
+      bytes_[at % kSize] = byte;
+      written_.store(at + 1);
+    }
+    std::uint8_t take() {  // only with bytes
+      const std::size_t at = read_.load();
+      const std::uint8_t byte = bytes_[at % kSize];
+      read_.store(at + 1);
+      return byte;
+    }
+
+   private:
+    static_assert((kSize & (kSize - 1)) == 0, "the counts wrap together with the places");
+
+    std::array<std::uint8_t, kSize> bytes_{};
+    std::atomic<std::size_t> written_{0};
+    std::atomic<std::size_t> read_{0};
+  };
+
+  void receive();
+  void send();
+
+  // 115200 baud bring 1152 bytes in one cycle.
+  Ring<2048> received_;
+  Ring<512> toSend_;
+  std::atomic<std::uint32_t> lost_{0};
+};
+
+}  // namespace wr

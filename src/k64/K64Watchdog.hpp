@@ -1,0 +1,29 @@
+#pragma once
+
+#include "devices/Watchdog.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief The watchdog of the K64.
+/// @function Resets the microcontroller when no control cycle completes in time. Its clock is the
+/// low-power oscillator, which runs whatever happens to the other clocks.
+/// @secret What the watchdog demands when it is configured and refreshed.
+class K64Watchdog final : public Watchdog {
+ public:
+  /// @brief How long the watchdog waits for a refresh.
+  static constexpr Microseconds kTimeOut = milliseconds(300);
+
+  /// @brief Makes the watchdog known to who refreshes it.
+  constexpr K64Watchdog() = default;
+
+  /// @brief Configures the watchdog and locks it until the next reset. Touches no memory.
+  /// @pre It is called once, within 256 bus clocks of the reset, and nothing interrupts it.
+  /// @isr{no}
+  /// @satisfies FR-70
+  static void configure();
+
+  void refresh() override;
+};
+
+}  // namespace wr

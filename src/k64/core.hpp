@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+
+namespace wr {
+
+/// @brief Priority of an interrupt or a thread, 0 to 15; 0 is the highest.
+using Priority = std::uint8_t;
+
+/// @brief Priority of the interrupts of the devices. No interrupt of the firmware has a higher one.
+inline constexpr Priority kInterruptPriority = 2;
+
+/// @brief Priority of the thread of the main controller.
+inline constexpr Priority kMainThreadPriority = 12;
+
+/// @brief Waits until all stores have reached memory and the registers.
+inline void finishStores() {
+  asm volatile("dsb" ::: "memory");
+}
+
+/// @brief Waits until all stores are done, and reads the instructions that follow anew.
+inline void finishInstructions() {
+  asm volatile("dsb\n\tisb" ::: "memory");
+}
+
+/// @brief Sleeps until an interrupt comes.
+inline void sleepUntilInterrupt() {
+  asm volatile("dsb\n\twfi" ::: "memory");
+}
+
+/// @brief Keeps all interrupts and faults away that can be kept away, for good.
+inline void closeInterrupts() {
+  asm volatile("cpsid i" ::: "memory");
+}
+
+/// @brief Tells which exception is being handled.
+/// @return number of the exception, 0 for none
+inline std::uint16_t activeException() {
+  std::uint32_t number = 0;
+  asm volatile("mrs %0, ipsr" : "=r"(number));
+  return static_cast<std::uint16_t>(number);
+}
+
+/// @brief Keeps the interrupts of the firmware away as long as it lives. One inside another is right.
+/// @datatype
+class InterruptLock {
+ public:
+  /// @brief Raises the priority below which nothing interrupts; it never lowers it.
+  InterruptLock() {
+    asm volatile("mrs %0, basepri" : "=r"(before_));
+    constexpr std::uint32_t kMask = kInterruptPriority << 4U;
+    asm volatile("msr basepri_max, %0" ::"r"(kMask) : "memory");
+  }
+  InterruptLock(const InterruptLock&) = delete;
+  InterruptLock& operator=(const InterruptLock&) = delete;
+
+  /// @brief Restores the priority that was there before.
+  ~InterruptLock() { asm volatile("msr basepri, %0" ::"r"(before_) : "memory"); }
+
+ private:
+  std::uint32_t before_ = 0;
+};
+
+}  // namespace wr

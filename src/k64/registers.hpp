@@ -1,0 +1,148 @@
+#pragma once
+
+// The registers of the MK64FN1M0VLL12 that the firmware uses: one namespace for each block, names
+// as in the reference manual of the part (K64P144M120SF5RM), those of the core as in the ARMv7-M
+// architecture manual. Bits are named as far as they are used.
+
+#include <cstdint>
+
+#include "k64/Register.hpp"
+
+namespace wr {
+
+/// @brief Watchdog.
+namespace wdog {
+inline constexpr Register<std::uint16_t, 0x40052000> STCTRLH;
+inline constexpr auto STCTRLH_WDOGEN = STCTRLH.bit(0);
+inline constexpr auto STCTRLH_WAITEN = STCTRLH.bit(7);
+inline constexpr Register<std::uint16_t, 0x40052004> TOVALH;
+inline constexpr Register<std::uint16_t, 0x40052006> TOVALL;
+inline constexpr Register<std::uint16_t, 0x4005200C, Access::Write> REFRESH;
+inline constexpr Register<std::uint16_t, 0x4005200E, Access::Write> UNLOCK;
+inline constexpr Register<std::uint16_t, 0x40052016> PRESC;
+}  // namespace wdog
+
+/// @brief Multipurpose clock generator.
+namespace mcg {
+inline constexpr Register<std::uint8_t, 0x40064000> C1;
+inline constexpr auto C1_FRDIV_1536 = C1.field(7, 3);
+inline constexpr auto C1_CLKS_PLL_FLL = C1.field(0, 6);
+inline constexpr auto C1_CLKS_EXTERNAL = C1.field(2, 6);
+inline constexpr Register<std::uint8_t, 0x40064001> C2;
+inline constexpr auto C2_RANGE_VERY_HIGH = C2.field(2, 4);
+inline constexpr Register<std::uint8_t, 0x40064004> C5;
+inline constexpr Register<std::uint8_t, 0x40064005> C6;
+inline constexpr auto C6_PLLS = C6.bit(6);
+inline constexpr Register<std::uint8_t, 0x40064006, Access::Read> S;
+inline constexpr auto S_CLKST = S.field(3, 2);
+inline constexpr auto S_CLKST_EXTERNAL = S.field(2, 2);
+inline constexpr auto S_CLKST_PLL = S.field(3, 2);
+inline constexpr auto S_IREFST = S.bit(4);
+inline constexpr auto S_PLLST = S.bit(5);
+inline constexpr auto S_LOCK0 = S.bit(6);
+}  // namespace mcg
+
+/// @brief System integration module: the gates of the clocks, and their dividers.
+namespace sim {
+inline constexpr Register<std::uint32_t, 0x40048034> SCGC4;
+inline constexpr auto SCGC4_UART0 = SCGC4.bit(10);
+inline constexpr Register<std::uint32_t, 0x40048038> SCGC5;
+inline constexpr auto SCGC5_PORTA = SCGC5.bit(9);
+inline constexpr auto SCGC5_PORTB = SCGC5.bit(10);
+inline constexpr auto SCGC5_PORTC = SCGC5.bit(11);
+inline constexpr auto SCGC5_PORTE = SCGC5.bit(13);
+inline constexpr Register<std::uint32_t, 0x4004803C> SCGC6;
+inline constexpr auto SCGC6_PIT = SCGC6.bit(23);
+inline constexpr Register<std::uint32_t, 0x40048044> CLKDIV1;
+}  // namespace sim
+
+/// @brief Reset control: what reset the part.
+namespace rcm {
+inline constexpr Register<std::uint8_t, 0x4007F000, Access::Read> SRS0;
+inline constexpr auto SRS0_LVD = SRS0.bit(1);
+inline constexpr auto SRS0_LOC = SRS0.bit(2);
+inline constexpr auto SRS0_LOL = SRS0.bit(3);
+inline constexpr auto SRS0_WDOG = SRS0.bit(5);
+inline constexpr auto SRS0_PIN = SRS0.bit(6);
+inline constexpr auto SRS0_POR = SRS0.bit(7);
+inline constexpr Register<std::uint8_t, 0x4007F001, Access::Read> SRS1;
+inline constexpr auto SRS1_JTAG = SRS1.bit(0);
+inline constexpr auto SRS1_LOCKUP = SRS1.bit(1);
+inline constexpr auto SRS1_SW = SRS1.bit(2);
+inline constexpr auto SRS1_MDM_AP = SRS1.bit(3);
+}  // namespace rcm
+
+/// @brief Port control: what each pin is connected to.
+namespace port {
+inline constexpr std::uint32_t kPortDistance = 0x1000;  // from one port to the next [byte]
+inline constexpr std::uint32_t kPinDistance = 4;        // from one pin to the next [byte]
+inline constexpr Register<std::uint32_t, 0x40049000, Access::Flags> PCR;
+inline constexpr auto PCR_PS = PCR.bit(0);
+inline constexpr auto PCR_PE = PCR.bit(1);
+inline constexpr unsigned kMuxLowest = 8;
+}  // namespace port
+
+/// @brief General purpose input and output.
+namespace gpio {
+inline constexpr std::uint32_t kPortDistance = 0x40;  // from one port to the next [byte]
+inline constexpr Register<std::uint32_t, 0x400FF004, Access::Write> PSOR;
+inline constexpr Register<std::uint32_t, 0x400FF008, Access::Write> PCOR;
+inline constexpr Register<std::uint32_t, 0x400FF014> PDDR;
+}  // namespace gpio
+
+/// @brief Periodic interrupt timer.
+namespace pit {
+inline constexpr Register<std::uint32_t, 0x40037000> MCR;
+inline constexpr std::uint32_t kChannelDistance = 0x10;  // from one channel to the next [byte]
+inline constexpr Register<std::uint32_t, 0x40037100> LDVAL;
+inline constexpr Register<std::uint32_t, 0x40037104, Access::Read> CVAL;
+inline constexpr Register<std::uint32_t, 0x40037108> TCTRL;
+inline constexpr auto TCTRL_TEN = TCTRL.bit(0);
+inline constexpr auto TCTRL_TIE = TCTRL.bit(1);
+inline constexpr Register<std::uint32_t, 0x4003710C, Access::Flags> TFLG;
+inline constexpr auto TFLG_TIF = TFLG.bit(0);
+}  // namespace pit
+
+/// @brief Serial port 0.
+namespace uart0 {
+inline constexpr Register<std::uint8_t, 0x4006A000> BDH;
+inline constexpr Register<std::uint8_t, 0x4006A001> BDL;
+inline constexpr Register<std::uint8_t, 0x4006A003> C2;
+inline constexpr auto C2_RE = C2.bit(2);
+inline constexpr auto C2_TE = C2.bit(3);
+inline constexpr auto C2_RIE = C2.bit(5);
+inline constexpr auto C2_TIE = C2.bit(7);
+inline constexpr Register<std::uint8_t, 0x4006A004, Access::Read> S1;
+inline constexpr auto S1_FE = S1.bit(1);
+inline constexpr auto S1_NF = S1.bit(2);
+inline constexpr auto S1_OR = S1.bit(3);
+inline constexpr auto S1_RDRF = S1.bit(5);
+inline constexpr auto S1_TDRE = S1.bit(7);
+inline constexpr Register<std::uint8_t, 0x4006A006> C3;
+inline constexpr auto C3_ORIE = C3.bit(3);
+inline constexpr Register<std::uint8_t, 0x4006A007, Access::Flags> D;
+inline constexpr Register<std::uint8_t, 0x4006A00A> C4;
+}  // namespace uart0
+
+/// @brief Interrupt controller of the core.
+namespace nvic {
+inline constexpr Register<std::uint32_t, 0xE000E100, Access::Flags> ISER;
+inline constexpr Register<std::uint32_t, 0xE000E200, Access::Flags> ISPR;
+inline constexpr Register<std::uint8_t, 0xE000E400> IPR;
+inline constexpr unsigned kPriorityLowest = 4;  // the part has the upper 4 of 8 bits
+}  // namespace nvic
+
+/// @brief System control block of the core.
+namespace scb {
+inline constexpr Register<std::uint32_t, 0xE000ED0C, Access::Flags> AIRCR;
+inline constexpr auto AIRCR_SYSRESETREQ = AIRCR.bit(2);
+inline constexpr auto AIRCR_VECTKEY = AIRCR.field(0x05FA, 16);
+inline constexpr Register<std::uint32_t, 0xE000ED28, Access::Flags> CFSR;
+inline constexpr auto CFSR_MEMORY = CFSR.field(0xFF, 0);
+inline constexpr auto CFSR_BUS = CFSR.field(0xFF, 8);
+inline constexpr auto CFSR_USAGE = CFSR.field(0xFFFF, 16);
+inline constexpr Register<std::uint32_t, 0xE000ED88> CPACR;
+inline constexpr auto CPACR_FPU = CPACR.field(0xF, 20);
+}  // namespace scb
+
+}  // namespace wr

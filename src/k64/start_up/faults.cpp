@@ -1,0 +1,52 @@
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "k64/K64Board.hpp"
+#include "k64/core.hpp"
+#include "k64/start_up/handlers.hpp"
+#include "services/assertion.hpp"
+
+extern "C" {
+// The linker script defines them.
+extern const std::uint32_t stackBottom[];
+extern const std::uint32_t stackTop[];
+
+/// @brief Records what happened, and ends the firmware.
+/// @param frame what the core has put on the stack; outside the stack when the stack overflowed
+[[noreturn, gnu::used]] void endOfProgram(const std::uint32_t* frame) {
+  constexpr std::size_t kProgramCounter = 6;  // in the frame [word]
+  constexpr std::size_t kFrame = 8;           // [word]
+  const bool onStack = frame >= stackBottom && frame + kFrame <= stackTop;
+  const std::uint16_t exception = wr::activeException();
+  const wr::FaultKind kind = wr::K64Board::faultOf(exception);
+  const bool isFault = kind != wr::FaultKind::UnexpectedInterrupt;
+  wr::K64Board::endWithFault(kind, isFault ? std::uint16_t{0} : exception,
+                             onStack ? frame[kProgramCounter] : 0);
+}
+
+/// @brief A pure virtual function was called: the instruction that follows is none.
+[[noreturn]] void
+__cxa_pure_virtual() {  // NOLINT(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
+  __builtin_trap();
+}
+}
+
+// The stack may have overflowed, and it is not needed any more: it is begun anew.
+[[gnu::naked]] void unexpected() {
+  asm volatile(
+      "mov r0, sp\n\t"
+      "ldr r1, =stackTop\n\t"
+      "mov sp, r1\n\t"
+      "b endOfProgram");
+}
+
+namespace wr {
+
+void assertionFailed(AssertId id) {
+  const void* const caller = __builtin_return_address(0);
+  K64Board::endWithFault(FaultKind::Assertion, static_cast<std::uint16_t>(id),
+                         reinterpret_cast<std::uint32_t>(caller));
+}
+
+}  // namespace wr

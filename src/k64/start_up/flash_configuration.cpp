@@ -1,0 +1,18 @@
+#include <array>
+#include <cstdint>
+
+namespace wr {
+
+namespace {
+
+// What the flash reads at reset, at 0x400. FSEC = FE: not secured, mass erase allowed. Any other
+// value can lock the microcontroller for good.
+[[gnu::section(".flash_configuration"),
+  gnu::used]] constexpr std::array<std::uint8_t, 16> kFlashConfiguration = {
+    0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFE, 0xFF, 0xFF, 0xFF};
+
+static_assert(sizeof(kFlashConfiguration) == 16);
+
+}  // namespace
+
+}  // namespace wr

@@ -1,0 +1,41 @@
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "k64/start_up/handlers.hpp"
+
+extern "C" std::uint32_t stackTop;  // the linker script defines it
+
+namespace wr {
+
+namespace {
+
+constexpr std::size_t kExceptions = 16;  // of the core; the interrupt lines follow
+constexpr std::size_t kLines = 86;
+
+using Handler = void (*)();
+
+// The hardware reads the table at reset: the first word is the stack, then come the handlers, the
+// first of which is that of the reset.
+struct Vectors {
+  const std::uint32_t* stack;
+  std::array<Handler, kExceptions - 1 + kLines> handlers;
+};
+
+consteval std::array<Handler, kExceptions - 1 + kLines> handlers() {
+  std::array<Handler, kExceptions - 1 + kLines> table{};
+  table.fill(unexpected);
+  table[0] = resetHandler;
+  Handler* const lines = table.data() + kExceptions - 1;
+  lines[kPcPortLine] = pcPortInterrupt;
+  lines[kPcPortErrorLine] = pcPortInterrupt;
+  lines[kCycleTimerLine] = cycleTimerInterrupt;
+  lines[kMainThreadLine] = mainThreadInterrupt;
+  return table;
+}
+
+[[gnu::section(".vectors"), gnu::used]] constexpr Vectors kVectors = {&stackTop, handlers()};
+
+}  // namespace
+
+}  // namespace wr
