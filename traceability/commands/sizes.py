@@ -24,7 +24,7 @@ PARTS = (VECTORS, CONFIGURATION, LIBRARY, STACK, PADDING)
 
 SECTION = re.compile(r"^(\.\S+)(?:\s+0x[0-9a-f]+\s+0x[0-9a-f]+.*)?$")
 INPUT = re.compile(r"^ (?:\*fill\*|\S+)?\s+0x[0-9a-f]+\s+0x([0-9a-f]+)\s+(\S.*)$")
-OBJECT = re.compile(r"([^/()]+)\.(?:cpp|cc|c|S)\.o(?:bj)?\)?$")
+OBJECT = re.compile(r"((?:start_up/)?[^/()]+)\.cpp\.o(?:bj)?\)?$")
 HEADER = re.compile(r"^\s*\d+\s+(\S+)\s+([0-9a-f]+)\s+([0-9a-f]+)\s")
 
 
@@ -94,7 +94,7 @@ def contributions(text: str) -> Iterator[tuple[str, str, int]]:
 
 
 def part_of(path: str) -> str:
-    """The module whose source was compiled to this file; other files come with the compiler."""
+    """The source that was compiled to this file; other files come with the compiler."""
     match = OBJECT.search(path)
     return match[1] if match else LIBRARY
 

@@ -16,6 +16,8 @@ from traceability.documents import search
 from traceability.documents.diagrams import DiagramError
 from traceability.documents.links import ROOT, depth_prefix
 from traceability.documents.pages import all_pages, doxygen_file
+from traceability.documents.pin_map import HEADER as PINS
+from traceability.documents.pin_map import pin_map
 from traceability.documents.portal import SITE, CheckText, Page, Portal
 from traceability.documents.sphinx_warnings import WarningCollector
 from traceability.model.schema import Finding, Model, Place
@@ -64,6 +66,8 @@ def write_sources(portal: Portal, pages: Path) -> set[str]:
         kept.add(page.name)
         write_changed(pages / f"{page.name}.page", source_of(page))
     kept |= copy_docs(portal.root / "docs", pages)
+    if (portal.root / PINS).exists():
+        write_changed(pages / "_generated" / "pin_map.csv", pin_map(portal.root))
     copy_doxygen(portal, pages / "_doxygen")
     write_changed(pages / "links.json", json.dumps(search.targets(portal), sort_keys=True))
     write_changed(pages / "_static" / "portal.js", search.script(portal))
