@@ -54,6 +54,8 @@ class ControlThread {
   std::atomic<std::uint32_t> accepted_{0};  // activations; only posts count them
   std::atomic<std::uint32_t> ended_{0};     // activations; only run counts them
   std::atomic<std::uint32_t> overruns_{0};
+
+  static_assert(std::atomic<std::uint32_t>::is_always_lock_free, "an interrupt cannot wait");
 };
 
 }  // namespace wr

@@ -65,6 +65,8 @@ class Pipe {
   std::atomic<std::uint32_t> shared_{1};  // slot between the two
   std::uint32_t read_ = 2;                // slot of the reader
   bool filled_ = false;
+
+  static_assert(std::atomic<std::uint32_t>::is_always_lock_free, "an interrupt cannot wait");
 };
 
 }  // namespace wr

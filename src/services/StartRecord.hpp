@@ -28,7 +28,7 @@ enum class FaultKind : std::uint8_t {
   BusFault = 4,             ///< access that the bus did not answer
   UsageFault = 5,           ///< instruction that cannot be executed
   UnexpectedInterrupt = 6,  ///< interrupt without a handler; the number is that of the exception
-  ClockFailed = 7           ///< the clock did not come up; the number is that of the step that failed
+  ClockFailed = 7  ///< the clock did not come up; the number is that of the step that failed
 };
 
 /// @brief Why the firmware started, and what ended it before.
@@ -36,8 +36,8 @@ enum class FaultKind : std::uint8_t {
 struct StartRecord {
   ResetCause cause = ResetCause::Unknown;  ///< what reset the microcontroller
   FaultKind fault = FaultKind::None;       ///< what was recorded before the reset
-  std::uint16_t number = 0;                ///< number that belongs to the kind of fault, 0 without one
-  std::uint32_t address = 0;               ///< instruction at which it ended, 0 when it is not known
+  std::uint16_t number = 0;   ///< number that belongs to the kind of fault, 0 without one
+  std::uint32_t address = 0;  ///< instruction at which it ended, 0 when it is not known
 
   /// @brief Tells whether two records are the same.
   friend constexpr bool operator==(const StartRecord&, const StartRecord&) = default;

@@ -148,6 +148,55 @@ TEST_F(MainControllerTest, FR35_ServesTheLinkBeforeTheRead) {
   EXPECT_TRUE(sessionOf(bodies(port.takeSent()).at(0)).has_value());
 }
 
+/// @brief A line without a pause, 1152 bytes in each cycle at 115200 baud, costs no frame.
+/// @verifies FR-35
+/// @verifies FR-37
+TEST_F(MainControllerTest, FR37_FullLineCostsNoFrame) {
+  constexpr std::size_t kBytesPerCycle = 1152;
+  connect();
+  controller.start();
+  Bytes line;
+  std::size_t sent = 0;
+  for (int cycle = 0; cycle < 100; ++cycle) {
+    for (; line.size() < kBytesPerCycle; ++sent) {
+      const Bytes frame = pc.order({.id = static_cast<std::uint16_t>(sent)});
+      line.insert(line.end(), frame.begin(), frame.end());
+    }
+    port.arrive(std::span(line).first(kBytesPerCycle));
+    line.erase(line.begin(), line.begin() + kBytesPerCycle);
+    time.advance(milliseconds(100));
+    controller.clockPulse();
+    ASSERT_TRUE(reportOf(bodies(port.takeSent()).back()));
+  }
+  EXPECT_GT(sent, 4000U);
+  EXPECT_EQ(connection.counts(), LinkCounts());
+  EXPECT_EQ(pcReader.readU16({.name = FieldName::OrderId}),
+            static_cast<std::uint16_t>(line.empty() ? sent - 1 : sent - 2));
+}
+
+/// @brief What comes during a cycle that is late by one period is more than the port can store on a line
+/// without a pause: the loss is counted, and the connection goes on.
+/// @verifies FR-37
+/// @verifies FR-49
+TEST_F(MainControllerTest, FR49_LateCycleOnAFullLineLosesBytesAndGoesOn) {
+  connect();
+  controller.start();
+  Bytes line;
+  while (line.size() < 2 * 1152) {
+    const Bytes frame = pc.keepAlive();
+    line.insert(line.end(), frame.begin(), frame.end());
+  }
+  port.arrive(line);
+  controller.clockPulse();
+  EXPECT_EQ(connection.counts().lostBytes, line.size() - HostSerialPort::kReceived);
+  const LinkCounts before = connection.counts();
+  port.arrive(Bytes{0});
+  port.arrive(pc.keepAlive());
+  controller.clockPulse();
+  EXPECT_TRUE(connection.connected());
+  EXPECT_EQ(connection.counts().sequenceGaps, before.sequenceGaps + 1);
+}
+
 /// @brief A clock pulse that comes during a cycle is an overrun of this cycle; one more cycle follows.
 /// @verifies FR-4
 TEST_F(MainControllerTest, FR4_PulseDuringACycleIsAnOverrun) {
