@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "sim/scenario/FrameFields.hpp"
+#include "sim/scenario/PcFrames.hpp"
+#include "sim/scenario/RobotLine.hpp"
+#include "sim/scenario/Scenario.hpp"
+
+namespace wr {
+
+/// @brief The PC of a scenario, on the line of a robot.
+class ScenarioPlayer {
+ public:
+  /// @brief How a scenario ended.
+  struct Outcome {
+    std::vector<std::string> failures;   ///< expectations that failed: 'file:line: what'
+    std::optional<LineFinding> finding;  ///< a finding that nothing expected
+    std::uint64_t reports = 0;           ///< reports that came
+  };
+
+  /// @brief Puts a PC on the line of a robot that was just switched on.
+  /// @param scenario what the PC does
+  /// @param robot the robot
+  /// @param reports gets each report as a line of comma-separated values; null: nothing is written
+  ScenarioPlayer(const Scenario& scenario, RobotLine& robot, std::ostream* reports = nullptr);
+
+  /// @brief Plays the scenario to its end.
+  /// @return how it ended
+  [[nodiscard]] Outcome play();
+
+ private:
+  using Time = RobotLine::Time;
+
+  bool advance(Time instant);
+  void listen();
+  void take(const Bytes& body);
+  void fail(const std::string& what);
+  [[nodiscard]] bool expectsFinding(const std::string& id, Time since) const;
+
+  void act(const Scenario::Connect& action);
+  void act(const Scenario::Hello& action);
+  void act(const Scenario::Confirm& action);
+  void act(const Scenario::KeepAlive& action);
+  void act(const Scenario::Order& action);
+  void act(const Scenario::Raw& action);
+  void act(const Scenario::Expect& action);
+  void act(const Scenario::ExpectSilence& action);
+  void act(const Scenario::ExpectFinding& action);
+
+  const Scenario& scenario_;
+  RobotLine& robot_;
+  std::ostream* reports_;
+  PcSender pc_;
+  Bytes line_;  // of a frame that is not whole yet
+  std::optional<Bytes> welcome_;
+  std::optional<Bytes> report_;
+  Time reportAt_{};
+  std::uint16_t orders_ = 0;
+  bool confirms_ = false;  // the next Welcome is answered with Confirm
+  int at_ = 0;             // line of the scenario
+  Outcome outcome_;
+};
+
+}  // namespace wr

@@ -1,0 +1,33 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/scenario/Scenario.hpp"
+#include "sim/scenario/ScenarioPlayer.hpp"
+#include "system/SteppedRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+class ExampleScenarios : public testing::TestWithParam<const char*> {};
+
+/// @brief The robot does what each example of a scenario expects.
+TEST_P(ExampleScenarios, RobotDoesWhatIsExpected) {
+  const Scenario scenario =
+      Scenario::load(std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/examples" / GetParam());
+  const std::unique_ptr<RobotLine> robot = switchOn();
+  const auto outcome = ScenarioPlayer(scenario, *robot).play();
+  EXPECT_FALSE(outcome.finding.has_value()) << outcome.finding->text;
+  EXPECT_EQ(outcome.failures, std::vector<std::string>{});
+  EXPECT_GE(outcome.reports, 50U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, ExampleScenarios,
+                         testing::Values("loss_of_the_pc.scenario", "stop.scenario",
+                                         "ten_minutes.scenario"));
+
+}  // namespace
+}  // namespace wr::test
