@@ -44,9 +44,9 @@ __cxa_pure_virtual() {  // NOLINT(bugprone-reserved-identifier,cert-dcl37-c,cert
 namespace wr {
 
 void assertionFailed(AssertId id) {
-  const void* const caller = __builtin_return_address(0);
-  K64Board::endWithFault(FaultKind::Assertion, static_cast<std::uint16_t>(id),
-                         reinterpret_cast<std::uint32_t>(caller));
+  // The return address is odd, as all addresses of code; 3 before it lies the call.
+  const auto after = reinterpret_cast<std::uint32_t>(__builtin_return_address(0));
+  K64Board::endWithFault(FaultKind::Assertion, static_cast<std::uint16_t>(id), after - 3);
 }
 
 }  // namespace wr
