@@ -1,6 +1,7 @@
 #pragma once
 
 #include "devices/Watchdog.hpp"
+#include "services/SystemConstants.hpp"
 #include "units/quantities.hpp"
 
 namespace wr {
@@ -12,7 +13,7 @@ namespace wr {
 class K64Watchdog final : public Watchdog {
  public:
   /// @brief How long the watchdog waits for a refresh.
-  static constexpr Microseconds kTimeOut = milliseconds(300);
+  static constexpr Microseconds kTimeOut = SystemConstants::instance().watchdogTimeout();
 
   /// @brief Makes the watchdog known to who refreshes it.
   constexpr K64Watchdog() = default;
