@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from traceability.checks import (
+    board,
     documents,
     links,
     modules,
@@ -22,6 +23,7 @@ FAMILIES = (
     patterns.check,
     uses.check,
     registers.check,
+    board.check,
     trees.check,
     requirements.check,
 )

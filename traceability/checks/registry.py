@@ -149,6 +149,14 @@ _FIXED = [
         "call an operation of the owner, or change the design.",
     ),
     Check(
+        "board-finding",
+        "Each finding of the virtual K64 has a test",
+        "Every finding in design/board_findings.toml is named in a test of tests/sim/k64, and "
+        "every finding that a seeded driver fault gave is declared there.",
+        "whether the test makes the finding happen; its result shows that.",
+        "write a test that makes the finding happen, or correct the id.",
+    ),
+    Check(
         "uses-cycle",
         "No cycles of uses",
         "The uses between the top folders form no cycle; inside one, the cycles are those declared "

@@ -22,6 +22,7 @@ from traceability.documents.portal import SITE, CheckText, Page, Portal
 from traceability.documents.sphinx_warnings import WarningCollector
 from traceability.model.schema import Finding, Model, Place
 
+SCENARIO = Path("sim/scenario/examples/stop.scenario")
 UNKNOWN_TO_BREATHE = re.compile(
     r"\s*<(satisfies|verifies|innerclass)\b.*?</\1>|<wr-[^>]*/>", re.DOTALL
 )
@@ -66,8 +67,7 @@ def write_sources(portal: Portal, pages: Path) -> set[str]:
         kept.add(page.name)
         write_changed(pages / f"{page.name}.page", source_of(page))
     kept |= copy_docs(portal.root / "docs", pages)
-    if (portal.root / PINS).exists():
-        write_changed(pages / "_generated" / "pin_map.csv", pin_map(portal.root))
+    write_included(portal.root, pages / "_generated")
     copy_doxygen(portal, pages / "_doxygen")
     write_changed(pages / "links.json", json.dumps(search.targets(portal), sort_keys=True))
     write_changed(pages / "_static" / "portal.js", search.script(portal))
@@ -75,6 +75,14 @@ def write_sources(portal: Portal, pages: Path) -> set[str]:
         if str(path.relative_to(pages).with_suffix("")) not in kept:
             path.unlink()
     return kept
+
+
+def write_included(root: Path, target: Path) -> None:
+    """What hand-written pages include from other folders of the project."""
+    if (root / PINS).exists():
+        write_changed(target / "pin_map.csv", pin_map(root))
+    if (root / SCENARIO).exists():
+        write_changed(target / "example.scenario", (root / SCENARIO).read_bytes())
 
 
 def source_of(page: Page) -> str:

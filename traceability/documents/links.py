@@ -42,6 +42,8 @@ class Links:
         if method is None:
             return self.module(identifier.partition("::")[0])
         page = self.module(method.module)
+        if self.model.modules[method.module].datatype and method.access != "public":
+            return page  # the data dictionary shows what others may call
         return page and f"{page.partition('#')[0]}#{self.method_anchor(method)}"
 
     def find_method(self, identifier: str) -> Method | None:

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from traceability.documents.portal import Portal
     from traceability.model.schema import Model
 
-FIRST = ("tour", "quick_start", "client")
+FIRST = ("tour", "quick_start", "client", "virtual_board", "bring_up")
 EXPLAIN = ("execution_model", "add_reading_mode", "annotations", "glossary")
 
 
@@ -118,5 +118,6 @@ def verify(portal: Portal) -> list[Entry]:
         Entry("requirements", "Requirements", "requirements/index.html", "R", len(requirements)),
         Entry("trees", "Invocation trees", "trees.html", "", trees),
         Entry("tests", "Tests", "tests.html", "T", len(portal.model.tests)),
+        Entry("virtual_k64", "Virtual K64", "virtual_k64.html"),
         Entry("checks", "Checks", "checks/index.html", "", len(portal.checks)),
     ]

@@ -21,6 +21,7 @@ from traceability.model.schema import (
 )
 
 FIRST_TESTS = 12  # shown open on the page of a module
+TORTURE = "tests/torture/"
 XML = "build/model/xml"
 ANY = "*"  # in an allowed use: every logic module
 EXAMPLE = "FR-15"  # the requirement that the first page follows
@@ -63,6 +64,13 @@ def overview_pages(portal: Portal) -> Iterator[Page]:
     )
     yield portal.page("trees", "Invocation trees", "trees", "trees")
     yield portal.page("tests", "Tests", "tests", "tests", suites=suites(portal))
+    yield portal.page(
+        "virtual_k64",
+        "Virtual K64",
+        "virtual_k64",
+        "virtual_k64",
+        torture=[t for t in portal.model.tests.values() if t.place.file.startswith(TORTURE)],
+    )
     yield portal.page("checks/index", "Checks", "checks", "checks")
     yield portal.page("source/index", "Source", "source", "sources", folders=folders(portal))
 

@@ -15,7 +15,7 @@ from traceability.documents.calls import CallGraph
 from traceability.documents.highlight import Highlighter
 from traceability.documents.links import Links
 from traceability.documents.navigation import Navigation, hand_written
-from traceability.metrics import drift, metrics
+from traceability.metrics import drift, image, metrics
 from traceability.model.schema import Finding, Model, Module, Place, Requirement, Test, TreeNode
 
 SITE = Path(__file__).resolve().parents[2] / "site"
@@ -63,7 +63,7 @@ class Portal:
         self.code = Highlighter(root, root / "build" / "pages-cache" / "code")
         self.docs = hand_written(root / "docs")
         self.navigation = Navigation(self)
-        self.metrics = metrics(model) | drift(root, model)
+        self.metrics = metrics(model) | drift(root, model) | image(root)
         self.designs = [m for m in model.modules.values() if not m.datatype]
         self.datatypes = [m for m in model.modules.values() if m.datatype]
         self.diagrams = self._diagrams()
@@ -130,14 +130,6 @@ class Portal:
     @property
     def clauses(self) -> int:
         return sum(c.holds for a in self.model.patterns.values() for c in a.clauses)
-
-    @property
-    def library_sizes(self) -> tuple[int | None, int | None]:
-        """Flash and RAM of all modules in the library for the K64."""
-        modules = [m for m in self.model.modules.values() if m.flash_bytes is not None]
-        if not modules:
-            return None, None
-        return sum(m.flash_bytes or 0 for m in modules), sum(m.ram_bytes or 0 for m in modules)
 
     @property
     def early(self) -> int:
@@ -224,6 +216,15 @@ class Portal:
             return "\N{EN DASH}"
         passed = sum(run.result == "passed" and not run.stale for run in runs)
         return f"{passed}/{len(runs)}"
+
+    def passed_on(self, binding: str) -> tuple[int | None, int]:
+        """How many tests passed on a binding, if that is known, and how many are built for it."""
+        runs = [t.results[binding] for t in self.model.tests.values() if binding in t.results]
+        known = not self.model.stale_on(binding)
+        return sum(run.result == "passed" for run in runs) if known else None, len(runs)
+
+    def executed_count(self, binding: str) -> int:
+        return sum(binding in one.runs for one in self.model.requirements.values())
 
     def runs(self, tests: Iterable[Test]) -> int:
         """A test counts once on each binding that it is built for."""

@@ -14,6 +14,7 @@ from traceability.model.results import (
     bindings_of,
     plain_name,
     read_coverage,
+    read_driver_faults,
     read_results,
     read_results_hash,
     read_sizes,
@@ -55,6 +56,7 @@ from traceability.model.traces import (
 )
 from traceability.sources import files_below, source_hash
 
+BOARD_TESTS = "tests/sim/k64/"
 TEST_MACRO = re.compile(r"^TEST(?:_F|_P)?\(\s*(\w+)\s*,\s*(\w+)\s*\)")
 
 
@@ -112,6 +114,7 @@ def build(root: Path) -> Model:
     model.allowed_uses = facts.declared.allowed
     traces = read_traces(root, build_folder)
     _add_tests(model, facts)
+    _add_board_findings(model, facts)
     _add_executed_modules(model, traces)
     _add_measures(model, root)
     _add_trees(model, facts, traces)
@@ -516,6 +519,24 @@ def _result_of(found: Result | None, model: Model, binding: str) -> BindingResul
 def _test_name(lines: list[str], line: int) -> tuple[str, str] | None:
     match = TEST_MACRO.match(" ".join(lines[line - 1 : line + 2]))
     return (match[1], match[2]) if match else None
+
+
+def _add_board_findings(model: Model, facts: Facts) -> None:
+    """A test of the virtual board makes a finding when its text names the id."""
+    model.board_findings = facts.declared.board_findings
+    model.driver_faults = read_driver_faults(facts.root, model.sources_hash)
+    lines: dict[str, list[str]] = {}
+    tests = [test for test in model.tests.values() if test.place.file.startswith(BOARD_TESTS)]
+    for test in tests:
+        file = test.place.file
+        if file not in lines:
+            lines[file] = (facts.root / file).read_text(encoding="utf-8").splitlines()
+        starts = [other.place.line for other in tests if other.place.file == file]
+        end = min((line for line in starts if line > test.place.line), default=None)
+        body = "\n".join(lines[file][test.place.line - 1 : end and end - 1])
+        for finding in model.board_findings.values():
+            if f'"{finding.id}"' in body:
+                finding.tests.append(test.id)
 
 
 def _add_executed_modules(model: Model, recordings: dict[str, Traces]) -> None:

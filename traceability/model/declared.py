@@ -11,6 +11,7 @@ from typing import Any
 from traceability.model.schema import (
     AllowedUse,
     ArchitectureElement,
+    BoardFinding,
     Place,
     StateMachine,
     Transition,
@@ -68,6 +69,7 @@ class Declared:
     clauses: dict[str, ClauseText] = field(default_factory=dict)
     names: dict[str, list[str]] = field(default_factory=dict)  # logic module -> its modules
     blocks: list[Block] = field(default_factory=list)
+    board_findings: dict[str, BoardFinding] = field(default_factory=dict)
 
 
 def read_declared(root: Path) -> Declared:
@@ -102,6 +104,8 @@ def read_declared(root: Path) -> Declared:
         Block(item["name"], item["owners"], place)
         for item, place in _tables(root, design / "register_owners.toml", "block")
     ]
+    for item, place in _tables(root, design / "board_findings.toml", "finding"):
+        declared.board_findings[item["id"]] = BoardFinding(item["id"], item["says"], place)
     for item, _ in _tables(root, design / "modules.toml", "logic"):
         declared.names[item["folder"]] = item["modules"]
     return declared

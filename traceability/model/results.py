@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from traceability.model.schema import HOST, VIRTUAL_K64
+from traceability.model.schema import HOST, VIRTUAL_K64, DriverFault
 
 RESULTS = Path("build/results")
 RUNS = {HOST: "trace", VIRTUAL_K64: "board"}  # the run of the tests that tells for a binding
@@ -99,6 +99,14 @@ def read_coverage(root: Path) -> dict[str, FileCoverage]:
             if branches:
                 coverage.branches[number] = (taken, len(branches))
     return found
+
+
+def read_driver_faults(root: Path, sources: str) -> list[DriverFault] | None:
+    """The faults that were seeded in the drivers of these sources."""
+    data = read_json(root / RESULTS / "driver_faults.json")
+    if not isinstance(data, dict) or data.get("sources") != sources:
+        return None
+    return [DriverFault(**item) for item in data["faults"]]
 
 
 def read_sizes(root: Path) -> dict[str, tuple[int, int]]:

@@ -302,6 +302,27 @@ class ArchitectureElement:
 
 
 @dataclass
+class BoardFinding:
+    """A kind of mistake that the virtual K64 finds, and the tests that make it happen."""
+
+    id: str
+    says: str
+    place: Place
+    tests: list[str] = field(default_factory=list)
+
+
+@dataclass
+class DriverFault:
+    """A mistake seeded in a driver, and what the virtual K64 found in the image made from it."""
+
+    fault: str
+    file: str
+    finding: str
+    caught: bool
+    text: str
+
+
+@dataclass
 class Finding:
     """What a check found. ``text`` says what is wrong, ``mend`` what would mend it."""
 
@@ -326,6 +347,8 @@ class Model:
     uses: list[Use] = field(default_factory=list)
     allowed_uses: list[AllowedUse] = field(default_factory=list)
     architecture: list[ArchitectureElement] = field(default_factory=list)
+    board_findings: dict[str, BoardFinding] = field(default_factory=dict)
+    driver_faults: list[DriverFault] | None = None  # of these sources
     findings: list[Finding] = field(default_factory=list)
     files: list[str] = field(default_factory=list)  # sources that get a source page
     facts: Facts | None = field(default=None, repr=False)  # for the checks; no document reads it

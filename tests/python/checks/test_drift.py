@@ -16,7 +16,15 @@ from traceability.pipeline import build_model
 from traceability.sources import source_hash
 
 ROOT = Path(__file__).parents[3]
-COPIED = ("src", "sim", "tests", "requirements", "design", "traceability/doxygen", "build/model/cache")
+COPIED = (
+    "src",
+    "sim",
+    "tests",
+    "requirements",
+    "design",
+    "traceability/doxygen",
+    "build/model/cache",
+)
 
 STATES = "src/main_control/operation_states"
 MODES = "src/main_control/operation_modes"

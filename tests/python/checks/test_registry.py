@@ -28,6 +28,6 @@ def test_every_clause_of_the_design_has_code_and_the_other_way_round() -> None:
 
 def test_every_reported_id_is_described() -> None:
     text = "".join(path.read_text(encoding="utf-8") for path in CHECKS_FOLDER.glob("*.py"))
-    families = "module|pattern|uses|secret|tree|req|link|doc|syntax"
+    families = "module|pattern|uses|secret|board|tree|req|link|doc|syntax"
     used = set(re.findall(rf'"((?:{families})-[a-z-]+)"', text))
     assert used <= set(KNOWN), used - set(KNOWN)

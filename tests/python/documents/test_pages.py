@@ -20,6 +20,8 @@ from traceability.model.schema import (
     HOST,
     VIRTUAL_K64,
     BindingResult,
+    BoardFinding,
+    DriverFault,
     Finding,
     Model,
     Place,
@@ -294,6 +296,30 @@ def test_seeded_faults_are_a_figure_only_when_these_sources_were_measured(tmp_pa
         shown[sources] = next(page.body for page in pages if page.name == "index")
     assert "faults caught" not in shown["older"]
     assert "16<small>/17</small>" in shown[model.sources_hash]
+
+
+def test_the_page_of_the_virtual_k64_shows_what_was_found(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
+    place = Place("design/board_findings.toml", 4)
+    model.board_findings = {
+        "fpu-off": BoardFinding("fpu-off", "The unit was off.", place, ["RcTest.Reads"]),
+        "lockup": BoardFinding("lockup", "It stops.", place),
+    }
+
+    def shown() -> str:
+        pages = all_pages(Portal(tmp_path, model, [], CHECKS))
+        return next(page.body for page in pages if page.name == "virtual_k64")
+
+    assert "not run on these sources" in shown()
+    model.driver_faults = [
+        DriverFault("FPU not enabled", f"src/{MODES}/RC.cpp", "fpu-off", True, "finding: fpu-off"),
+        DriverFault("Nothing", f"src/{MODES}/RC.cpp", "", False, "done"),
+    ]
+    page = shown()
+    assert page.count("no test</span>") == 2  # one finding, and no comparison with QEMU
+    assert "1<small>/2</small>" in page
+    assert "caught</span>" in page
+    assert "missed</span>" in page
 
 
 def test_the_architecture_says_what_is_not_in_this_source(tmp_path: Path) -> None:

@@ -1,0 +1,84 @@
+"""What the virtual K64 finds: declared, tested, and given by seeded faults."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from tests.python.model.small_tree import write_tree
+from traceability.checks.board import check
+from traceability.model.schema import VIRTUAL_K64
+from traceability.pipeline import build_model
+from traceability.sources import source_hash
+
+DECLARED = """\
+[[finding]]
+id = "clock-gate"
+says = "A clock is off."
+
+[[finding]]
+id = "lockup"
+says = "It stops."
+"""
+TESTS = """\
+#include <gtest/gtest.h>
+
+/// @brief A clock that is off is found.
+TEST(Findings, ClockGate) {
+  EXPECT_EQ(id, "clock-gate");
+}
+
+/// @brief Nothing is found.
+TEST(Findings, Nothing) {
+  EXPECT_EQ(id, "");
+}
+"""
+
+
+def write_board(root: Path) -> Path:
+    write_tree(root)
+    for name, text in (
+        ("design/board_findings.toml", DECLARED),
+        ("tests/sim/k64/FindingsTest.cpp", TESTS),
+    ):
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text(text, encoding="utf-8")
+    return root
+
+
+def test_a_finding_without_a_test_is_found(tmp_path: Path) -> None:
+    model = build_model(write_board(tmp_path))
+    assert model.board_findings["clock-gate"].tests == ["Findings.ClockGate"]
+    assert list(model.tests["Findings.Nothing"].results) == [VIRTUAL_K64]
+    assert model.facts is not None
+    found = check(model, model.facts)
+    assert [(one.place.line, "lockup" in one.text) for one in found] == [(5, True)]
+
+
+def test_faults_count_only_for_the_sources_they_were_seeded_in(tmp_path: Path) -> None:
+    root = write_board(tmp_path)
+    fault = {"fault": "F", "file": "src/a.cpp", "finding": "other", "caught": True, "text": "t"}
+    path = root / "build/results/driver_faults.json"
+    path.parent.mkdir(parents=True)
+    for sources, known in (("older", None), (source_hash(root), 1)):
+        path.write_text(json.dumps({"sources": sources, "faults": [fault]}), encoding="utf-8")
+        model = build_model(root)
+        assert (model.driver_faults and len(model.driver_faults)) == known
+    assert model.facts is not None
+    assert any("'F' gave the finding other" in one.text for one in check(model, model.facts))
+
+
+def test_results_of_the_board_are_stale_on_their_own(tmp_path: Path) -> None:
+    root = write_board(tmp_path)
+    results = root / "build" / "results"
+    results.mkdir(parents=True)
+    record = {"name": "ClockGate", "status": "RUN", "result": "COMPLETED", "time": "0.002s"}
+    failed = record | {"name": "Nothing", "failures": [{"failure": "not nothing"}]}
+    suites = {"testsuites": [{"name": "Findings", "testsuite": [record, failed]}]}
+    (results / "board.json").write_text(json.dumps(suites))
+    (results / "board.hash").write_text(json.dumps({"sources": source_hash(root)}))
+    model = build_model(root)
+    assert not model.stale_on(VIRTUAL_K64)
+    assert model.results_stale  # those of the host are missing
+    assert model.tests["Findings.ClockGate"].passed
+    assert model.tests["Findings.Nothing"].gave("failed") == [VIRTUAL_K64]
