@@ -26,8 +26,9 @@ extern const std::uint32_t stackTop[];
 }
 
 /// @brief A pure virtual function was called: the instruction that follows is none.
-[[noreturn]] void
-__cxa_pure_virtual() {  // NOLINT(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
+// The ABI of the compiler gives the name.
+// NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
+[[noreturn]] void __cxa_pure_virtual() {
   __builtin_trap();
 }
 }
