@@ -41,6 +41,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--scenario", type=Path, metavar="FILE", help="play this scenario instead of a PC link"
     )
     parser.add_argument(
+        "--reports", type=Path, metavar="FILE", help="with --scenario: write its reports as a table"
+    )
+    parser.add_argument(
         "--trace", type=Path, metavar="FILE", help="with --board: write what happened, and when"
     )
     parser.set_defaults(run=lambda root, options: sim(root, options, parser))
@@ -50,6 +53,8 @@ def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
     """Builds what is asked for, and becomes it."""
     if options.trace and not options.board:
         parser.error(f"--trace {options.trace} needs --board")
+    if options.reports and not options.scenario:
+        parser.error(f"--reports {options.reports} needs --scenario")
     steps = Steps(root, 2 if options.board else 1)
     if options.board:
         build_k64(root, steps)
@@ -76,6 +81,7 @@ def command(root: Path, options: argparse.Namespace) -> list[str]:
         ("--link", link),
         ("--cycles", options.cycles),
         ("--scenario", options.scenario),
+        ("--reports", options.reports),
         ("--trace", options.trace),
     ):
         if value is not None:
