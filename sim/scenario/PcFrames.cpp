@@ -161,11 +161,6 @@ std::optional<PcWelcome> welcomeOf(const Bytes& body) {
                    .faultAddress = fields.u32(19)};
 }
 
-std::optional<std::uint8_t> sessionOf(const Bytes& body) {
-  const std::optional<PcWelcome> welcome = welcomeOf(body);
-  return welcome ? std::optional(welcome->session) : std::nullopt;
-}
-
 std::optional<PcReport> reportOf(const Bytes& body) {
   if (body.at(1) != 0x82) {
     return std::nullopt;
@@ -187,6 +182,7 @@ std::optional<PcReport> reportOf(const Bytes& body) {
                   .tension0 = fields.i16(64),
                   .applied = fields.u8(73),
                   .overruns = fields.u16(74),
+                  .lostBytes = fields.u16(76),
                   .reportsNotSent = fields.u16(94)};
   for (std::size_t reason = 0; reason < report.dropped.size(); ++reason) {
     report.dropped[reason] = fields.u16(78 + 2 * reason);

@@ -45,6 +45,7 @@ struct PcReport {
   std::int16_t tension0 = 0;
   std::uint8_t applied = 0;
   std::uint16_t overruns = 0;
+  std::uint16_t lostBytes = 0;
   std::array<std::uint16_t, 7> dropped{};  // damaged, too long, unknown version, unknown type,
                                            // wrong length, out of range, unexpected
   std::uint16_t reportsNotSent = 0;
@@ -85,9 +86,6 @@ class PcSender {
 
 /// The content of a Welcome; nothing if the body is no Welcome.
 [[nodiscard]] std::optional<PcWelcome> welcomeOf(const Bytes& body);
-
-/// The session of a Welcome; nothing if the body is no Welcome.
-[[nodiscard]] std::optional<std::uint8_t> sessionOf(const Bytes& body);
 
 /// The content of a report; nothing if the body is no Report.
 [[nodiscard]] std::optional<PcReport> reportOf(const Bytes& body);

@@ -98,10 +98,10 @@ void ScenarioPlayer::listen() {
 }
 
 void ScenarioPlayer::take(const Bytes& body) {
-  if (const auto session = sessionOf(body)) {
+  if (const auto welcome = welcomeOf(body)) {
     welcome_ = body;
     if (std::exchange(confirms_, false)) {
-      robot_.send(pc_.confirm(*session));
+      robot_.send(pc_.confirm(welcome->session));
     }
   } else if (reportOf(body)) {
     report_ = body;
@@ -132,7 +132,7 @@ void ScenarioPlayer::act(const Scenario::Confirm& /*action*/) {
     fail("no Welcome has come that could be confirmed");
     return;
   }
-  robot_.send(pc_.confirm(*sessionOf(*welcome_)));
+  robot_.send(pc_.confirm(welcomeOf(*welcome_)->session));
 }
 
 void ScenarioPlayer::act(const Scenario::KeepAlive& /*action*/) {

@@ -85,7 +85,7 @@ class ControllerFixture : public testing::Test {
   void connect() {
     port.arrive(pc.hello());
     connection.service();
-    port.arrive(pc.confirm(sessionOf(bodies(port.takeSent()).at(0)).value()));
+    port.arrive(pc.confirm(welcomeOf(bodies(port.takeSent()).at(0)).value().session));
     connection.service();
   }
 

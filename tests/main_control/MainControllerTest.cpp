@@ -145,7 +145,7 @@ TEST_F(MainControllerTest, FR35_ServesTheLinkBeforeTheRead) {
   controller.start();
   port.arrive(pc.hello());
   controller.clockPulse();
-  EXPECT_TRUE(sessionOf(bodies(port.takeSent()).at(0)).has_value());
+  EXPECT_TRUE(welcomeOf(bodies(port.takeSent()).at(0)).has_value());
 }
 
 /// @brief A line without a pause, 1152 bytes in each cycle at 115200 baud, costs no frame.

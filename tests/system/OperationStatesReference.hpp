@@ -160,7 +160,7 @@ class Comparison {
   void oneCycle(bool pc) {
     const std::int64_t pulse = lastPulse() + kPeriod;
     beforeCycle();
-    if (!reference_.connected && robot_.session && helloSent_) {
+    if (!reference_.connected && robot_.welcome && helloSent_) {
       robot_.confirm();
       helloSent_ = false;
       reference_.connected = true;

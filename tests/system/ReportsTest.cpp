@@ -108,7 +108,7 @@ TEST_F(ReportsOfRobot, FR63_ReportCountsDroppedFramesByReason) {
       {robot.pc.frame(0x55, {}), 4},
       {robot.pc.frame(0x03, std::array<std::uint8_t, 1>{9}), 5},
       {robot.pc.order({.id = 9, .steering = 3201}), 6},
-      {robot.pc.confirm(robot.session.value()), 7},
+      {robot.pc.confirm(robot.welcome.value().session), 7},
   };
   for (const auto& [bytes, times] : frames) {
     for (int i = 0; i < times; ++i) {

@@ -51,7 +51,7 @@ class SteppedRobot {
   }
 
   void hello() { arrive(pc.hello()); }
-  void confirm() { arrive(pc.confirm(session.value())); }
+  void confirm() { arrive(pc.confirm(welcome.value().session)); }
   void keepAlive() { arrive(pc.keepAlive()); }
   void order(const PcOrder& order) { arrive(pc.order(order)); }
 
@@ -74,7 +74,7 @@ class SteppedRobot {
   [[nodiscard]] bool reported() const { return report_.has_value(); }
 
   PcSender pc;
-  std::optional<std::uint8_t> session;
+  std::optional<PcWelcome> welcome;  // the last one
 
  private:
   void require(bool running) const {
@@ -86,8 +86,8 @@ class SteppedRobot {
   void take() {
     report_.reset();
     for (const Bytes& body : bodies(line_->takeSent())) {
-      if (const auto offered = sessionOf(body)) {
-        session = offered;
+      if (const auto answer = welcomeOf(body)) {
+        welcome = answer;
       } else {
         report_ = reportOf(body);
       }
