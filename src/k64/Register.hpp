@@ -99,10 +99,10 @@ class Register {
   }
 
  private:
-  // The one place where a number becomes an address.
+  // The one place where a number becomes an address: registers stand at fixed ones.
   [[nodiscard]] volatile Value* place() const {
-    return reinterpret_cast<volatile Value*>(kAddress +
-                                             offset_);  // NOLINT(performance-no-int-to-ptr)
+    // NOLINTNEXTLINE(performance-no-int-to-ptr)
+    return reinterpret_cast<volatile Value*>(kAddress + offset_);
   }
 
   std::uint32_t offset_ = 0;

@@ -36,7 +36,7 @@ inline void closeInterrupts() {
 /// @brief Tells which exception is being handled.
 /// @return number of the exception, 0 for none
 inline std::uint16_t activeException() {
-  std::uint32_t number = 0;
+  std::uint32_t number = 0;  // NOLINT(misc-const-correctness): the instruction writes it
   asm volatile("mrs %0, ipsr" : "=r"(number));
   return static_cast<std::uint16_t>(number);
 }

@@ -16,10 +16,24 @@ from typing import TextIO
 
 from traceability.commands.builds import build
 from traceability.commands.steps import FailureError, Steps, run
+from traceability.model.syntax import BOARD_COMPILER, BOARD_FLAGS, clang_arguments, is_board
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 CODE = ("src", "sim", "tests")
 CHECKED = ("src", "sim")
+WARNINGS = [
+    "-Wall",
+    "-Wextra",
+    "-Wpedantic",
+    "-Wconversion",
+    "-Wsign-conversion",
+    "-Wold-style-cast",
+    "-Wnon-virtual-dtor",
+    "-Woverloaded-virtual",
+    "-Wshadow",
+    "-Wno-unused-command-line-argument",
+    "-Werror",
+]
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -77,6 +91,9 @@ def check_format(root: Path, log: TextIO) -> str:
 
 def build_with_clang(root: Path, log: TextIO) -> None:
     build(root, "clang", log)
+    for source in sources(root, ("src/k64",), ".cpp"):
+        words = [*clang_arguments(board=True), *WARNINGS, "-I", str(root / "src")]
+        run(log, ["clang++", "-fsyntax-only", *words, str(source)])
 
 
 def check_headers(root: Path, log: TextIO) -> str:
@@ -84,7 +101,9 @@ def check_headers(root: Path, log: TextIO) -> str:
     paths = ["-I", str(root / "src"), "-I", str(root)]
 
     def command(header: Path) -> list[str]:
-        return ["g++", *flags, *paths, "-include", str(header), os.devnull]
+        board = is_board(str(header.relative_to(root)))
+        compiler = [BOARD_COMPILER, *BOARD_FLAGS] if board else ["g++"]
+        return [*compiler, *flags, *paths, "-include", str(header), os.devnull]
 
     return check_changed(root, "headers", sources(root, CHECKED, ".hpp"), command, log)
 
@@ -95,8 +114,10 @@ def check_tidy(root: Path, log: TextIO) -> str:
         raise FailureError("the build with clang is missing")
 
     def command(source: Path) -> list[str]:
-        tidy = root / ".venv" / "bin" / "clang-tidy"
-        return [str(tidy), "--quiet", "-p", str(directory), str(source)]
+        words = [str(root / ".venv" / "bin" / "clang-tidy"), "--quiet", str(source)]
+        if is_board(str(source.relative_to(root))):
+            return [*words, "--", *clang_arguments(board=True), "-I", str(root / "src")]
+        return [*words, "-p", str(directory)]
 
     return check_changed(root, "tidy", sources(root, CHECKED, ".cpp"), command, log)
 

@@ -232,11 +232,11 @@ def _stored(root: Path, cache: Path, unit: str, hashes: dict[str, str]) -> bool 
 @functools.cache
 def _reader_hash(board: bool) -> str:
     own = Path(__file__).read_bytes()
-    return hashlib.sha256(own + repr(_arguments(board)).encode()).hexdigest()
+    return hashlib.sha256(own + repr(clang_arguments(board)).encode()).hexdigest()
 
 
 @functools.cache
-def _arguments(board: bool) -> list[str]:
+def clang_arguments(board: bool) -> list[str]:
     common = ["-std=c++20", "-x", "c++", "-fno-exceptions"]
     if board:
         folders = [word for path in _board_folders() for word in ("-isystem", path)]
@@ -292,7 +292,7 @@ def prepare_standard(root: Path, cache: Path, board: bool) -> None:
     parsed.unlink(missing_ok=True)
     header.write_text(text, encoding="utf-8")
     options = cindex.TranslationUnit.PARSE_INCOMPLETE
-    arguments = ["c++-header" if one == "c++" else one for one in _arguments(board)]
+    arguments = ["c++-header" if one == "c++" else one for one in clang_arguments(board)]
     tree = cindex.Index.create().parse(str(header), args=arguments, options=options)
     if not any(problem.severity >= cindex.Diagnostic.Error for problem in tree.diagnostics):
         tree.save(str(parsed))
@@ -300,7 +300,7 @@ def prepare_standard(root: Path, cache: Path, board: bool) -> None:
 
 def parse(root: Path, unit: str, files: list[str], known: Path) -> tuple[Syntax, set[str]]:
     """The facts of the files, and all files of the project that the unit includes."""
-    arguments = [*_arguments(is_board(unit)), "-I", str(root / "src")]
+    arguments = [*clang_arguments(is_board(unit)), "-I", str(root / "src")]
     if known.exists():
         arguments += ["-include-pch", str(known)]
     tree = cindex.Index.create().parse(str(root / unit), args=arguments)
