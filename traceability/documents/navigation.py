@@ -118,6 +118,6 @@ def verify(portal: Portal) -> list[Entry]:
         Entry("requirements", "Requirements", "requirements/index.html", "R", len(requirements)),
         Entry("trees", "Invocation trees", "trees.html", "", trees),
         Entry("tests", "Tests", "tests.html", "T", len(portal.model.tests)),
-        Entry("virtual_k64", "Virtual K64", "virtual_k64.html"),
+        Entry("virtual_k64", "Findings of the board", "virtual_k64.html"),
         Entry("checks", "Checks", "checks/index.html", "", len(portal.checks)),
     ]

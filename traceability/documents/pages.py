@@ -66,7 +66,7 @@ def overview_pages(portal: Portal) -> Iterator[Page]:
     yield portal.page("tests", "Tests", "tests", "tests", suites=suites(portal))
     yield portal.page(
         "virtual_k64",
-        "Virtual K64",
+        "Findings of the virtual K64",
         "virtual_k64",
         "virtual_k64",
         torture=[t for t in portal.model.tests.values() if t.place.file.startswith(TORTURE)],

@@ -8,7 +8,7 @@ import pytest
 
 from tests.python.model.small_tree import write_tree
 from traceability.checks.uses import check
-from traceability.model.schema import Model
+from traceability.model.schema import HOST, Model
 from traceability.pipeline import build_model
 
 FILES = {
@@ -79,14 +79,18 @@ int main() {
 }
 
 
-@pytest.fixture(scope="module")
-def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    root = write_tree(tmp_path_factory.mktemp("board"))
+def write_board(root: Path) -> Path:
+    write_tree(root)
     for name, text in FILES.items():
         path = root / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
     return root
+
+
+@pytest.fixture(scope="module")
+def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return write_board(tmp_path_factory.mktemp("board"))
 
 
 @pytest.fixture(scope="module")
@@ -116,23 +120,14 @@ def test_composition_without_classes_has_uses(model: Model) -> None:
 
 
 @pytest.mark.parametrize(
-    ("change", "place"),
+    "change",
     [
-        ('#include "k64/K64Watchdog.hpp"\n', 1),
-        ("namespace wr { void act() { extern void startBoard(); } }\n", None),
-        (
-            '#include "k64/start_up/start.hpp"\nnamespace wr { void act() { startBoard(); } }\n',
-            1,
-        ),
+        '#include "k64/K64Watchdog.hpp"\n',
+        '#include "k64/start_up/start.hpp"\nnamespace wr { void act() { startBoard(); } }\n',
     ],
 )
-def test_only_the_composition_sees_the_board(
-    tmp_path: Path, change: str, place: int | None
-) -> None:
-    root = write_tree(tmp_path)
-    for name, text in FILES.items():
-        (root / name).parent.mkdir(parents=True, exist_ok=True)
-        (root / name).write_text(text, encoding="utf-8")
+def test_only_the_composition_sees_the_board(tmp_path: Path, change: str) -> None:
+    root = write_board(tmp_path)
     start = root / "src/k64/start_up/start.hpp"
     start.write_text("#pragma once\nnamespace wr {\nvoid startBoard();\n}\n", encoding="utf-8")
     file = "src/main_control/operation_modes/RC.cpp"
@@ -144,4 +139,16 @@ def test_only_the_composition_sees_the_board(
         for one in check(built, built.facts)
         if one.check == "uses-allowed" and one.place.file == file and "k64" in one.text
     ]
-    assert found == ([] if place is None else [place])
+    assert found == [1]
+
+
+def test_a_method_of_the_board_lies_outside_the_trace_of_the_host(tmp_path: Path) -> None:
+    root = write_board(tmp_path)
+    tree = root / "design/trees/board.tree"
+    tree.write_text("FR-15\nK64Watchdog::refresh\n", encoding="utf-8")
+    (root / "design/trees/reading.tree").unlink()
+    built = build_model(root)
+    node = built.requirements["FR-15"].tree
+    assert node is not None
+    assert node.reachable
+    assert node.outside == [HOST]
