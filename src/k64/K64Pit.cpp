@@ -13,10 +13,10 @@ static_assert(kTicksPerMicrosecond * 1'000'000 == K64Board::kBusClock, "whole ti
 }  // namespace
 
 void K64Pit::start(Microseconds period) {
-  stop();
   // Erratum: an access right after the clock came is lost, so the module is read first.
   static_cast<void>(pit::MCR.read());
   pit::MCR.write({0});
+  stop();
   const auto ticks = static_cast<std::uint32_t>(period.count()) * kTicksPerMicrosecond;
   pit::LDVAL.at(offset()).write({ticks - 1});
   pit::TFLG.at(offset()).write(pit::TFLG_TIF);
