@@ -38,6 +38,11 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--cycles", type=positive, help="end after this number of control cycles of 100 ms"
     )
     parser.add_argument(
+        "--fast",
+        action="store_true",
+        help="with --board and --cycles: as fast as possible, without a PC link",
+    )
+    parser.add_argument(
         "--scenario", type=Path, metavar="FILE", help="play this scenario instead of a PC link"
     )
     parser.add_argument(
@@ -53,6 +58,8 @@ def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
     """Builds what is asked for, and becomes it."""
     if options.trace and not options.board:
         parser.error(f"--trace {options.trace} needs --board")
+    if options.fast and not (options.board and options.cycles):
+        parser.error("--fast needs --board and --cycles")
     if options.reports and not options.scenario:
         parser.error(f"--reports {options.reports} needs --scenario")
     steps = Steps(root, 2 if options.board else 1)
@@ -69,12 +76,13 @@ def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
 
 def command(root: Path, options: argparse.Namespace) -> list[str]:
     """The program and its options. A scenario takes the place of the PC link."""
+    stepped = options.fast or options.scenario is not None
     program = BOARD_PROGRAM if options.board else PROGRAM
     words = [str(root / "build" / "host" / "sim" / program)]
     if options.board:
         words += ["--image", str(root / BIN), "--elf", str(root / ELF)]
     link = options.link
-    if link is None and options.scenario is None:
+    if link is None and not stepped:
         link = root / "build" / "pc-link"
         link.parent.mkdir(parents=True, exist_ok=True)
     for name, value in (
@@ -86,4 +94,4 @@ def command(root: Path, options: argparse.Namespace) -> list[str]:
     ):
         if value is not None:
             words += [name, str(value)]
-    return words
+    return [*words, "--fast"] if options.fast else words

@@ -68,6 +68,7 @@ def test_no_command_and_unknown_command_are_wrong_usage(arguments: tuple[str, ..
         ("serve", "--port", "x"),
         ("sim", "--cycles", "0"),
         ("sim", "--trace", "file"),
+        ("sim", "--board", "--fast"),
         ("sim", "--reports", "file"),
         ("flash", "--with", "wire"),
         ("monitor", "--reports", "0"),

@@ -1,0 +1,95 @@
+"""./wr sim: which program runs, with which options."""
+
+import os
+import subprocess
+from pathlib import Path
+from typing import TextIO
+
+import pytest
+
+from traceability.commands import cli, sim
+from traceability.commands.steps import FailureError, Steps
+
+
+@pytest.fixture
+def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A project whose two programs print their name and their options, one a line."""
+    folder = tmp_path / "build/host/sim"
+    folder.mkdir(parents=True)
+    for name in (sim.PROGRAM, sim.BOARD_PROGRAM):
+        add_program(tmp_path, name, 0)
+    monkeypatch.setattr(cli, "ROOT", tmp_path)
+    monkeypatch.setattr(sim, "build", lambda *_arguments: None)
+    monkeypatch.setattr(sim, "build_for_board", lambda *_arguments: None)
+    monkeypatch.setattr(sim, "build_k64", lambda *_arguments: None)
+    monkeypatch.setattr(
+        os, "execv", lambda _path, words: subprocess.run(words, check=False).returncode
+    )
+    return tmp_path
+
+
+def add_program(root: Path, name: str, code: int) -> None:
+    program = root / "build/host/sim" / name
+    program.write_text(
+        f'#!/bin/sh\nprintf "%s\\n" {name} "$@" >"{root}/called"\n'
+        f"echo 'finding: clock-gate: UART0'\nexit {code}\n"
+    )
+    program.chmod(0o755)
+
+
+def called(root: Path) -> list[str]:
+    return (root / "called").read_text().splitlines()
+
+
+def test_without_board_the_firmware_runs_on_this_machine(root: Path) -> None:
+    assert cli.main(["sim", "--cycles", "3"]) == 0
+    link = str(root / "build/pc-link")
+    assert called(root) == ["weeding_robot_host", "--link", link, "--cycles", "3"]
+
+
+def test_with_board_the_image_runs_on_the_virtual_k64(root: Path) -> None:
+    assert cli.main(["sim", "--board", "--link", "here", "--trace", "events"]) == 0
+    image = str(root / "build/k64/weeding_robot")
+    assert called(root) == [
+        *("weeding_robot_board", "--image", f"{image}.bin", "--elf", f"{image}.elf"),
+        *("--link", "here", "--trace", "events"),
+    ]
+
+
+def test_a_scenario_takes_the_place_of_the_link(root: Path) -> None:
+    assert cli.main(["sim", "--scenario", "a.scenario", "--reports", "r.csv"]) == 0
+    assert called(root)[1:] == ["--scenario", "a.scenario", "--reports", "r.csv"]
+
+
+def test_a_fast_run_has_no_link(root: Path) -> None:
+    assert cli.main(["sim", "--board", "--cycles", "9", "--fast"]) == 0
+    assert called(root)[5:] == ["--cycles", "9", "--fast"]
+
+
+@pytest.mark.parametrize("code", [1, 4])
+def test_the_exit_code_of_the_program_is_that_of_the_command(root: Path, code: int) -> None:
+    add_program(root, sim.BOARD_PROGRAM, code)
+    assert cli.main(["sim", "--board"]) == code
+
+
+def test_what_cannot_be_built_is_not_run(
+    root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def missing(_root: Path, _log: TextIO, _target: str) -> None:
+        raise FailureError("no library")
+
+    monkeypatch.setattr(sim, "build_for_board", missing)
+    assert cli.main(["sim", "--board"]) == 1
+    assert "no library" in capsys.readouterr().out
+    assert not (root / "called").exists()
+
+
+def test_without_an_image_the_board_is_not_switched_on(
+    root: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def broken(_root: Path, steps: Steps) -> None:
+        steps.failed.append("firmware (K64)")
+
+    monkeypatch.setattr(sim, "build_k64", broken)
+    assert cli.main(["sim", "--board"]) == 1
+    assert not (root / "called").exists()
