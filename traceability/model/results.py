@@ -12,7 +12,7 @@ from traceability.model.schema import HOST, VIRTUAL_K64, DriverFault
 
 RESULTS = Path("build/results")
 RUNS = {HOST: "trace", VIRTUAL_K64: "board"}  # the run of the tests that tells for a binding
-BOARD_ONLY = ("tests/sim/k64/", "tests/torture/", "tests/k64/")
+BOARD_ONLY = ("tests/sim/k64/", "tests/torture/", "tests/k64/", "tests/system/board/")
 HOST_ONLY = "tests/system/host/"
 BOTH = "tests/system/"
 
