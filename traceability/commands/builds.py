@@ -13,6 +13,8 @@ from typing import TextIO
 from traceability.commands.steps import FailureError, run
 from traceability.sources import file_hash, source_hash
 
+# CMake keeps what it once read of them, so that a change needs a fresh configuration.
+SETTINGS = ("CMakePresets.json", "setup/k64-toolchain.cmake")
 IMAGE = "build/k64/weeding_robot.bin"
 # The tests on the virtual K64 are a run of their own, built with the preset of this machine.
 BOARD, BOARD_TESTS, BOARD_PRESET = "board", "board_tests", "host"
@@ -44,8 +46,9 @@ def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
     """Configures where needed, then builds into build/<preset>."""
     directory = root / "build" / preset
     made = directory / "build.ninja"
-    if not made.exists() or made.stat().st_mtime < (root / "CMakePresets.json").stat().st_mtime:
-        run(log, ["cmake", "-S", root, "--preset", preset])
+    changed = max((root / name).stat().st_mtime for name in SETTINGS)
+    if not made.exists() or made.stat().st_mtime < changed:
+        run(log, ["cmake", "--fresh", "-S", root, "--preset", preset])
     wanted = ["--target", *targets] if targets else []
     run(log, ["cmake", "--build", directory, "--parallel", jobs(), *wanted])
 

@@ -1,6 +1,7 @@
 """Runs of tests: when they are repeated, and how they are counted."""
 
 import json
+import os
 import stat
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from traceability.commands import builds
 from traceability.commands.builds import Counts
 from traceability.commands.steps import FailureError
 
+BUILD = builds.build  # the tests of runs replace it
 PASSED = {"status": "RUN", "result": "COMPLETED"}
 FAILED = {**PASSED, "failures": [{"failure": "x"}]}
 SKIPPED = {"status": "RUN", "result": "SKIPPED"}
@@ -174,3 +176,32 @@ def test_results_of_the_board_and_of_this_machine_are_kept_apart(board: Path) ->
     assert kept.exists()
     assert builds.is_current(board, "trace")
     assert builds.is_current(board, builds.BOARD)
+
+
+@pytest.mark.parametrize("changed", builds.SETTINGS)
+def test_a_build_is_configured_anew_when_its_settings_changed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, changed: str
+) -> None:
+    called: list[str] = []
+    monkeypatch.setattr(
+        builds, "run", lambda _log, words: called.append(" ".join(str(word) for word in words))
+    )
+    made = tmp_path / "build/k64/build.ninja"
+    made.parent.mkdir(parents=True)
+    (tmp_path / "setup").mkdir()
+    for name in builds.SETTINGS:
+        (tmp_path / name).touch()
+
+    def configured() -> bool:
+        called.clear()
+        with (tmp_path / "log").open("w") as log:
+            BUILD(tmp_path, "k64", log, "weeding_robot")
+        assert called[-1].endswith("--target weeding_robot")
+        return len(called) == 2 and "--fresh" in called[0]
+
+    assert configured()
+    made.touch()
+    assert not configured()
+    newer = made.stat().st_mtime + 10
+    os.utime(tmp_path / changed, (newer, newer))
+    assert configured()
