@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "torture/Image.hpp"
+
+namespace wr::torture {
+
+/// @brief Number of the first record that is not the same in both; none when all are.
+[[nodiscard]] std::optional<std::size_t> firstDifference(const Records& left, const Records& right);
+
+/// @brief A record in words.
+[[nodiscard]] std::string described(const Record& record);
+
+/// @brief Both records of a number, and those before, which led there.
+[[nodiscard]] std::string context(const Records& left, const Records& right, std::size_t number);
+
+/// @brief Number of entries to and exits from exceptions.
+[[nodiscard]] std::size_t exceptionEvents(const Records& records);
+
+/// @brief The checks of the program that failed, in words; empty when none did.
+[[nodiscard]] std::string failedChecks(const Records& records);
+
+/// @brief Tells whether the program came to its end.
+[[nodiscard]] bool complete(const Records& records);
+
+}  // namespace wr::torture

@@ -1,0 +1,81 @@
+#include "torture/Comparison.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace wr::torture {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr Record kEntered{Kind::Entered, 20, 1, 0xE9, {}};
+constexpr Record kLeft{Kind::Left, 20, 1, 0xE9, {}};
+constexpr Record kEnd{Kind::Acted, static_cast<std::uint8_t>(Action::End), 0, 0, {}};
+
+/// @brief Two runs with the same records in the same order do not differ.
+TEST(TortureComparisonTest, SameRecordsDoNotDiffer) {
+  EXPECT_EQ(firstDifference({kEntered, kLeft, kEnd}, {kEntered, kLeft, kEnd}), std::nullopt);
+}
+
+/// @brief Records in another order differ at the first one that changed its place.
+TEST(TortureComparisonTest, AnotherOrderDiffers) {
+  EXPECT_EQ(firstDifference({kEntered, kLeft, kEnd}, {kEntered, kEnd, kLeft}), 1U);
+}
+
+/// @brief A record differs when any of its members does.
+TEST(TortureComparisonTest, EachMemberCounts) {
+  Record changed = kEntered;
+  changed.kind = Kind::Left;
+  EXPECT_EQ(firstDifference({kEntered}, {changed}), 0U);
+  changed = kEntered;
+  changed.detail = 21;
+  EXPECT_EQ(firstDifference({kEntered}, {changed}), 0U);
+  changed = kEntered;
+  changed.depth = 2;
+  EXPECT_EQ(firstDifference({kEntered}, {changed}), 0U);
+  changed = kEntered;
+  changed.link = 0xF9;
+  EXPECT_EQ(firstDifference({kEntered}, {changed}), 0U);
+  for (std::uint32_t& word : changed.words) {
+    changed = kEntered;
+    word = 1;
+    EXPECT_EQ(firstDifference({kEntered}, {changed}), 0U);
+  }
+}
+
+/// @brief A run that ends earlier differs where it ends, on either side.
+TEST(TortureComparisonTest, AShorterRunDiffers) {
+  EXPECT_EQ(firstDifference({kEntered, kLeft}, {kEntered}), 1U);
+  EXPECT_EQ(firstDifference({}, {kEntered}), 0U);
+  EXPECT_THAT(context({kEntered, kLeft}, {kEntered}, 1), HasSubstr("nothing more"));
+}
+
+/// @brief The context of a difference shows what led there and both records.
+TEST(TortureComparisonTest, TheContextShowsBothRecords) {
+  const std::string text = context({kEntered, kLeft}, {kEntered, kEnd}, 1);
+  EXPECT_THAT(text, HasSubstr("0         enters exception 20"));
+  EXPECT_THAT(text, HasSubstr("1 left    leaves exception 20"));
+  EXPECT_THAT(text, HasSubstr("1 right acted end"));
+}
+
+/// @brief A check of the program that failed is told with what was wanted and found.
+TEST(TortureComparisonTest, FailedChecksAreTold) {
+  EXPECT_EQ(failedChecks({kEntered, kLeft, kEnd}), "");
+  EXPECT_THAT(failedChecks({kEntered, {Kind::CheckFailed, 4, 1, 0xE9, {0xAB, 0xCD}}}),
+              HasSubstr("check failed register 4, link E9, wanted AB, found CD"));
+}
+
+/// @brief A run is complete only when its last record says so.
+TEST(TortureComparisonTest, ARunWithoutItsEndIsNotComplete) {
+  EXPECT_TRUE(complete({kEntered, kLeft, kEnd}));
+  EXPECT_FALSE(complete({kEntered, kLeft}));
+  EXPECT_FALSE(complete({}));
+}
+
+/// @brief Only entries and exits count as events of exceptions.
+TEST(TortureComparisonTest, EntriesAndExitsAreCounted) {
+  EXPECT_EQ(exceptionEvents({kEntered, kLeft, kEnd}), 2U);
+}
+
+}  // namespace
+}  // namespace wr::torture

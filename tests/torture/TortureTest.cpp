@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <iostream>
+
+#include "support/seed.hpp"
+#include "torture/Comparison.hpp"
+#include "torture/Qemu.hpp"
+#include "torture/VirtualProcessor.hpp"
+
+namespace wr::torture {
+namespace {
+
+constexpr std::uint32_t kActions = 3000;
+constexpr std::size_t kFewestEvents = 25'000;  // in each run: 100,000 with the fixed seeds
+
+/// @brief Random exceptions, on the processor of the virtual K64 and on the one of QEMU.
+class TortureTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!Qemu::installed()) {
+      GTEST_SKIP() << "qemu-system-arm is not installed: there is nothing to compare with";
+    }
+  }
+
+  static void expectSameOnBoth(std::uint32_t seed) {
+    const Image program = image(seed, kActions);
+    const Records ours = VirtualProcessor::run(program);
+    const Records theirs = Qemu::run(program);
+    const auto difference = firstDifference(ours, theirs);
+    EXPECT_EQ(difference, std::nullopt) << "seed " << seed << ", left: virtual K64, right: QEMU\n"
+                                        << context(ours, theirs, difference.value_or(0));
+    EXPECT_EQ(failedChecks(ours), "") << "seed " << seed;
+    EXPECT_TRUE(complete(ours)) << "seed " << seed;
+    EXPECT_GE(exceptionEvents(ours), kFewestEvents) << "seed " << seed;
+    std::cout << exceptionEvents(ours) << " entries and exits with seed " << seed << "\n";
+  }
+};
+
+/// @brief The same exceptions come in the same order, with the same registers kept, the same masks
+/// and the same state of the interrupt controller, for seeds that are always the same.
+TEST_F(TortureTest, ExceptionsAreTheSameAsOnQemuForFixedSeeds) {
+  for (const std::uint32_t seed : {1U, 2U, 3U, 4U}) {
+    expectSameOnBoth(seed);
+  }
+}
+
+/// @brief The same holds for a seed that is another one in each run.
+TEST_F(TortureTest, ExceptionsAreTheSameAsOnQemuForAFreshSeed) {
+  expectSameOnBoth(test::seed());
+}
+
+}  // namespace
+}  // namespace wr::torture

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "torture/Image.hpp"
+
+namespace wr::torture {
+
+/// @brief The processor of the virtual K64, with the memory that the torture program needs.
+class VirtualProcessor {
+ public:
+  /// @brief Runs a program to its end.
+  /// @return what it recorded
+  /// @throws std::runtime_error when it does not end, or does what stops the processor
+  [[nodiscard]] static Records run(const Image& image);
+};
+
+}  // namespace wr::torture

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "torture/Record.hpp"
+
+namespace wr::torture {
+
+/// @brief The records of the program, which are given to the machine that runs it.
+class Log {
+ public:
+  /// @brief Adds a record. Callable from each exception, since none comes unasked.
+  void add(const Record& record);
+
+  /// @brief Gives the records to the machine when many have been collected. For thread mode.
+  void hand();
+
+  /// @brief Gives the last records to the machine and ends the run.
+  void end();
+
+ private:
+  static constexpr std::size_t kMost = 12000;
+
+  void flush();
+
+  std::array<Record, kMost> records_;
+  std::size_t count_;
+  std::uint32_t output_;
+  bool full_;
+};
+
+}  // namespace wr::torture
