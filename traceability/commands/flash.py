@@ -16,6 +16,8 @@ from traceability.image import lock_problems
 
 USB = Path("/sys/bus/usb/devices")
 ARM = "0d28"  # vendor of the debug probe that is on the FRDM-K64F
+# What pyOCD and OpenOCD say when they find none.
+NO_PROBE = ("No connected debug probes", "unable to find a matching CMSIS-DAP device")
 ADVICE = """\
 Connect a USB cable to the socket of the board that is marked SDA, and try again. Or name the
 folder where the board's drive is mounted: ./wr flash --drive FOLDER. docs/bring_up.rst explains
@@ -71,7 +73,12 @@ def flash(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
     if options.dry_run:
         steps.skip(f"flash ({name})", f"dry run, would {way.does}")
         return 0
-    return 0 if steps.run(f"flash ({name})", way.write) else 1
+    if steps.run(f"flash ({name})", way.write):
+        return 0
+    log = steps.log_of(f"flash ({name})").read_text(errors="replace")
+    if any(text in log for text in NO_PROBE):
+        raise MissingError(f"{name} found no debug probe\n{ADVICE}")
+    return 1
 
 
 def checked(image: Path) -> str:

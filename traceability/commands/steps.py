@@ -67,7 +67,7 @@ class Steps:
     def run(self, title: str, action: Callable[[TextIO], str | None]) -> bool:
         """Runs one step. The action writes to the log and returns a short note, or nothing."""
         self.number += 1
-        path = self.root / "build" / "logs" / (re.sub(r"\W+", "-", title).strip("-") + ".log")
+        path = self.log_of(title)
         path.parent.mkdir(parents=True, exist_ok=True)
         self._say(f"[{self.number}/{self.total}] {title} ... ", end="")
         start = time.monotonic()
@@ -83,6 +83,10 @@ class Steps:
         seconds = f"{time.monotonic() - start:.1f} s"
         self._say(f"{note}, {seconds}" if note else seconds)
         return True
+
+    def log_of(self, title: str) -> Path:
+        """Where the output of a step is written."""
+        return self.root / "build" / "logs" / (re.sub(r"\W+", "-", title).strip("-") + ".log")
 
     def skip(self, title: str, reason: str) -> None:
         """Counts a step that cannot run."""

@@ -141,6 +141,23 @@ def test_a_tool_that_fails_fails_the_command_and_is_shown(
     assert "no answer from the chip" in said
 
 
+@pytest.mark.parametrize(
+    ("way", "text"),
+    [
+        ("pyocd", "No connected debug probes"),
+        ("openocd", "Error: unable to find a matching CMSIS-DAP device"),
+    ],
+)
+def test_a_chosen_tool_that_finds_no_probe_leaves_out_the_board(
+    tools: Path, capsys: pytest.CaptureFixture[str], way: str, text: str
+) -> None:
+    add_tool(tools, way, f"echo '{text}' >&2; exit 1")
+    assert run(tools, "--with", way) == 3
+    said = capsys.readouterr().err
+    assert f"{way} found no debug probe" in said
+    assert "Connect a USB cable" in said
+
+
 def test_without_a_way_it_says_what_was_looked_for(
     tools: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
