@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from traceability.documents.links import Links
-from traceability.model.schema import Method, Model, Module
+from traceability.model.schema import Call, Method, Model, Module
 
 ROW = 26
 GROUP_GAP = 12
@@ -17,10 +17,11 @@ MOST = 12  # ends shown beside one method; the list form has all
 
 @dataclass
 class End:
-    """The other end of a call: a method, and whether it is reached through an abstraction."""
+    """The other end of a call: a method or a function, and whether the call is virtual."""
 
     method: str
     virtual: bool
+    link: str | None
 
 
 @dataclass
@@ -66,14 +67,16 @@ class CallGraph:
         self.callers: dict[str, list[End]] = {}
         for module in model.modules.values():
             for method in module.methods:
-                self._add(method)
+                self._add(method.id, method.calls, links.method(method.id))
+        for function in model.functions.values():
+            self._add(function.id, function.calls, links.source(function.place))
 
-    def _add(self, method: Method) -> None:
-        for call in method.calls:
+    def _add(self, caller: str, calls: list[Call], link: str | None) -> None:
+        for call in calls:
             for target in {call.target, *call.targets}:
                 ends = self.callers.setdefault(target, [])
-                if all(end.method != method.id for end in ends):
-                    ends.append(End(method.id, call.virtual))
+                if all(end.method != caller for end in ends):
+                    ends.append(End(caller, call.virtual, link))
 
     def rows(self, module: Module) -> list[Row]:
         found: dict[str, Row] = {}
@@ -97,7 +100,7 @@ class CallGraph:
             inside = call.target.startswith(outside) or is_base_constructor(module, call.target)
             if not inside and call.target not in known and self.links.find_method(call.target):
                 known.add(call.target)
-                row.callees.append(End(call.target, call.virtual))
+                row.callees.append(End(call.target, call.virtual, self.links.method(call.target)))
 
 
 def is_base_constructor(module: Module, method: str) -> bool:
@@ -110,7 +113,7 @@ def is_heir_constructor(module: Module, method: Method, caller: str) -> bool:
     return method.kind == "constructor" and owner == name and owner in module.heirs
 
 
-def draw(rows: list[Row], links: Links) -> Drawing:
+def draw(rows: list[Row]) -> Drawing:
     """Places the three columns: each method beside the middle of its callers and callees."""
     drawing = Drawing(0, 0, [], [], [], 0)
     y = float(TOP)
@@ -124,7 +127,7 @@ def draw(rows: list[Row], links: Links) -> Drawing:
             first = middle - (len(ends) - 1) * ROW / 2
             for number, end in enumerate(ends):
                 at = first + number * ROW
-                drawing.texts.append(Text(x, at, end.method, links.method(end.method), is_caller))
+                drawing.texts.append(Text(x, at, end.method, end.link, is_caller))
                 drawing.wires.append(Wire(curve(at, middle, is_caller), end.virtual))
         y += height + GROUP_GAP
     drawing.box_bottom = y

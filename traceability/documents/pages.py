@@ -122,7 +122,7 @@ def module_page(portal: Portal, module: Module) -> Page:
         module=module,
         logic=logic,
         rows=rows,
-        drawing=calls.draw(rows, portal.links),
+        drawing=calls.draw(rows),
         methods=specified,
         hidden=[m for m in module.methods if m.access != "public"],
         inherited=inherited_methods(portal, module),

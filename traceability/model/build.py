@@ -24,6 +24,7 @@ from traceability.model.schema import (
     HOST,
     BindingResult,
     Call,
+    Function,
     LogicModule,
     Method,
     Model,
@@ -246,6 +247,7 @@ def _add_modules(model: Model, facts: Facts) -> None:
                 text.roles, comment_places(facts.root, fact.place, r"[@\\]role\{"), strict=False
             )
         ]
+        module.registers = [b.name for b in facts.declared.blocks if fact.name in b.owners]
         members = described.members if described else []
         module.methods = [
             _method(method, _member_text(method, members), facts)
@@ -359,6 +361,9 @@ def _add_calls(model: Model, facts: Facts) -> None:
             Call(call.target, call.virtual, call.place, facts.targets(call.target, call.virtual))
             for call in body.calls
         ]
+        folder = model.logic_modules.get(logic_of(body.place.file))
+        if not body.owner and folder is not None and not folder.modules:
+            model.functions[body.id] = Function(body.id, body.place, calls)
         for method in methods.get(body.id, []):
             if method.body and (method.body.file, method.body.line) == (
                 body.place.file,
@@ -369,6 +374,10 @@ def _add_calls(model: Model, facts: Facts) -> None:
             for method in methods.get(target, []):
                 if body.id not in method.called_by and body.id != target:
                     method.called_by.append(body.id)
+    _add_users(model, facts)
+
+
+def _add_users(model: Model, facts: Facts) -> None:
     for named in facts.syntax.names:
         user, used = named.by.split("::")[0], named.target.split("::")[0]
         if user not in model.modules or used not in model.modules or user == used:

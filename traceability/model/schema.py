@@ -75,6 +75,15 @@ class Method:
 
 
 @dataclass
+class Function:
+    """A function of a composition: a folder that holds functions, and no module."""
+
+    id: str
+    place: Place
+    calls: list[Call] = field(default_factory=list)
+
+
+@dataclass
 class RoleBinding:
     application: str
     role: str
@@ -104,6 +113,7 @@ class Module:
     uses: list[str] = field(default_factory=list)  # modules named in its header or source
     used_by: list[str] = field(default_factory=list)
     requirements: list[str] = field(default_factory=list)
+    registers: list[str] = field(default_factory=list)  # blocks that it owns
     tests: list[str] = field(
         default_factory=list
     )  # tests that executed it, or lie in its folder and carry its name
@@ -340,6 +350,7 @@ class Model:
     results_hashes: dict[str, str | None]  # binding with tests -> sources of its last run
     logic_modules: dict[str, LogicModule] = field(default_factory=dict)
     modules: dict[str, Module] = field(default_factory=dict)
+    functions: dict[str, Function] = field(default_factory=dict)
     patterns: dict[str, PatternApplication] = field(default_factory=dict)
     requirements: dict[str, Requirement] = field(default_factory=dict)
     tests: dict[str, Test] = field(default_factory=dict)
