@@ -14,7 +14,7 @@ using k64::CortexM4;
 
 constexpr unsigned kLines = 32;
 constexpr unsigned kPriorityBits = 4;
-constexpr std::uint64_t kMostCycles = 2'000'000'000;
+constexpr std::uint64_t kMostCycles = 100'000'000;
 
 // Operations of the semihosting specification of Arm.
 constexpr std::uint32_t kOpen = 0x01;

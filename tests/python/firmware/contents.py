@@ -1,0 +1,98 @@
+"""What is in an image: its vectors, its symbols, its sections."""
+
+from __future__ import annotations
+
+import re
+import struct
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).parents[3]
+BUILD = ROOT / "build" / "k64"
+COMPILER = "arm-none-eabi-g++"
+CORE = ("-mcpu=cortex-m4", "-mthumb")
+
+SRAM_LOWER = 0x1FFF0000
+BORDER = 0x20000000  # SRAM_L ends, SRAM_U begins
+VECTORS = 16 + 86
+CODE = 0x410
+
+# Names that stand for a part of the language or of the library that the firmware must not have.
+FORBIDDEN = {
+    "heap": r"_?(malloc|calloc|realloc|free|memalign)(_r)?|_?sbrk(_r)?|_Zn[wa]j.*|_Zd[la]P.*",
+    "unwinder": r"_Unwind_.*|__gxx_personality.*|__aeabi_unwind.*|__cxa_(throw|begin_catch).*",
+    "RTTI": r"_ZT[IS].*|__dynamic_cast",
+    "soft float": r"__aeabi_([fdh]|u?[il]2[fdh]|c[fd]).*"
+    r"|__(add|sub|mul|div|neg)[sd]f[23](vfp)?|__(fix|fixuns|float|floatun|trunc|extend)[sdh][if].*",
+}
+UNWINDING = ("eh_frame", ".ARM.exidx", ".ARM.extab", ".gcc_except_table")
+
+
+@dataclass(frozen=True)
+class Symbol:
+    """A name of a program; address and size are 0 when it has none."""
+
+    name: str
+    address: int = 0
+    size: int = 0
+
+
+def output(*words: str | Path) -> str:
+    done = subprocess.run(words, check=True, capture_output=True, text=True, timeout=60)
+    return done.stdout
+
+
+def symbols(program: Path) -> list[Symbol]:
+    """All symbols, those that are only wanted too."""
+    found = []
+    for line in output("arm-none-eabi-nm", "--format=posix", program).splitlines():
+        name, _kind, *numbers = line.split()
+        address, size = ([int(number, 16) for number in numbers] + [0, 0])[:2]
+        found.append(Symbol(name, address, size))
+    return found
+
+
+def sections(program: Path) -> dict[str, tuple[int, int]]:
+    """Name -> address and size."""
+    pattern = r"^ *\[ *\d+\] (\S+) +\S+ +([0-9a-f]{8}) [0-9a-f]+ ([0-9a-f]+) "
+    text = output("arm-none-eabi-readelf", "--sections", "--wide", program)
+    return {
+        name: (int(address, 16), int(size, 16))
+        for name, address, size in re.findall(pattern, text, re.MULTILINE)
+    }
+
+
+def forbidden(program: Path) -> set[str]:
+    """The kinds of FORBIDDEN that a program has."""
+    names = [symbol.name for symbol in symbols(program)]
+    found = {
+        kind
+        for kind, pattern in FORBIDDEN.items()
+        if any(re.fullmatch(pattern, name) for name in names)
+    }
+    tables = [name for name, (_, size) in sections(program).items() if size]
+    if any(part in name for name in tables for part in UNWINDING):
+        found.add("unwinder")
+    return found
+
+
+def across_border(program: Path) -> list[str]:
+    """The sections and objects of a program that lie on both sides of the border."""
+    places = [(name, *place) for name, place in sections(program).items()]
+    places += [(one.name, one.address, one.size) for one in symbols(program)]
+    return [name for name, address, size in places if address < BORDER < address + size]
+
+
+def vector_problems(image: bytes) -> list[str]:
+    """What is wrong with the vectors of an image; empty when nothing is."""
+    stack, *handlers = struct.unpack_from(f"<{VECTORS}I", image)
+    problems = []
+    if not SRAM_LOWER < stack <= BORDER or stack % 8:
+        problems.append(f"the stack pointer is 0x{stack:X}")
+    for number, handler in enumerate(handlers, 1):
+        if handler % 2 == 0:
+            problems.append(f"vector {number} is 0x{handler:X}, not an address of Thumb code")
+        elif not CODE < handler < len(image):
+            problems.append(f"vector {number} is 0x{handler:X}, outside the code")
+    return problems
