@@ -44,8 +44,8 @@ class CallRecorder {
 
  private:
   struct Call {
-    std::uint32_t function;  ///< 0 for the entry of an exception
-    std::uint32_t returnsTo;
+    std::uint32_t function;
+    std::uint32_t returnsTo;  ///< 0 for the handler of an exception
     std::uint32_t stack;
   };
 

@@ -1,12 +1,17 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
+
+#include "sim/k64/Nvic.hpp"
+#include "sim/k64/SystemControl.hpp"
+
+struct uc_struct;
 
 namespace wr::k64 {
 
@@ -152,8 +157,82 @@ class CortexM4 {
   void onBlock(std::function<void(std::uint32_t address)> call);
 
  private:
-  class Engine;
-  std::unique_ptr<Engine> engine_;
+  struct Hooks;
+  struct Window {
+    CortexM4* owner;
+    std::uint32_t address;
+    Read read;
+    Write write;
+  };
+  struct Memory {
+    std::uint32_t address;
+    std::uint32_t size;
+    Access access;
+  };
+
+  [[nodiscard]] std::uint32_t reg(int id) const;
+  void setReg(int id, std::uint32_t value) const;
+  [[nodiscard]] std::uint16_t halfword(std::uint32_t address) const;
+  [[nodiscard]] bool isRam(std::uint32_t address, std::uint32_t size) const;
+  bool push(std::uint32_t address, std::span<const std::uint32_t> words) const;
+  bool pop(std::uint32_t address, std::span<std::uint32_t> words) const;
+
+  [[nodiscard]] int executionPriority(bool withPrimask = true) const;
+  void reevaluate() { stopAt_ = 0; }
+  void takePending();
+  void execute();
+  void stopped(int error);
+  bool mayRun(std::uint32_t address);
+  void hint(std::uint32_t past);
+  void enter(unsigned exception, std::uint32_t returnsTo);
+  void vector(unsigned exception, std::uint32_t link);
+  [[nodiscard]] bool stack(std::uint32_t returnsTo, std::uint32_t& link);
+  void exceptionReturn(std::uint32_t link);
+  [[nodiscard]] bool linkIsValid(std::uint32_t link, unsigned number) const;
+  void unstack(std::uint32_t link);
+  void fault(unsigned exception, std::uint32_t status, std::uint32_t pc, const std::string& id,
+             const std::string& what);
+  void deliver(unsigned exception, std::uint32_t pc);
+  void supervisorCall(std::uint32_t past);
+  void breakpoint(std::uint32_t at);
+  void badAccess();
+  void lockUp(std::uint32_t pc);
+
+  uc_struct* engine_ = nullptr;
+  Nvic nvic_;
+  SystemControl system_;
+  std::vector<std::unique_ptr<Window>> windows_;
+  std::vector<Memory> memories_;
+  std::uint64_t cycles_ = 0;
+  std::uint64_t instructions_ = 0;
+  std::uint64_t limit_ = 0;
+  std::uint64_t stopAt_ = 0;
+  std::uint32_t pc_ = 0;
+  bool running_ = false;  ///< inside the engine
+  bool stoppedByHook_ = false;
+  bool careful_ = false;  ///< each instruction is looked at before it runs
+  bool maskedPending_ = false;
+  bool resumed_ = false;  ///< the next block was begun before
+  bool sleeping_ = false;
+  bool exit_ = false;
+  bool faultsAreProblems_ = false;
+  int interrupt_ = -1;  ///< exception of the engine
+  std::uint32_t borderAt_ = 0;
+  std::uint32_t badAddress_ = 0;
+  int badAccess_ = -1;
+  struct Refused {
+    std::uint32_t address;
+    std::string id;
+    std::string what;
+  };
+  std::optional<Refused> refused_;
+  unsigned raised_ = 0;
+  std::optional<Problem> problem_;
+  std::function<void(CortexM4&)> semihosting_;
+  std::function<void(Step, unsigned)> exceptionCall_;
+  std::function<void()> resetCall_;
+  std::function<void()> lockupCall_;
+  std::function<void(std::uint32_t)> blockCall_;
 };
 
 }  // namespace wr::k64

@@ -1,0 +1,86 @@
+#include "sim/k64/CallRecorder.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include "sim/k64/Symbols.hpp"
+
+namespace wr::k64 {
+
+namespace {
+
+constexpr std::uint64_t kLeft = std::uint64_t{1} << 63U;
+
+}  // namespace
+
+CallRecorder::CallRecorder(const std::filesystem::path& elf, std::size_t most) : most_(most) {
+  const Symbols symbols(elf);
+  for (const Symbols::Function& function : symbols.functions()) {
+    functions_.push_back(function.address);
+  }
+}
+
+void CallRecorder::note(std::uint64_t event) {
+  if (events_.size() == most_) {
+    truncated_ = true;
+  } else {
+    events_.push_back(event);
+  }
+}
+
+void CallRecorder::enter(const Call& call) {
+  calls_.push_back(call);
+  note(call.function);
+}
+
+void CallRecorder::leave() {
+  note(calls_.back().function | kLeft);
+  calls_.pop_back();
+}
+
+void CallRecorder::block(std::uint32_t address, std::uint32_t stack, std::uint32_t link) {
+  // A function has returned when the block after its call begins, at the stack of the call.
+  while (!calls_.empty() && calls_.back().returnsTo == address && calls_.back().stack <= stack) {
+    leave();
+  }
+  if (std::ranges::binary_search(functions_, address)) {
+    enter({address, link & ~1U, stack});
+  }
+}
+
+void CallRecorder::exceptionEntered(std::uint32_t handler, std::uint32_t stack) {
+  enter({handler, 0, stack});
+}
+
+void CallRecorder::exceptionLeft() {
+  // What was left by jumps before the return of the handler, and the handler itself.
+  while (!calls_.empty()) {
+    const bool handler = calls_.back().returnsTo == 0;
+    leave();
+    if (handler) {
+      return;
+    }
+  }
+}
+
+void CallRecorder::reset() {
+  while (!calls_.empty()) {
+    leave();
+  }
+}
+
+void CallRecorder::clear() {
+  events_.clear();
+  truncated_ = false;
+}
+
+void CallRecorder::write(const std::filesystem::path& file) const {
+  std::ofstream stream(file, std::ios::binary);
+  for (const std::uint64_t event : events_) {
+    for (unsigned shift = 0; shift < 64; shift += 8) {
+      stream.put(static_cast<char>(event >> shift & 0xFFU));
+    }
+  }
+}
+
+}  // namespace wr::k64

@@ -1,0 +1,825 @@
+#include "sim/k64/CortexM4.hpp"
+
+#include <unicorn/unicorn.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+// What is said of Unicorn below holds for version 2.0.1.
+
+namespace wr::k64 {
+
+namespace {
+
+constexpr unsigned kNmi = 2;
+constexpr unsigned kHardFault = 3;
+constexpr unsigned kMemoryFault = 4;
+constexpr unsigned kBusFault = 5;
+constexpr unsigned kUsageFault = 6;
+constexpr unsigned kSupervisorCall = 11;
+constexpr unsigned kFirstLine = 16;
+
+constexpr std::uint64_t kEntryCycles = 12;
+constexpr std::uint64_t kExitCycles = 10;
+constexpr std::uint64_t kTailCycles = 6;
+
+// Entries for one rise of a line from which an interrupt cannot recover.
+constexpr unsigned kStorm = 1000;
+
+// Exceptions of the engine, as the hook for interrupts gets them.
+constexpr int kEngineUndefined = 1;
+constexpr int kEngineCall = 2;
+constexpr int kEngineNoExecution = 3;
+constexpr int kEngineBreakpoint = 7;
+constexpr int kEngineReturn = 8;
+
+// Nothing is there, and nothing jumps there unless it is lost.
+constexpr std::uint32_t kNowhere = 0xF0000000;
+
+constexpr std::uint32_t kAlignedBit = 1U << 9;
+constexpr std::uint32_t kThumbBit = 1U << 24;
+constexpr std::uint32_t kFpActive = 4;      // CONTROL.FPCA
+constexpr std::uint32_t kProcessStack = 2;  // CONTROL.SPSEL
+
+constexpr std::uint16_t kWfi = 0xBF30;
+constexpr std::uint16_t kWfe = 0xBF20;
+constexpr std::uint16_t kYield = 0xBF10;
+
+void check(uc_err error, const char* what) {
+  if (error != UC_ERR_OK) {
+    throw std::runtime_error(std::string(what) + ": " + uc_strerror(error));
+  }
+}
+
+std::string hex(std::uint32_t value) {
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "0x%08X", static_cast<unsigned>(value));
+  return text.data();
+}
+
+void* pointer(void (*function)()) {
+  return reinterpret_cast<void*>(function);
+}
+
+}  // namespace
+
+struct CortexM4::Hooks {
+  static void code(uc_engine* engine, std::uint64_t address, std::uint32_t /*size*/, void* user) {
+    CortexM4& cpu = *static_cast<CortexM4*>(user);
+    cpu.pc_ = static_cast<std::uint32_t>(address);
+    if (cpu.cycles_ >= cpu.stopAt_ || (cpu.careful_ && !cpu.mayRun(cpu.pc_))) {
+      // The engine may go on to the end of an IT block and call again, so this must stay so.
+      cpu.stopAt_ = 0;
+      cpu.stoppedByHook_ = true;
+      uc_emu_stop(engine);
+      return;
+    }
+    ++cpu.cycles_;
+    ++cpu.instructions_;
+  }
+
+  static void block(uc_engine* /*engine*/, std::uint64_t address, std::uint32_t /*size*/,
+                    void* user) {
+    CortexM4& cpu = *static_cast<CortexM4*>(user);
+    if (!std::exchange(cpu.resumed_, false)) {
+      cpu.blockCall_(static_cast<std::uint32_t>(address));
+    }
+  }
+
+  static void interrupt(uc_engine* engine, std::uint32_t number, void* user) {
+    static_cast<CortexM4*>(user)->interrupt_ = static_cast<int>(number);
+    uc_emu_stop(engine);
+  }
+
+  static bool invalid(uc_engine* /*engine*/, uc_mem_type type, std::uint64_t address, int /*size*/,
+                      std::int64_t /*value*/, void* user) {
+    CortexM4& cpu = *static_cast<CortexM4*>(user);
+    cpu.badAccess_ = type;
+    cpu.badAddress_ = static_cast<std::uint32_t>(address);
+    return false;
+  }
+
+  static void border(uc_engine* /*engine*/, uc_mem_type type, std::uint64_t address, int size,
+                     std::int64_t /*value*/, void* user) {
+    CortexM4& cpu = *static_cast<CortexM4*>(user);
+    if (address < cpu.borderAt_ && address + static_cast<unsigned>(size) > cpu.borderAt_) {
+      cpu.refuse(static_cast<std::uint32_t>(address), "unmapped-memory",
+                 std::string(type == UC_MEM_WRITE ? "store" : "load") + " at " +
+                     hex(static_cast<std::uint32_t>(address)) +
+                     " across the border of two memories");
+    }
+  }
+
+  static std::uint64_t read(uc_engine* /*engine*/, std::uint64_t offset, unsigned size,
+                            void* user) {
+    const Window& window = *static_cast<Window*>(user);
+    return window.read(window.address + static_cast<std::uint32_t>(offset), size);
+  }
+
+  static void write(uc_engine* /*engine*/, std::uint64_t offset, unsigned size, std::uint64_t value,
+                    void* user) {
+    const Window& window = *static_cast<Window*>(user);
+    window.write(window.address + static_cast<std::uint32_t>(offset), size,
+                 static_cast<std::uint32_t>(value));
+  }
+
+  template <typename Function>
+  static void add(CortexM4& cpu, int type, Function function, std::uint64_t begin = 1,
+                  std::uint64_t end = 0) {
+    uc_hook hook{};
+    check(uc_hook_add(cpu.engine_, &hook, type, pointer(reinterpret_cast<void (*)()>(function)),
+                      &cpu, begin, end),
+          "uc_hook_add");
+  }
+};
+
+CortexM4::CortexM4(unsigned lines, unsigned priorityBits)
+    : nvic_(lines, priorityBits), system_(nvic_) {
+  // UC_MODE_MCLASS would make a Cortex-M33; the model is set before any other call.
+  check(uc_open(UC_ARCH_ARM, UC_MODE_THUMB, &engine_), "uc_open");
+  check(uc_ctl_set_cpu_model(engine_, UC_CPU_ARM_CORTEX_M4), "uc_ctl_set_cpu_model");
+  Hooks::add(*this, UC_HOOK_CODE, Hooks::code);
+  Hooks::add(*this, UC_HOOK_INTR, Hooks::interrupt);
+  Hooks::add(*this, UC_HOOK_MEM_INVALID, Hooks::invalid);
+  const auto readSystem = [this](std::uint32_t address, unsigned size) {
+    std::uint32_t word = 0;
+    if (!system_.read(address & ~3U, cycles_, exception(), word)) {
+      refuse(address, "unmodelled-register", "load from " + hex(address));
+    }
+    const std::uint32_t part = word >> 8 * (address & 3U);
+    return size == 4 ? part : part & ((1U << 8 * size) - 1);
+  };
+  const auto writeSystem = [this](std::uint32_t address, unsigned size, std::uint32_t value) {
+    switch (system_.write(address, size, value, cycles_)) {
+      case SystemControl::Written::Done:
+        break;
+      case SystemControl::Written::ResetRequested:
+        if (resetCall_) {
+          resetCall_();
+        } else {
+          report("reset-request", "the program asks for a reset");
+        }
+        break;
+      case SystemControl::Written::Unknown:
+        refuse(address, "unmodelled-register", "store of " + hex(value) + " to " + hex(address));
+        break;
+      case SystemControl::Written::Misused:
+        report("register-misuse", "store of " + hex(value) + " to " + hex(address));
+        break;
+    }
+    reevaluate();
+  };
+  mapWindow(0xE000E000, 0x1000, readSystem, writeSystem);
+  mapWindow(0xE0000000, 0x3000, readSystem, writeSystem);
+}
+
+CortexM4::~CortexM4() {
+  uc_close(engine_);
+}
+
+void CortexM4::mapMemory(std::uint32_t address, std::uint32_t size, Access access) {
+  const std::uint32_t rights = access == Access::ReadWrite     ? UC_PROT_READ | UC_PROT_WRITE
+                               : access == Access::ReadExecute ? UC_PROT_READ | UC_PROT_EXEC
+                                                               : UC_PROT_ALL;
+  check(uc_mem_map(engine_, address, size, rights), "uc_mem_map");
+  memories_.push_back({address, size, access});
+}
+
+void CortexM4::mapWindow(std::uint32_t address, std::uint32_t size, Read read, Write write) {
+  windows_.push_back(
+      std::make_unique<Window>(Window{this, address, std::move(read), std::move(write)}));
+  void* user = windows_.back().get();
+  check(uc_mmio_map(engine_, address, size, Hooks::read, user, Hooks::write, user), "uc_mmio_map");
+}
+
+void CortexM4::setBorder(std::uint32_t address) {
+  borderAt_ = address;
+  Hooks::add(*this, UC_HOOK_MEM_READ | UC_HOOK_MEM_WRITE, Hooks::border, address - 7, address - 1);
+}
+
+void CortexM4::load(std::uint32_t address, std::span<const std::uint8_t> bytes) {
+  check(uc_mem_write(engine_, address, bytes.data(), bytes.size()), "uc_mem_write");
+  check(uc_ctl_remove_cache(engine_, address, address + bytes.size()), "uc_ctl_remove_cache");
+}
+
+std::uint32_t CortexM4::word(std::uint32_t address) const {
+  std::array<std::uint8_t, 4> bytes{};
+  uc_mem_read(engine_, address, bytes.data(), bytes.size());
+  return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8 |
+         static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
+}
+
+std::uint16_t CortexM4::halfword(std::uint32_t address) const {
+  std::array<std::uint8_t, 2> bytes{};
+  uc_mem_read(engine_, address, bytes.data(), bytes.size());
+  return static_cast<std::uint16_t>(bytes[0] | bytes[1] << 8);
+}
+
+std::uint32_t CortexM4::reg(int id) const {
+  std::uint32_t value = 0;
+  uc_reg_read(engine_, id, &value);
+  return value;
+}
+
+void CortexM4::setReg(int id, std::uint32_t value) const {
+  uc_reg_write(engine_, id, &value);
+}
+
+std::uint32_t CortexM4::core(unsigned number) const {
+  return number == 13   ? reg(UC_ARM_REG_SP)
+         : number == 14 ? reg(UC_ARM_REG_LR)
+         : number == 15 ? pc()
+                        : reg(UC_ARM_REG_R0 + static_cast<int>(number));
+}
+
+void CortexM4::setCore(unsigned number, std::uint32_t value) {
+  setReg(number == 13   ? UC_ARM_REG_SP
+         : number == 14 ? UC_ARM_REG_LR
+         : number == 15 ? UC_ARM_REG_PC
+                        : UC_ARM_REG_R0 + static_cast<int>(number),
+         number == 15 ? value | 1U : value);
+}
+
+std::uint32_t CortexM4::pc() const {
+  return running_ ? pc_ : reg(UC_ARM_REG_PC);
+}
+
+unsigned CortexM4::exception() const {
+  return reg(UC_ARM_REG_IPSR) & 0x1FFU;
+}
+
+std::uint64_t CortexM4::cycles() const {
+  return cycles_;
+}
+
+std::uint64_t CortexM4::instructions() const {
+  return instructions_;
+}
+
+const std::optional<CortexM4::Problem>& CortexM4::problem() const {
+  return problem_;
+}
+
+void CortexM4::setFaultsAreProblems(bool problems) {
+  faultsAreProblems_ = problems;
+}
+
+void CortexM4::onSemihosting(std::function<void(CortexM4&)> call) {
+  semihosting_ = std::move(call);
+}
+
+void CortexM4::onException(std::function<void(Step, unsigned)> call) {
+  exceptionCall_ = std::move(call);
+}
+
+void CortexM4::onResetRequest(std::function<void()> call) {
+  resetCall_ = std::move(call);
+}
+
+void CortexM4::onLockup(std::function<void()> call) {
+  lockupCall_ = std::move(call);
+}
+
+void CortexM4::onBlock(std::function<void(std::uint32_t)> call) {
+  blockCall_ = std::move(call);
+  Hooks::add(*this, UC_HOOK_BLOCK, Hooks::block);
+}
+
+void CortexM4::reset() {
+  nvic_.reset();
+  system_.reset(cycles_);
+  // In handler mode the program is privileged, so CONTROL can be cleared; in thread mode the stack
+  // can be chosen.
+  setReg(UC_ARM_REG_IPSR, kHardFault);
+  setReg(UC_ARM_REG_APSR_NZCV, 0);
+  setReg(UC_ARM_REG_CONTROL, 0);
+  setReg(UC_ARM_REG_PRIMASK, 0);
+  setReg(UC_ARM_REG_FAULTMASK, 0);
+  setReg(UC_ARM_REG_BASEPRI, 0);
+  setReg(UC_ARM_REG_IPSR, 0);
+  setReg(UC_ARM_REG_CONTROL, 0);
+  setReg(UC_ARM_REG_FPSCR, 0);
+  setReg(UC_ARM_REG_SP, word(0) & ~3U);
+  setReg(UC_ARM_REG_LR, 0xFFFFFFFF);
+  setReg(UC_ARM_REG_XPSR_NZCVQG, kThumbBit);
+  setReg(UC_ARM_REG_APSR_NZCV, 0);
+  setReg(UC_ARM_REG_PC, word(4) | 1U);
+  sleeping_ = false;
+  raised_ = 0;
+  refused_.reset();
+  resumed_ = false;
+  if ((word(4) & 1U) == 0) {
+    report("vector-missing", "the vector of reset is " + hex(word(4)));
+  }
+}
+
+void CortexM4::limitTo(std::uint64_t cycle) {
+  limit_ = std::min(limit_, cycle);
+  stopAt_ = std::min(stopAt_, limit_);
+}
+
+void CortexM4::exit() {
+  exit_ = true;
+  stop();
+}
+
+void CortexM4::skipTo(std::uint64_t cycle) {
+  cycles_ = std::max(cycles_, cycle);
+}
+
+void CortexM4::setLine(unsigned line, bool high) {
+  nvic_.setLine(line, high);
+  reevaluate();
+}
+
+void CortexM4::raise(unsigned exception) {
+  if (exception == kNmi || exception >= kSupervisorCall) {
+    nvic_.pend(exception);
+  } else {
+    raised_ = exception;
+  }
+  reevaluate();
+}
+
+void CortexM4::report(std::string id, std::string what) {
+  if (!problem_) {
+    problem_ = Problem{std::move(id), std::move(what), pc()};
+  }
+  reevaluate();
+}
+
+void CortexM4::refuse(std::uint32_t address, std::string id, std::string what) {
+  if (faultsAreProblems_) {
+    report(std::move(id), std::move(what));
+  } else if (!refused_) {
+    refused_ = Refused{address, std::move(id), std::move(what)};
+  }
+  reevaluate();
+}
+
+int CortexM4::executionPriority(bool withPrimask) const {
+  // ARMv7-M ARM, B1.5.4
+  int priority = nvic_.activePriority();
+  const std::uint32_t basepri = reg(UC_ARM_REG_BASEPRI) & 0xF0U;
+  if (basepri != 0) {
+    priority = std::min(priority, nvic_.group(static_cast<int>(basepri)));
+  }
+  if (withPrimask && (reg(UC_ARM_REG_PRIMASK) & 1U) != 0) {
+    priority = std::min(priority, 0);
+  }
+  if ((reg(UC_ARM_REG_FAULTMASK) & 1U) != 0) {
+    priority = std::min(priority, -1);
+  }
+  return priority;
+}
+
+CortexM4::Stop CortexM4::run(std::uint64_t limit) {
+  limit_ = limit;
+  while (true) {
+    if (problem_) {
+      return Stop::Problem;
+    }
+    if (std::exchange(exit_, false)) {
+      return Stop::Exit;
+    }
+    system_.advance(cycles_);
+    takePending();
+    if (problem_) {
+      return Stop::Problem;
+    }
+    if (cycles_ >= limit_) {
+      return Stop::Limit;
+    }
+    if (sleeping_) {
+      if (system_.nextEvent() >= limit_) {
+        return Stop::Sleep;
+      }
+      cycles_ = std::max(cycles_, system_.nextEvent());
+      continue;
+    }
+    execute();
+  }
+}
+
+void CortexM4::takePending() {
+  maskedPending_ = false;
+  if (raised_ != 0) {
+    const unsigned exception = std::exchange(raised_, 0);
+    sleeping_ = false;
+    system_.noteFault(exception == kBusFault      ? SystemControl::kImpreciseBus
+                      : exception == kUsageFault  ? SystemControl::kUndefined
+                      : exception == kMemoryFault ? SystemControl::kInstructionViolation
+                                                  : 0);
+    deliver(exception, pc());
+    return;
+  }
+  const unsigned next = nvic_.first();
+  if (next == 0) {
+    return;
+  }
+  const int wanted = nvic_.group(nvic_.priority(next));
+  // WFI ends also for an interrupt that PRIMASK alone keeps away: ARMv7-M ARM, B1.5.18.
+  sleeping_ = sleeping_ && wanted >= executionPriority(false);
+  if (wanted < executionPriority()) {
+    enter(next, pc());
+    // The next one may preempt it before its first instruction: that of a late arrival.
+    takePending();
+  } else {
+    maskedPending_ = true;
+  }
+}
+
+bool CortexM4::mayRun(std::uint32_t address) {
+  if (maskedPending_) {
+    const unsigned next = nvic_.first();
+    if (next != 0 && nvic_.group(nvic_.priority(next)) < executionPriority()) {
+      return false;
+    }
+  }
+  if (!system_.fpuOn()) {
+    // Instructions of coprocessors 10 and 11, which are the FPU: ARMv7-M ARM, A5.3.18.
+    const std::uint16_t first = halfword(address);
+    if ((first & 0xEC00U) == 0xEC00U && (halfword(address + 2) >> 9 & 7U) == 5) {
+      interrupt_ = kEngineUndefined;
+      return false;
+    }
+  }
+  return true;
+}
+
+void CortexM4::execute() {
+  stopAt_ = std::min(limit_, system_.nextEvent());
+  careful_ = maskedPending_ || !system_.fpuOn();
+  stoppedByHook_ = false;
+  interrupt_ = -1;
+  badAccess_ = -1;
+  pc_ = reg(UC_ARM_REG_PC);
+  running_ = true;
+  const uc_err error = uc_emu_start(engine_, pc_ | 1U, kNowhere, 0, 0);
+  running_ = false;
+  resumed_ = blockCall_ != nullptr;
+  stopped(error);
+}
+
+void CortexM4::stopped(int error) {
+  const std::uint32_t at = pc();
+  if (problem_) {
+    return;
+  }
+  if (refused_) {
+    const Refused refused = *std::exchange(refused_, std::nullopt);
+    system_.noteBusAddress(refused.address);
+    fault(kBusFault, SystemControl::kPreciseBus, pc_, refused.id, refused.what);
+    return;
+  }
+  if (badAccess_ >= 0) {
+    badAccess();
+    return;
+  }
+  switch (interrupt_) {
+    case kEngineReturn:
+      exceptionReturn(at | 1U);
+      return;
+    case kEngineCall:
+      supervisorCall(at);
+      return;
+    case kEngineBreakpoint:
+      breakpoint(at);
+      return;
+    case kEngineNoExecution:
+      fault(kMemoryFault, SystemControl::kInstructionViolation, at, "unhandled-fault",
+            "execution at " + hex(at) + ", where no code is allowed");
+      return;
+    case kEngineUndefined:
+      if (!system_.fpuOn() && stoppedByHook_) {
+        fault(kUsageFault, SystemControl::kNoCoprocessor, at, "fpu-off",
+              "floating-point instruction while the FPU is off");
+        return;
+      }
+      break;
+    default:
+      break;
+  }
+  if (stoppedByHook_) {
+    return;
+  }
+  if (error == UC_ERR_OK || error == UC_ERR_INSN_INVALID || error == UC_ERR_EXCEPTION) {
+    hint(at);
+    return;
+  }
+  report("unhandled-fault",
+         std::string("the engine ended with: ") + uc_strerror(static_cast<uc_err>(error)));
+}
+
+// WFI ends the run with the program counter past it; WFE and YIELD look like invalid instructions,
+// also with the program counter past them.
+void CortexM4::hint(std::uint32_t past) {
+  const std::uint16_t before = halfword(past - 2);
+  if (pc_ == past - 2 && before == kWfi) {
+    if (system_.sleepsDeep()) {
+      report("unmodelled-register", "WFI with SCR.SLEEPDEEP: stop modes are not modelled");
+    }
+    sleeping_ = true;
+    return;
+  }
+  if (pc_ == past - 2 && (before == kWfe || before == kYield)) {
+    return;  // WFE may end at any time: ARMv7-M ARM, B1.5.17
+  }
+  if (past == kNowhere) {
+    fault(kBusFault, SystemControl::kInstructionBus, past, "unmapped-memory",
+          "execution at " + hex(past));
+    return;
+  }
+  fault(kUsageFault, SystemControl::kUndefined, past, "unhandled-fault",
+        "undefined instruction " + hex(halfword(past)));
+}
+
+void CortexM4::badAccess() {
+  const std::string address = hex(badAddress_);
+  switch (badAccess_) {
+    case UC_MEM_FETCH_UNMAPPED:
+      fault(kBusFault, SystemControl::kInstructionBus, badAddress_, "unmapped-memory",
+            "execution at " + address);
+      return;
+    case UC_MEM_FETCH_PROT:
+      fault(kMemoryFault, SystemControl::kInstructionViolation, badAddress_, "unhandled-fault",
+            "execution at " + address + ", where no code is allowed");
+      return;
+    case UC_MEM_WRITE_PROT:
+      system_.noteBusAddress(badAddress_);
+      fault(kBusFault, SystemControl::kPreciseBus, pc_, "flash-store", "store to " + address);
+      return;
+    default:
+      system_.noteBusAddress(badAddress_);
+      fault(kBusFault, SystemControl::kPreciseBus, pc_, "unmapped-memory",
+            (badAccess_ == UC_MEM_WRITE_UNMAPPED ? "store to " : "load from ") + address);
+      return;
+  }
+}
+
+void CortexM4::fault(unsigned exception, std::uint32_t status, std::uint32_t pc,
+                     const std::string& id, const std::string& what) {
+  system_.noteFault(status);
+  if (faultsAreProblems_) {
+    setReg(UC_ARM_REG_PC, pc | 1U);
+    report(id, what);
+    return;
+  }
+  deliver(exception, pc);
+}
+
+// ARMv7-M ARM, B1.5.14: a fault that may not be taken becomes a HardFault; a HardFault that may not
+// be taken locks up the processor.
+void CortexM4::deliver(unsigned exception, std::uint32_t pc) {
+  const int running = executionPriority();
+  unsigned taken = exception;
+  if (taken != kHardFault &&
+      (!nvic_.isEnabled(taken) || nvic_.group(nvic_.priority(taken)) >= running)) {
+    taken = kHardFault;
+    system_.noteHardFault(SystemControl::kForced);
+  }
+  if (taken == kHardFault && running <= -1) {
+    lockUp(pc);
+    return;
+  }
+  enter(taken, pc);
+}
+
+void CortexM4::lockUp(std::uint32_t pc) {
+  setReg(UC_ARM_REG_PC, pc | 1U);
+  if (lockupCall_) {
+    lockupCall_();
+    stop();
+  } else {
+    report("lockup", "a fault in the handler of a fault");
+  }
+}
+
+void CortexM4::supervisorCall(std::uint32_t past) {
+  deliver(kSupervisorCall, past);
+}
+
+void CortexM4::breakpoint(std::uint32_t at) {
+  constexpr std::uint16_t kSemihosting = 0xBEAB;
+  if (halfword(at) == kSemihosting && semihosting_) {
+    semihosting_(*this);
+    setReg(UC_ARM_REG_PC, (at + 2) | 1U);
+    return;
+  }
+  system_.noteHardFault(SystemControl::kDebugEvent);
+  fault(kHardFault, 0, at, "unhandled-fault", "breakpoint");
+}
+
+bool CortexM4::isRam(std::uint32_t address, std::uint32_t size) const {
+  const auto holds = [this](std::uint32_t byte) {
+    return std::ranges::any_of(memories_, [byte](const Memory& memory) {
+      return memory.access != Access::ReadExecute && byte - memory.address < memory.size;
+    });
+  };
+  return holds(address) && holds(address + size - 1);
+}
+
+bool CortexM4::push(std::uint32_t address, std::span<const std::uint32_t> words) const {
+  if (!isRam(address, static_cast<std::uint32_t>(4 * words.size()))) {
+    return false;
+  }
+  for (const std::uint32_t value : words) {
+    const std::array<std::uint8_t, 4> bytes{
+        static_cast<std::uint8_t>(value), static_cast<std::uint8_t>(value >> 8),
+        static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 24)};
+    uc_mem_write(engine_, address, bytes.data(), bytes.size());
+    address += 4;
+  }
+  return true;
+}
+
+bool CortexM4::pop(std::uint32_t address, std::span<std::uint32_t> words) const {
+  if (!isRam(address, static_cast<std::uint32_t>(4 * words.size()))) {
+    return false;
+  }
+  for (std::uint32_t& value : words) {
+    value = word(address);
+    address += 4;
+  }
+  return true;
+}
+
+// ARMv7-M ARM, B1.5.6: PushStack. The floating-point registers are stacked at once.
+bool CortexM4::stack(std::uint32_t returnsTo, std::uint32_t& link) {
+  const std::uint32_t control = reg(UC_ARM_REG_CONTROL);
+  const unsigned from = exception();
+  const bool withFp = (control & kFpActive) != 0 && system_.fpuStacks();
+  const bool process = from == 0 && (control & kProcessStack) != 0;
+  const std::uint32_t before = reg(UC_ARM_REG_SP);
+  const bool align = system_.alignsStack() || withFp;
+  const std::uint32_t size = withFp ? 0x68 : 0x20;
+  const std::uint32_t frame = (before - size) & (align ? ~7U : ~3U);
+  const std::uint32_t state =
+      (reg(UC_ARM_REG_XPSR) & ~kAlignedBit) | (align && (before & 4U) != 0 ? kAlignedBit : 0);
+  std::array<std::uint32_t, 26> words{};
+  words[0] = reg(UC_ARM_REG_R0);
+  words[1] = reg(UC_ARM_REG_R1);
+  words[2] = reg(UC_ARM_REG_R2);
+  words[3] = reg(UC_ARM_REG_R3);
+  words[4] = reg(UC_ARM_REG_R12);
+  words[5] = reg(UC_ARM_REG_LR);
+  words[6] = returnsTo & ~1U;
+  words[7] = state;
+  if (withFp) {
+    for (int i = 0; i < 16; ++i) {
+      words[8U + static_cast<unsigned>(i)] = reg(UC_ARM_REG_S0 + i);
+    }
+    words[24] = reg(UC_ARM_REG_FPSCR);
+  }
+  link = 0xFFFFFFE1U | (withFp ? 0 : 0x10U) | (from == 0 ? 8U : 0) | (process ? 4U : 0);
+  const bool stacked = push(frame, std::span(words).first(size / 4));
+  setReg(UC_ARM_REG_SP, frame);
+  return stacked;
+}
+
+void CortexM4::enter(unsigned exception, std::uint32_t returnsTo) {
+  cycles_ += kEntryCycles;
+  sleeping_ = false;
+  std::uint32_t link = 0;
+  if (!stack(returnsTo, link)) {
+    const std::string what = "no memory for the frame of exception " + std::to_string(exception) +
+                             " at " + hex(reg(UC_ARM_REG_SP));
+    system_.noteFault(SystemControl::kStackingBus);
+    if (faultsAreProblems_) {
+      report("unmapped-memory", what);
+      return;
+    }
+    // The fault that stacking met is taken in place of the exception, which stays pending.
+    const int running = executionPriority();
+    const bool bus = nvic_.isEnabled(kBusFault) &&
+                     nvic_.group(nvic_.priority(kBusFault)) < running &&
+                     nvic_.priority(kBusFault) <= nvic_.priority(exception);
+    if (!bus && (running <= -1 || exception == kHardFault)) {
+      lockUp(returnsTo);
+      return;
+    }
+    if (!bus) {
+      system_.noteHardFault(SystemControl::kForced);
+    }
+    vector(bus ? kBusFault : kHardFault, link);
+    return;
+  }
+  vector(exception, link);
+}
+
+// ARMv7-M ARM, B1.5.6: ExceptionTaken.
+void CortexM4::vector(unsigned exception, std::uint32_t link) {
+  const std::uint32_t handler = word(system_.vectors() + 4 * exception);
+  const bool storm = nvic_.entriesOfHighLine(exception) >= kStorm;
+  nvic_.activate(exception);
+  setReg(UC_ARM_REG_LR, link);
+  // CONTROL is written before IPSR: in handler mode the stack could not be chosen. The write of
+  // the flags makes the engine see the new IPSR.
+  setReg(UC_ARM_REG_CONTROL, reg(UC_ARM_REG_CONTROL) & 1U);
+  const std::uint32_t sp = reg(UC_ARM_REG_SP);
+  setReg(UC_ARM_REG_IPSR, exception);
+  setReg(UC_ARM_REG_SP, sp);
+  setReg(UC_ARM_REG_APSR_NZCV, reg(UC_ARM_REG_APSR_NZCV));
+  setReg(UC_ARM_REG_FPSCR, (reg(UC_ARM_REG_FPSCR) & ~0x07C00000U) | system_.fpDefaults());
+  resumed_ = blockCall_ != nullptr;
+  if ((handler & 1U) == 0) {
+    report("vector-missing",
+           "the vector of exception " + std::to_string(exception) + " is " + hex(handler));
+    return;
+  }
+  setReg(UC_ARM_REG_PC, handler);
+  if (exceptionCall_) {
+    exceptionCall_(Step::Entered, exception);
+  }
+  if (storm) {
+    report("interrupt-storm", "interrupt " + std::to_string(exception - kFirstLine) +
+                                  " was entered " + std::to_string(kStorm) +
+                                  " times and its line is still high");
+  }
+}
+
+bool CortexM4::linkIsValid(std::uint32_t link, unsigned number) const {
+  // ARMv7-M ARM, B1.5.8: ExceptionReturn
+  const std::uint32_t kind = link & 0xFU;
+  const bool known = (link | 0x1FU) == 0xFFFFFFFFU && (kind == 1 || kind == 9 || kind == 13);
+  if (!known || !nvic_.isActive(number)) {
+    return false;
+  }
+  const bool nested = nvic_.activeCount() > 1;
+  return kind == 1 ? nested : !nested || system_.threadFromAnyLevel();
+}
+
+void CortexM4::exceptionReturn(std::uint32_t link) {
+  const unsigned number = exception();
+  if (!linkIsValid(link, number)) {
+    fault(kUsageFault, SystemControl::kInvalidPc, link, "unhandled-fault",
+          "return from exception " + std::to_string(number) + " with " + hex(link));
+    return;
+  }
+  nvic_.deactivate(number);
+  if (number != kNmi) {
+    setReg(UC_ARM_REG_FAULTMASK, 0);
+  }
+  if (exceptionCall_) {
+    exceptionCall_(Step::Left, number);
+  }
+  const unsigned next = nvic_.first();
+  if (next != 0 && nvic_.group(nvic_.priority(next)) < executionPriority()) {
+    cycles_ += kTailCycles;
+    vector(next, link);
+    return;
+  }
+  cycles_ += kExitCycles;
+  unstack(link);
+}
+
+// ARMv7-M ARM, B1.5.8: PopStack.
+void CortexM4::unstack(std::uint32_t link) {
+  const bool toThread = (link & 8U) != 0;
+  const bool process = (link & 4U) != 0;
+  const bool withFp = (link & 0x10U) == 0;
+  const std::uint32_t frame = process ? reg(UC_ARM_REG_PSP) : reg(UC_ARM_REG_SP);
+  std::array<std::uint32_t, 26> words{};
+  const std::uint32_t size = withFp ? 0x68 : 0x20;
+  const unsigned from = exception();
+  if (!pop(frame, std::span(words).first(size / 4))) {
+    fault(kBusFault, SystemControl::kUnstackingBus, link, "unmapped-memory",
+          "no frame of exception " + std::to_string(from) + " at " + hex(frame));
+    return;
+  }
+  const std::uint32_t state = words[7];
+  const std::uint32_t number = state & 0x1FFU;
+  if (toThread != (number == 0) || (state & kThumbBit) == 0) {
+    fault(kUsageFault,
+          (state & kThumbBit) == 0 ? SystemControl::kInvalidState : SystemControl::kInvalidPc,
+          words[6], "unhandled-fault",
+          "return from exception " + std::to_string(from) + " to the state " + hex(state));
+    return;
+  }
+  setReg(UC_ARM_REG_R0, words[0]);
+  setReg(UC_ARM_REG_R1, words[1]);
+  setReg(UC_ARM_REG_R2, words[2]);
+  setReg(UC_ARM_REG_R3, words[3]);
+  setReg(UC_ARM_REG_R12, words[4]);
+  setReg(UC_ARM_REG_LR, words[5]);
+  if (withFp) {
+    for (int i = 0; i < 16; ++i) {
+      setReg(UC_ARM_REG_S0 + i, words[8U + static_cast<unsigned>(i)]);
+    }
+    setReg(UC_ARM_REG_FPSCR, words[24]);
+  }
+  setReg(UC_ARM_REG_IPSR, number);
+  setReg(UC_ARM_REG_CONTROL,
+         (reg(UC_ARM_REG_CONTROL) & 1U) | (process ? kProcessStack : 0) | (withFp ? kFpActive : 0));
+  const bool aligned = (state & kAlignedBit) != 0 && (system_.alignsStack() || withFp);
+  setReg(UC_ARM_REG_SP, (frame + size) | (aligned ? 4U : 0));
+  setReg(UC_ARM_REG_XPSR_NZCVQG, state);  // UC_ARM_REG_XPSR would leave out GE
+  setReg(UC_ARM_REG_APSR_NZCV, state);
+  setReg(UC_ARM_REG_PC, words[6] | 1U);
+  sleeping_ = toThread && system_.sleepsOnExit();
+}
+
+}  // namespace wr::k64

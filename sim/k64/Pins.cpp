@@ -1,0 +1,215 @@
+#include "sim/k64/Pins.hpp"
+
+namespace wr::k64 {
+
+namespace {
+
+// Offsets from the base of a port: K64P144M120SF5RM, PORT memory map.
+constexpr std::uint32_t kPcrEnd = 0x80;
+constexpr std::uint32_t kGpclr = 0x80;
+constexpr std::uint32_t kGpchr = 0x84;
+constexpr std::uint32_t kIsfr = 0xA0;
+constexpr std::uint32_t kDfer = 0xC0;
+constexpr std::uint32_t kDfwr = 0xC8;
+
+constexpr std::uint32_t kFlag = 1U << 24;
+constexpr std::uint32_t kLocked = 1U << 15;
+constexpr std::uint32_t kFields = 0x000F8777;
+
+constexpr unsigned kFirstLine = 59;
+
+// Offsets from the base of a port's GPIO: K64P144M120SF5RM, GPIO memory map.
+constexpr std::uint32_t kPdor = 0x00;
+constexpr std::uint32_t kPsor = 0x04;
+constexpr std::uint32_t kPcor = 0x08;
+constexpr std::uint32_t kPtor = 0x0C;
+constexpr std::uint32_t kPdir = 0x10;
+constexpr std::uint32_t kPddr = 0x14;
+
+constexpr unsigned kNmiPin = 4;  // PTA4, function 7
+
+}  // namespace
+
+void Port::reset(Reset /*cause*/) {
+  pins_.control.fill(0);
+  if (number_ == 0) {
+    // The pins of the debugger and of NMI: K64P144M120SF5RM, Signal Multiplexing.
+    pins_.control[0] = 0x0702;
+    pins_.control[1] = 0x0703;
+    pins_.control[2] = 0x0703;
+    pins_.control[3] = 0x0703;
+    pins_.control[4] = 0x0703;
+  }
+  flags_ = 0;
+  before_ = 0;
+  for (unsigned pin = 0; pin < 32; ++pin) {
+    before_ |= pins_.level(pin) ? 1U << pin : 0;
+  }
+  filter_ = {};
+  updateLine();
+}
+
+void Port::updateLine() {
+  board_.setLine(kFirstLine + number_, flags_ != 0);
+}
+
+void Port::settle() {
+  std::uint32_t levels = 0;
+  for (unsigned pin = 0; pin < 32; ++pin) {
+    levels |= pins_.level(pin) ? 1U << pin : 0;
+  }
+  const std::uint32_t changed = levels ^ before_;
+  before_ = levels;
+  for (unsigned pin = 0; pin < 32; ++pin) {
+    const std::uint32_t bit = 1U << pin;
+    const bool high = (levels & bit) != 0;
+    const bool edge = (changed & bit) != 0;
+    const unsigned kind = pins_.control[pin] >> 16 & 0xFU;
+    // PCR.IRQC
+    const bool raised = (kind == 0x8 && !high) || (kind == 0x9 && edge && high) ||
+                        (kind == 0xA && edge && !high) || (kind == 0xB && edge) ||
+                        (kind == 0xC && high);
+    flags_ |= raised ? bit : 0;
+    if (kind >= 1 && kind <= 3) {
+      unmodelled("DMA request of a PORT", 4 * pin);
+    }
+    const bool isOutput = pins_.isOutput(pin);
+    const bool shown = (pins_.shown & bit) != 0;
+    if (isOutput && (high != shown || (pins_.shownOutputs & bit) == 0)) {
+      board_.tell(Event::Kind::PinChanged, 32 * number_ + pin, high ? 1 : 0);
+      pins_.shown = (pins_.shown & ~bit) | (high ? bit : 0);
+    }
+    pins_.shownOutputs = (pins_.shownOutputs & ~bit) | (isOutput ? bit : 0);
+  }
+  if (number_ == 0 && pins_.function(kNmiPin) == 7 && (changed >> kNmiPin & 1U) != 0 &&
+      (levels >> kNmiPin & 1U) == 0) {
+    board_.raiseNmi();
+  }
+  updateLine();
+}
+
+std::uint32_t Port::read(std::uint32_t offset, unsigned size) {
+  if (!hasSize("PORT", offset, size, 4)) {
+    return 0;
+  }
+  if (offset < kPcrEnd) {
+    const unsigned pin = offset / 4;
+    return pins_.control[pin] | ((flags_ >> pin & 1U) != 0 ? kFlag : 0);
+  }
+  if (offset == kIsfr) {
+    return flags_;
+  }
+  if (offset >= kDfer && offset <= kDfwr) {
+    return filter_[(offset - kDfer) / 4];
+  }
+  if (offset != kGpclr && offset != kGpchr) {
+    unmodelled("PORT", offset);
+  }
+  return 0;
+}
+
+void Port::setControl(unsigned pin, std::uint32_t value) {
+  if ((pins_.control[pin] & kLocked) != 0) {
+    misuse("store to the control register of a locked pin");
+    return;
+  }
+  pins_.control[pin] = value & kFields;
+}
+
+// GPCLR and GPCHR write the lower halves of 16 control registers.
+void Port::setMany(std::uint32_t value, unsigned from) {
+  for (unsigned i = 0; i < 16; ++i) {
+    if ((value >> (16 + i) & 1U) != 0) {
+      setControl(from + i, (pins_.control[from + i] & 0xFFFF0000U) | (value & 0xFFFFU));
+    }
+  }
+}
+
+void Port::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
+  if (!hasSize("PORT", offset, size, 4)) {
+    return;
+  }
+  if (offset < kPcrEnd) {
+    const unsigned pin = offset / 4;
+    if ((value & kFlag) != 0) {
+      flags_ &= ~(1U << pin);
+    }
+    setControl(pin, value);
+  } else if (offset == kGpclr || offset == kGpchr) {
+    setMany(value, offset == kGpclr ? 0 : 16);
+  } else if (offset == kIsfr) {
+    flags_ &= ~value;
+  } else if (offset >= kDfer && offset <= kDfwr) {
+    filter_[(offset - kDfer) / 4] = value;
+    if (offset == kDfer && value != 0) {
+      unmodelled("digital filter of a PORT", offset);
+    }
+  } else {
+    unmodelled("PORT", offset);
+  }
+  settle();
+}
+
+void Gpio::reset(Reset /*cause*/) {
+  pins_.output = 0;
+  pins_.direction = 0;
+}
+
+std::uint32_t Gpio::read(std::uint32_t offset, unsigned size) {
+  if (!hasSize("GPIO", offset, size, 4)) {
+    return 0;
+  }
+  switch (offset) {
+    case kPdor:
+      return pins_.output;
+    case kPddr:
+      return pins_.direction;
+    case kPdir: {
+      std::uint32_t levels = 0;
+      for (unsigned pin = 0; pin < 32; ++pin) {
+        // The input of a pin that is not digital reads 0.
+        levels |= pins_.function(pin) != 0 && pins_.level(pin) ? 1U << pin : 0;
+      }
+      return levels;
+    }
+    case kPsor:
+    case kPcor:
+    case kPtor:
+      return 0;
+    default:
+      unmodelled("GPIO", offset);
+      return 0;
+  }
+}
+
+void Gpio::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
+  if (!hasSize("GPIO", offset, size, 4)) {
+    return;
+  }
+  switch (offset) {
+    case kPdor:
+      pins_.output = value;
+      break;
+    case kPsor:
+      pins_.output |= value;
+      break;
+    case kPcor:
+      pins_.output &= ~value;
+      break;
+    case kPtor:
+      pins_.output ^= value;
+      break;
+    case kPddr:
+      pins_.direction = value;
+      break;
+    case kPdir:
+      misuse("store to the inputs of a GPIO");
+      break;
+    default:
+      unmodelled("GPIO", offset);
+      break;
+  }
+  port_.settle();
+}
+
+}  // namespace wr::k64

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "sim/k64/Peripheral.hpp"
+
+namespace wr::k64 {
+
+/// @brief UART0 with the line to the PC.
+/// K64P144M120SF5RM, chapter Universal Asynchronous Receiver/Transmitter (UART).
+///
+/// Not modelled: parity, 9 bits, loops, wake-up, LIN break, infrared, smart cards, DMA, and the
+/// flag for an idle line.
+class Uart final : public Peripheral {
+ public:
+  explicit Uart(Surroundings& board) : Peripheral(board) {}
+
+  /// @brief Sets what tells whether the pins are connected to the UART.
+  void connectPins(std::function<bool()> receives, std::function<bool()> sends);
+
+  void reset(Reset cause) override;
+  std::uint32_t read(std::uint32_t offset, unsigned size) override;
+  void write(std::uint32_t offset, unsigned size, std::uint32_t value) override;
+  [[nodiscard]] Time nextEvent() const override;
+  void advance() override;
+
+  /// @brief The PC sends a byte.
+  /// @param notBefore when it may begin; it waits for those before it
+  /// @param stopBit whether the stop bit is right
+  void arrive(Time notBefore, std::uint8_t byte, bool stopBit = true);
+
+  /// @brief What was sent since the last call.
+  [[nodiscard]] std::vector<std::uint8_t> takeSent();
+
+  [[nodiscard]] bool lineIdle() const { return arriving_.empty() && !sending_; }
+
+  void setLineBaud(std::uint32_t baud) { lineBaud_ = baud; }
+
+ private:
+  struct Arriving {
+    Time end;
+    std::uint8_t byte;
+    bool stopBit;
+  };
+
+  [[nodiscard]] double baud() const;
+  [[nodiscard]] bool baudFits();
+  [[nodiscard]] Time frameTime() const;
+  [[nodiscard]] std::size_t receiveDepth() const { return (fifo_ & 0x08U) != 0 ? 8 : 1; }
+  [[nodiscard]] std::size_t sendDepth() const { return (fifo_ & 0x80U) != 0 ? 8 : 1; }
+  [[nodiscard]] std::uint32_t status() const;
+  [[nodiscard]] std::uint32_t readData();
+  void received(const Arriving& arriving);
+  void send(std::uint8_t byte);
+  void startSending();
+  void sent();
+  void control2(std::uint32_t value);
+  void fifo(std::uint32_t value);
+  void updateLines();
+
+  std::function<bool()> receives_;
+  std::function<bool()> sends_;
+  std::uint32_t lineBaud_ = 115'200;
+  std::deque<Arriving> arriving_;
+  Time lineFree_{0};
+  std::vector<std::uint8_t> sent_;
+
+  std::uint32_t bdh_ = 0;
+  std::uint32_t bdl_ = 0;
+  std::uint32_t c1_ = 0;
+  std::uint32_t c2_ = 0;
+  std::uint32_t c3_ = 0;
+  std::uint32_t c4_ = 0;
+  std::uint32_t fifo_ = 0;
+  std::uint32_t fifoControl_ = 0;
+  std::uint32_t fifoFlags_ = 0;
+  std::uint32_t sendMark_ = 0;
+  std::uint32_t receiveMark_ = 1;
+  std::uint32_t errors_ = 0;  ///< OR, NF, FE, PF of S1
+  bool dataReady_ = false;    ///< RDRF
+  std::uint32_t seen_ = 0;    ///< S1 as it was read last
+  std::deque<std::uint8_t> receivedBytes_;
+  std::deque<std::uint8_t> toSend_;
+  bool sending_ = false;
+  std::uint8_t inShifter_ = 0;
+  Time sentAt_ = kNever;
+};
+
+}  // namespace wr::k64

@@ -1,0 +1,567 @@
+#include "sim/k64/VirtualBoard.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "sim/k64/Blocks.hpp"
+#include "sim/k64/CallRecorder.hpp"
+#include "sim/k64/Clock.hpp"
+#include "sim/k64/CortexM4.hpp"
+#include "sim/k64/Mcg.hpp"
+#include "sim/k64/Peripheral.hpp"
+#include "sim/k64/Pins.hpp"
+#include "sim/k64/Pit.hpp"
+#include "sim/k64/PlainRegisters.hpp"
+#include "sim/k64/Rcm.hpp"
+#include "sim/k64/Sim.hpp"
+#include "sim/k64/Symbols.hpp"
+#include "sim/k64/Uart.hpp"
+#include "sim/k64/Wdog.hpp"
+
+namespace wr::k64 {
+
+namespace {
+
+// K64P144M120SF5RM, chapter Memory Map.
+constexpr std::uint32_t kFlashSize = 0x100000;
+constexpr std::uint32_t kRamLower = 0x1FFF0000;
+constexpr std::uint32_t kRamLowerSize = 0x10000;
+constexpr std::uint32_t kRamUpper = 0x20000000;
+constexpr std::uint32_t kRamUpperSize = 0x30000;
+constexpr std::uint32_t kPeripherals = 0x40000000;
+constexpr std::uint32_t kGpio = 0x400FF000;
+constexpr std::uint32_t kGpioSize = 0x40;
+constexpr std::uint32_t kPeripheralsSize = 0x100000;
+constexpr std::uint32_t kSimUpper = 0x40048000;
+
+constexpr std::uint32_t kFlashOption = 0x40D;
+constexpr unsigned kFirstLine = 16;
+constexpr unsigned kPorts = 5;
+
+// Blocks whose registers keep what they are given: K64P144M120SF5RM, chapters OSC, SMC, PMC, and
+// Memory Protection Unit (MPU).
+constexpr std::array<PlainRegister, 1> kOsc{{{0x0, 0x00, 0xAF}}};
+constexpr std::array<PlainRegister, 4> kSmc{
+    {{0x0, 0x00, 0x2A}, {0x1, 0x00, 0x00}, {0x2, 0x03, 0x27}, {0x3, 0x01, 0x00}}};
+constexpr std::array<PlainRegister, 3> kPmc{
+    {{0x0, 0x10, 0x33}, {0x1, 0x00, 0x23}, {0x2, 0x04, 0x11}}};
+constexpr std::array<PlainRegister, 1> kSysmpu{{{0x0, 0x00815101, 0x00000001}}};
+
+std::string megahertz(std::uint64_t hz) {
+  return std::to_string(hz / 1'000'000) + " MHz";
+}
+
+}  // namespace
+
+/// @brief The microcontroller: processor, memories and peripherals.
+class VirtualBoard::Parts final : public Surroundings {
+ public:
+  Parts(std::vector<std::uint8_t> image, Options options)
+      : options_(std::move(options)),
+        image_(std::move(image)),
+        sim_(*this, image_.size() <= kFlashOption || (image_[kFlashOption] & 1U) != 0),
+        mcg_(*this, options_.externalClock),
+        osc_(*this, "OSC", 1, kOsc),
+        smc_(*this, "SMC", 1, kSmc),
+        pmc_(*this, "PMC", 1, kPmc),
+        sysmpu_(*this, "SYSMPU", 4, kSysmpu),
+        wdog_(*this),
+        rcm_(*this),
+        pit_(*this),
+        uart_(*this),
+        ports_{Port(*this, 0, pins_[0]), Port(*this, 1, pins_[1]), Port(*this, 2, pins_[2]),
+               Port(*this, 3, pins_[3]), Port(*this, 4, pins_[4])},
+        gpios_{Gpio(*this, pins_[0], ports_[0]), Gpio(*this, pins_[1], ports_[1]),
+               Gpio(*this, pins_[2], ports_[2]), Gpio(*this, pins_[3], ports_[3]),
+               Gpio(*this, pins_[4], ports_[4])},
+        byName_{{"SIM", &sim_},        {"MCG", &mcg_},        {"OSC", &osc_},
+                {"SMC", &smc_},        {"PMC", &pmc_},        {"SYSMPU", &sysmpu_},
+                {"WDOG", &wdog_},      {"RCM", &rcm_},        {"PIT", &pit_},
+                {"UART0", &uart_},     {"PORTA", &ports_[0]}, {"PORTB", &ports_[1]},
+                {"PORTC", &ports_[2]}, {"PORTD", &ports_[3]}, {"PORTE", &ports_[4]}} {
+    if (image_.size() > kFlashSize) {
+      throw std::runtime_error("the image is larger than the flash");
+    }
+    build();
+    connect();
+    powerOn();
+  }
+
+  // What peripherals see.
+  [[nodiscard]] Time time() const override {
+    return core_.hz() == 0 ? standsAt_ : core_.at(cpu_.cycles());
+  }
+  [[nodiscard]] const Clock& coreClock() const override { return core_; }
+  [[nodiscard]] const Clock& busClock() const override { return bus_; }
+  void setLine(unsigned line, bool high) override { cpu_.setLine(line, high); }
+  void raiseNmi() override { cpu_.raise(2); }
+  void clocksChanged() override;
+  void report(std::string id, std::string what) override {
+    cpu_.report(std::move(id), std::move(what));
+  }
+  void refuse(std::string id, std::string what) override {
+    cpu_.refuse(accessed_, std::move(id), std::move(what));
+  }
+  void requestReset(Reset cause, std::string id, std::string what) override;
+  void tell(Event::Kind kind, std::uint32_t number, std::uint32_t value) override {
+    if (event) {
+      event({kind, now(), number, value});
+    }
+  }
+
+  // What the board is asked for.
+  [[nodiscard]] nanoseconds now() const { return std::chrono::duration_cast<nanoseconds>(time()); }
+  template <typename Done>
+  bool runUntil(Time limit, Done done);
+  void resetNow(Reset cause);
+  [[nodiscard]] PinState& port(char name) { return pins_.at(static_cast<std::size_t>(name - 'A')); }
+  void drive(char name, unsigned pin, bool level);
+
+  CortexM4& cpu() { return cpu_; }
+  Mcg& mcg() { return mcg_; }
+  Uart& uart() { return uart_; }
+  [[nodiscard]] const Clock& core() const { return core_; }
+  [[nodiscard]] bool sleeps() const { return sleeps_; }
+
+  std::function<void(const Event&)> event;
+  std::function<void(std::uint32_t, unsigned, std::uint32_t)> written;
+  CallRecorder* recorder = nullptr;
+  std::optional<Finding> finding;
+  int resets = 0;
+  unsigned awaited = 0;  ///< exception that ends the run
+  bool awaitedCame = false;
+
+ private:
+  void build();
+  void connect();
+  void powerOn();
+  void fillRam();
+  std::uint32_t read(std::uint32_t address, unsigned size);
+  void write(std::uint32_t address, unsigned size, std::uint32_t value);
+  Peripheral* peripheralAt(std::uint32_t address, std::uint32_t& offset, bool store);
+  [[nodiscard]] Time nextEvent() const;
+  void advance();
+  bool runCore(Time until);
+  void find();
+  void checkClocks();
+
+  Options options_;
+  std::vector<std::uint8_t> image_;
+  CortexM4 cpu_;
+  Clock core_;
+  Clock bus_;
+  Time standsAt_{0};
+  std::array<PinState, kPorts> pins_{};
+  Sim sim_;
+  Mcg mcg_;
+  PlainRegisters osc_;
+  PlainRegisters smc_;
+  PlainRegisters pmc_;
+  PlainRegisters sysmpu_;
+  Wdog wdog_;
+  Rcm rcm_;
+  Pit pit_;
+  Uart uart_;
+  std::array<Port, kPorts> ports_;
+  std::array<Gpio, kPorts> gpios_;
+  std::map<std::string_view, Peripheral*> byName_;
+  struct Place {
+    const Block* block = nullptr;
+    Peripheral* peripheral = nullptr;
+  };
+  std::array<Place, kPeripheralsSize / kBlockSize> places_{};
+  std::uint32_t accessed_ = 0;
+  bool pitGate_ = false;
+  bool sleeps_ = false;
+  std::optional<Reset> wantedReset_;
+};
+
+void VirtualBoard::Parts::build() {
+  std::vector<std::uint8_t> flash(kFlashSize, 0xFF);
+  std::ranges::copy(image_, flash.begin());
+  cpu_.mapMemory(0, kFlashSize, CortexM4::Access::ReadExecute);
+  cpu_.mapMemory(kRamLower, kRamLowerSize, CortexM4::Access::ReadWrite);
+  cpu_.mapMemory(kRamUpper, kRamUpperSize, CortexM4::Access::ReadWrite);
+  cpu_.setBorder(kRamUpper);
+  cpu_.load(0, flash);
+  cpu_.mapWindow(
+      kPeripherals, kPeripheralsSize,
+      [this](std::uint32_t address, unsigned size) { return read(address, size); },
+      [this](std::uint32_t address, unsigned size, std::uint32_t value) {
+        write(address, size, value);
+      });
+  for (const Block& block : kBlocks) {
+    const auto found = byName_.find(block.name);
+    places_[(block.base - kPeripherals) / kBlockSize] = {
+        &block, found == byName_.end() ? nullptr : found->second};
+  }
+  places_[(kSimUpper - kPeripherals) / kBlockSize] =
+      places_[(kSimUpper - kPeripherals) / kBlockSize - 1];
+}
+
+void VirtualBoard::Parts::connect() {
+  constexpr unsigned kUart = 3;  // function of PTB16 and PTB17: Signal Multiplexing
+  uart_.connectPins([this] { return pins_[1].function(16) == kUart; },
+                    [this] { return pins_[1].function(17) == kUart; });
+  cpu_.setFaultsAreProblems(options_.faultsAreFindings);
+  cpu_.onException([this](CortexM4::Step step, unsigned exception) {
+    const bool entered = step == CortexM4::Step::Entered;
+    tell(entered ? Event::Kind::ExceptionEntered : Event::Kind::ExceptionLeft, exception, 0);
+    if (recorder != nullptr) {
+      entered ? recorder->exceptionEntered(cpu_.pc(), cpu_.core(13)) : recorder->exceptionLeft();
+    }
+    if (entered && exception == awaited) {
+      awaitedCame = true;
+      cpu_.stop();
+    }
+  });
+  cpu_.onResetRequest(
+      [this] { requestReset(Reset::Software, "reset-request", "the program asks for a reset"); });
+  cpu_.onLockup(
+      [this] { requestReset(Reset::Lockup, "lockup", "a fault in the handler of a fault"); });
+}
+
+void VirtualBoard::Parts::fillRam() {
+  // RAM holds anything when the power comes; this is anything, the same each time.
+  std::vector<std::uint8_t> content(kRamUpperSize);
+  std::uint32_t state = 0x12345678;
+  for (std::uint8_t& byte : content) {
+    state = state * 1'664'525U + 1'013'904'223U;
+    byte = static_cast<std::uint8_t>(state >> 24);
+  }
+  cpu_.load(kRamUpper, content);
+  cpu_.load(kRamLower, std::span(content).first(kRamLowerSize));
+}
+
+void VirtualBoard::Parts::powerOn() {
+  resetNow(Reset::PowerOn);
+  resets = 0;
+}
+
+void VirtualBoard::Parts::resetNow(Reset cause) {
+  wantedReset_.reset();
+  sleeps_ = false;
+  if (cause == Reset::PowerOn) {
+    fillRam();
+  }
+  sim_.reset(cause);
+  mcg_.reset(cause);
+  clocksChanged();
+  for (const auto& [name, peripheral] : byName_) {
+    if (name != "SIM" && name != "MCG") {
+      peripheral->reset(cause);
+    }
+  }
+  for (unsigned i = 0; i < kPorts; ++i) {
+    gpios_[i].reset(cause);
+    ports_[i].settle();
+  }
+  pitGate_ = false;
+  cpu_.reset();
+  ++resets;
+  if (recorder != nullptr) {
+    recorder->reset();
+  }
+  tell(Event::Kind::Reset, static_cast<std::uint32_t>(cause), 0);
+}
+
+void VirtualBoard::Parts::requestReset(Reset cause, std::string id, std::string what) {
+  if (options_.resetsAreFindings) {
+    report(std::move(id), std::move(what));
+  } else {
+    wantedReset_ = cause;
+    cpu_.stop();
+  }
+}
+
+void VirtualBoard::Parts::clocksChanged() {
+  const Sim::Dividers dividers = sim_.dividers();
+  const std::uint64_t output = mcg_.outputHz();
+  if (core_.hz() == output / dividers.core && bus_.hz() == output / dividers.bus) {
+    checkClocks();
+    return;
+  }
+  const Time changed = time();
+  standsAt_ = changed;
+  core_.set(changed, output / dividers.core);
+  bus_.set(changed, output / dividers.bus);
+  checkClocks();
+  cpu_.stop();  // what is to come was reckoned with the old clock
+}
+
+void VirtualBoard::Parts::checkClocks() {
+  // Data sheet K64P144M120SF5, device clock specifications, and K64P144M120SF5RM, chapter Clock
+  // Distribution: limits, and buses at a whole part of the core clock.
+  const Sim::Dividers dividers = sim_.dividers();
+  const std::uint64_t output = mcg_.outputHz();
+  const auto check = [this, output](const char* name, unsigned divider, std::uint64_t most) {
+    if (output / divider > most) {
+      report("register-misuse", std::string(name) + " clock at " + megahertz(output / divider) +
+                                    ", more than " + megahertz(most));
+    }
+  };
+  check("core", dividers.core, 120'000'000);
+  check("bus", dividers.bus, 60'000'000);
+  check("FlexBus", dividers.flexBus, 50'000'000);
+  check("flash", dividers.flash, 25'000'000);
+  if (dividers.bus % dividers.core != 0 || dividers.flash % dividers.core != 0) {
+    report("register-misuse", "SIM_CLKDIV1: a bus clock is no whole part of the core clock");
+  }
+}
+
+Peripheral* VirtualBoard::Parts::peripheralAt(std::uint32_t address, std::uint32_t& offset,
+                                              bool store) {
+  const std::string verb = store ? "store to " : "load from ";
+  if (address >= kGpio) {
+    const std::uint32_t port = (address - kGpio) / kGpioSize;
+    offset = (address - kGpio) % kGpioSize;
+    if (port < kPorts) {
+      return &gpios_[port];
+    }
+    refuse("unmapped-memory", verb + hexText(address));
+    return nullptr;
+  }
+  const Place& place = places_[(address - kPeripherals) / kBlockSize];
+  if (place.block == nullptr) {
+    refuse("unmodelled-register", verb + hexText(address));
+    return nullptr;
+  }
+  offset = address - place.block->base;
+  if (place.block->gateGroup != 0 &&
+      !sim_.gateIsOpen(place.block->gateGroup, place.block->gateBit)) {
+    refuse("clock-gate", verb + std::string(place.block->name) + " + " + hexText(offset) +
+                             " while its clock gate is closed");
+    return nullptr;
+  }
+  if (place.peripheral == nullptr) {
+    report("unmodelled-register", verb + std::string(place.block->name) + " + " + hexText(offset));
+  }
+  return place.peripheral;
+}
+
+std::uint32_t VirtualBoard::Parts::read(std::uint32_t address, unsigned size) {
+  accessed_ = address;
+  std::uint32_t offset = 0;
+  Peripheral* peripheral = peripheralAt(address, offset, false);
+  if (peripheral == nullptr) {
+    return 0;
+  }
+  peripheral->advance();
+  return peripheral->read(offset, size);
+}
+
+void VirtualBoard::Parts::write(std::uint32_t address, unsigned size, std::uint32_t value) {
+  accessed_ = address;
+  if (written) {
+    written(address, size, value);
+  }
+  std::uint32_t offset = 0;
+  Peripheral* peripheral = peripheralAt(address, offset, true);
+  if (peripheral == nullptr) {
+    return;
+  }
+  peripheral->advance();
+  peripheral->write(offset, size, value);
+  if (peripheral == &sim_) {
+    constexpr unsigned kPitGroup = 6;
+    constexpr unsigned kPitBit = 23;
+    if (sim_.gateIsOpen(kPitGroup, kPitBit) !=
+        std::exchange(pitGate_, sim_.gateIsOpen(kPitGroup, kPitBit))) {
+      pit_.gateOpened();
+    }
+  }
+  const Time next = peripheral->nextEvent();
+  if (next != kNever && core_.hz() != 0) {
+    cpu_.limitTo(core_.reach(next));
+  }
+}
+
+Time VirtualBoard::Parts::nextEvent() const {
+  return std::min({mcg_.nextEvent(), wdog_.nextEvent(), pit_.nextEvent(), uart_.nextEvent()});
+}
+
+void VirtualBoard::Parts::advance() {
+  mcg_.advance();
+  wdog_.advance();
+  pit_.advance();
+  uart_.advance();
+}
+
+// Lets the core run, sleep or stand still until a time.
+bool VirtualBoard::Parts::runCore(Time until) {
+  if (core_.hz() == 0) {
+    standsAt_ = until;
+    return true;
+  }
+  const std::uint64_t limit = core_.reach(until);
+  const CortexM4::Stop stop = cpu_.run(limit);
+  sleeps_ = stop == CortexM4::Stop::Sleep;
+  return stop != CortexM4::Stop::Problem;
+}
+
+void VirtualBoard::Parts::find() {
+  const CortexM4::Problem& problem = *cpu_.problem();
+  Finding found{problem.id, problem.what, problem.pc, {}, {}, now()};
+  if (!options_.elf.empty()) {
+    const Symbols symbols(options_.elf);
+    found.function = symbols.nameAt(problem.pc);
+    found.place = symbols.placeOf(problem.pc);
+  }
+  finding = std::move(found);
+}
+
+template <typename Done>
+bool VirtualBoard::Parts::runUntil(Time limit, Done done) {
+  while (!finding) {
+    if (cpu_.problem()) {
+      find();
+      break;
+    }
+    if (wantedReset_) {
+      resetNow(*wantedReset_);
+      continue;
+    }
+    if (done()) {
+      return true;
+    }
+    if (time() >= limit) {
+      return false;
+    }
+    const Time next = std::min(nextEvent(), limit);
+    if (next > time() && runCore(next) && sleeps_ && !done()) {
+      cpu_.skipTo(core_.reach(next));
+    }
+    advance();
+  }
+  return false;
+}
+
+void VirtualBoard::Parts::drive(char name, unsigned pin, bool level) {
+  PinState& pins = port(name);
+  pins.driven |= 1U << pin;
+  pins.outside = (pins.outside & ~(1U << pin)) | (level ? 1U << pin : 0);
+  ports_[static_cast<std::size_t>(name - 'A')].settle();
+}
+
+VirtualBoard::VirtualBoard(std::vector<std::uint8_t> image, Options options)
+    : parts_(std::make_unique<Parts>(std::move(image), std::move(options))) {}
+
+VirtualBoard::~VirtualBoard() = default;
+
+bool VirtualBoard::runUntil(nanoseconds time) {
+  parts_->runUntil(time, [] { return false; });
+  return !parts_->finding;
+}
+
+bool VirtualBoard::runToInterrupt(int irq, nanoseconds limit) {
+  parts_->awaited = kFirstLine + static_cast<unsigned>(irq);
+  parts_->awaitedCame = false;
+  const bool came = parts_->runUntil(limit, [this] { return parts_->awaitedCame; });
+  parts_->awaited = 0;
+  return came;
+}
+
+bool VirtualBoard::runToSleep(nanoseconds limit) {
+  return parts_->runUntil(limit, [this] { return parts_->sleeps(); });
+}
+
+VirtualBoard::nanoseconds VirtualBoard::now() const {
+  return parts_->now();
+}
+
+const std::optional<Finding>& VirtualBoard::finding() const {
+  return parts_->finding;
+}
+
+void VirtualBoard::receive(std::span<const std::uint8_t> bytes) {
+  for (const std::uint8_t byte : bytes) {
+    parts_->uart().arrive(parts_->time(), byte);
+  }
+}
+
+void VirtualBoard::receiveAt(nanoseconds time, std::span<const std::uint8_t> bytes) {
+  for (const std::uint8_t byte : bytes) {
+    parts_->uart().arrive(std::max<Time>(time, parts_->time()), byte);
+  }
+}
+
+void VirtualBoard::receiveBroken(std::uint8_t byte) {
+  parts_->uart().arrive(parts_->time(), byte, false);
+}
+
+void VirtualBoard::setLineBaud(std::uint32_t baud) {
+  parts_->uart().setLineBaud(baud);
+}
+
+std::vector<std::uint8_t> VirtualBoard::takeSent() {
+  return parts_->uart().takeSent();
+}
+
+bool VirtualBoard::lineIdle() const {
+  return parts_->uart().lineIdle();
+}
+
+bool VirtualBoard::pin(char port, int number) const {
+  return parts_->port(port).level(static_cast<unsigned>(number));
+}
+
+void VirtualBoard::drive(char port, int number, bool level) {
+  parts_->drive(port, static_cast<unsigned>(number), level);
+}
+
+bool VirtualBoard::isOutput(char port, int number) const {
+  return parts_->port(port).isOutput(static_cast<unsigned>(number));
+}
+
+void VirtualBoard::raise(int exception) {
+  parts_->cpu().raise(static_cast<unsigned>(exception));
+}
+
+void VirtualBoard::setExternalClock(bool present) {
+  parts_->mcg().setExternalClock(present);
+}
+
+void VirtualBoard::reset(Reset cause) {
+  parts_->resetNow(cause);
+}
+
+int VirtualBoard::resets() const {
+  return parts_->resets;
+}
+
+std::uint64_t VirtualBoard::instructions() const {
+  return parts_->cpu().instructions();
+}
+
+std::uint64_t VirtualBoard::cycles() const {
+  return parts_->cpu().cycles();
+}
+
+std::uint32_t VirtualBoard::clockHz() const {
+  return static_cast<std::uint32_t>(parts_->core().hz());
+}
+
+std::uint32_t VirtualBoard::word(std::uint32_t address) const {
+  return parts_->cpu().word(address);
+}
+
+void VirtualBoard::onEvent(std::function<void(const Event&)> call) {
+  parts_->event = std::move(call);
+}
+
+void VirtualBoard::onWrite(std::function<void(std::uint32_t, unsigned, std::uint32_t)> call) {
+  parts_->written = std::move(call);
+}
+
+void VirtualBoard::record(CallRecorder& recorder) {
+  parts_->recorder = &recorder;
+  parts_->cpu().onBlock([this](std::uint32_t address) {
+    CortexM4& cpu = parts_->cpu();
+    parts_->recorder->block(address, cpu.core(13), cpu.core(14));
+  });
+}
+
+}  // namespace wr::k64
