@@ -10,8 +10,10 @@ from traceability.model.schema import (
     AllowedUse,
     ArchitectureElement,
     BindingResult,
+    BoardFinding,
     Call,
     Clause,
+    DriverFault,
     LogicModule,
     Method,
     Model,
@@ -111,6 +113,16 @@ def make_model() -> Model:
         ArchitectureElement(name, "controller", name, "Text.", ["RC"], place)
         for name in ARCHITECTURE
     ]
+    found = Place("design/board_findings.toml", 4)
+    model.board_findings = {
+        "clock-gate": BoardFinding("clock-gate", "The clock is off.", found, ["RcTest.Reads"]),
+    }
+    model.driver_faults = [
+        DriverFault(
+            "Clock gate of UART0 left closed", f"src/{MODES}/RC.cpp", "clock-gate", True,
+            "finding: clock-gate: UART0, in wr::K64Uart::start() at src/k64/K64Uart.cpp:31",
+        )
+    ]  # fmt: skip
     model.files = [f for m in model.modules.values() for f in (m.header, str(m.source))]
     return model
 

@@ -300,6 +300,7 @@ def test_seeded_faults_are_a_figure_only_when_these_sources_were_measured(tmp_pa
 
 def test_the_page_of_the_virtual_k64_shows_what_was_found(tmp_path: Path) -> None:
     model = make_project(tmp_path)
+    model.driver_faults = None
     place = Place("design/board_findings.toml", 4)
     model.board_findings = {
         "fpu-off": BoardFinding("fpu-off", "The unit was off.", place, ["RcTest.Reads"]),
