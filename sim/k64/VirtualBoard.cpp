@@ -432,7 +432,8 @@ bool VirtualBoard::Parts::runUntil(Time limit, Done done) {
     }
     const Time next = std::min(nextEvent(), limit);
     if (next > time() && runCore(next) && sleeps_ && !done()) {
-      cpu_.skipTo(core_.reach(next));
+      // The program may have made an event come sooner since the run began.
+      cpu_.skipTo(core_.reach(std::min(nextEvent(), limit)));
     }
     advance();
   }
