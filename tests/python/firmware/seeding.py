@@ -1,0 +1,104 @@
+"""Makes an image with mistakes seeded in its drivers, and runs it on the virtual K64."""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+from tests.python.firmware.contents import BUILD, ROOT
+
+BOARD = ROOT / "build" / "host" / "sim" / "weeding_robot_board"
+FOUND = 4  # exit code of the board program: the run ended with a finding
+SOURCES = ROOT / "src" / "k64"
+
+# Two seconds of a robot that is driven: reports go out, orders come in.
+DRIVE = """\
+at 300 connect
+from 600 to 1950 every 100 order velocity 300 steering 150
+at 1950 expect state Working
+at 1950 expect set_point0 300
+at 2000 end
+"""
+
+
+@dataclass(frozen=True)
+class Change:
+    """A piece of a source of src/k64, and what stands there instead."""
+
+    file: str
+    before: str
+    after: str
+
+
+@dataclass(frozen=True)
+class Run:
+    code: int
+    finding: str  # its id, or empty
+    text: str
+
+
+def seeded(folder: Path, changes: tuple[Change, ...]) -> Path:
+    """Compiles copies of the changed sources and links them with the other objects of the build.
+
+    Returns the image without its suffix.
+    """
+    link = link_command()
+    for file in {change.file for change in changes}:
+        source = folder / file
+        source.parent.mkdir(exist_ok=True)
+        source.write_text(changed(file, changes), encoding="utf-8")
+        compiled = source.with_suffix(".obj")
+        original, words = compile_command(file)
+        words[words.index("-c") + 1] = str(source)
+        words[words.index("-o") + 1] = str(compiled)
+        words.append(f"-ffile-prefix-map={folder}=./src/k64")  # findings name the true place
+        subprocess.run(words, check=True, cwd=BUILD, timeout=60)
+        link[link.index(original)] = str(compiled)
+    image = folder / "weeding_robot"
+    link[link.index("-o") + 1] = f"{image}.elf"
+    subprocess.run(link, check=True, cwd=BUILD, timeout=60)
+    words = ["arm-none-eabi-objcopy", "-O", "binary", f"{image}.elf", f"{image}.bin"]
+    subprocess.run(words, check=True, timeout=60)
+    return image
+
+
+def changed(file: str, changes: tuple[Change, ...]) -> str:
+    text = (SOURCES / file).read_text(encoding="utf-8")
+    for change in changes:
+        if change.file == file:
+            assert text.count(change.before) == 1, f"{file} has not once: {change.before}"
+            text = text.replace(change.before, change.after)
+    return text
+
+
+def compile_command(file: str) -> tuple[str, list[str]]:
+    """The object of a source, and the words that compile it."""
+    entries = json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8"))
+    (entry,) = [one for one in entries if one["file"] == str(SOURCES / file)]
+    words = shlex.split(entry["command"])
+    return words[words.index("-o") + 1], words
+
+
+def link_command() -> list[str]:
+    """The words that link the image; without its map, which belongs to the image of the build."""
+    ninja = ["ninja", "-C", str(BUILD), "-t", "commands", "weeding_robot.elf"]
+    done = subprocess.run(ninja, check=True, capture_output=True, text=True, timeout=60)
+    line = done.stdout.splitlines()[-1].removeprefix(": && ")
+    words = shlex.split(line[: line.index(" && ")])
+    return [word for word in words if not word.startswith("-Wl,-Map=")]
+
+
+def driven(image: Path, folder: Path) -> Run:
+    """Runs an image, its suffix left out, for two seconds of the robot's time."""
+    scenario = folder / "drive.scenario"
+    scenario.write_text(DRIVE, encoding="utf-8")
+    words: list[str | Path] = [BOARD, "--image", f"{image}.bin", "--elf", f"{image}.elf"]
+    words += ["--scenario", scenario]
+    done = subprocess.run(words, capture_output=True, text=True, timeout=120, check=False)
+    text = done.stdout + done.stderr
+    found = re.search(r"^finding: ([a-z-]+): .*$", text, re.MULTILINE)
+    return Run(done.returncode, found[1] if found else "", found[0] if found else text.strip())

@@ -1,0 +1,216 @@
+"""Mistakes of drivers, each seeded in a copy, stop the image on the virtual K64 with a finding."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.python.firmware.contents import BUILD, ROOT
+from tests.python.firmware.seeding import FOUND, Change, driven, seeded
+from traceability.commands.builds import build
+from traceability.sources import source_hash
+
+# A calculation with floating-point numbers, at the start of the cycle timer.
+CALCULATION = Change(
+    "K64Pit.cpp",
+    "  stop();\n  const auto ticks",
+    "  stop();\n  volatile float ratio = 1.5F;\n  ratio = ratio * ratio;\n  const auto ticks",
+)
+
+# What is wrong, the finding, and the changes; the first one names the driver.
+FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
+    "clock gate of UART0 left closed": (
+        "clock-gate",
+        (Change("K64Board.cpp", "  sim::SCGC4.set(sim::SCGC4_UART0);\n", ""),),
+    ),
+    "clock gate of the PIT left closed": (
+        "clock-gate",
+        (Change("K64Board.cpp", "  sim::SCGC6.set(sim::SCGC6_PIT);\n", ""),),
+    ),
+    "clock gate of port E left closed": (
+        "clock-gate",
+        (Change("K64Board.cpp", " | sim::SCGC5_PORTE", ""),),
+    ),
+    "distance of the pins of a port wrong": (
+        "unmodelled-register",
+        (Change("K64Board.cpp", "pin.number * port::kPinDistance", "pin.number * 8U"),),
+    ),
+    "unlock key of the watchdog wrong": (
+        "watchdog-sequence",
+        (Change("K64Watchdog.cpp", "{0xD928}", "{0xD929}"),),
+    ),
+    "second unlock key of the watchdog missing": (
+        "watchdog-sequence",
+        (Change("K64Watchdog.cpp", "  wdog::UNLOCK.write({0xD928});\n", ""),),
+    ),
+    "watchdog configured after memory is initialised": (
+        "watchdog-sequence",
+        (
+            Change("start_up/reset.cpp", "  wr::K64Watchdog::configure();\n", ""),
+            Change(
+                "start_up/reset.cpp",
+                "  wr::constructObjects();\n",
+                "  wr::constructObjects();\n  wr::K64Watchdog::configure();\n",
+            ),
+        ),
+    ),
+    "refresh key of the watchdog wrong": (
+        "watchdog-sequence",
+        (Change("K64Watchdog.cpp", "{0xB480}", "{0xB481}"),),
+    ),
+    "watchdog not refreshed": (
+        "watchdog-missed",
+        (
+            Change("K64Watchdog.cpp", "  wdog::REFRESH.write({0xA602});\n", ""),
+            Change("K64Watchdog.cpp", "  wdog::REFRESH.write({0xB480});\n", ""),
+        ),
+    ),
+    "time-out of the watchdog shorter than a cycle": (
+        "watchdog-missed",
+        (Change("K64Watchdog.cpp", "static_cast<std::uint16_t>(kTicks)", "std::uint16_t{50}"),),
+    ),
+    "interrupt of the PIT not acknowledged": (
+        "interrupt-storm",
+        (
+            Change(
+                "K64Pit.cpp",
+                "void K64Pit::acknowledge() {\n  pit::TFLG.at(offset()).write(pit::TFLG_TIF);\n",
+                "void K64Pit::acknowledge() {\n",
+            ),
+        ),
+    ),
+    "received byte of the UART not taken": (
+        "uart-overrun",  # before the interrupt has come so often that it is a storm
+        (Change("K64Uart.cpp", "uart0::D.read().value", "uart0::BDL.read().value"),),
+    ),
+    "transmit interrupt of the UART never switched off": (
+        "interrupt-storm",
+        (Change("K64Uart.cpp", "    uart0::C2.write(kReceiving);\n", ""),),
+    ),
+    "baud divisor wrong": (
+        "uart-baud",
+        (Change("K64Uart.cpp", "static_cast<std::uint8_t>(kDivider)", "std::uint8_t{130}"),),
+    ),
+    "interrupts closed for too long": (
+        "uart-overrun",
+        (
+            Change(
+                "K64Uart.cpp",
+                "  const std::size_t count = std::min",
+                '  asm volatile("cpsid i" ::: "memory");\n'
+                '  for (std::uint32_t i = 0; i < 50000; ++i) {\n    asm volatile("nop");\n  }\n'
+                '  asm volatile("cpsie i" ::: "memory");\n'
+                "  const std::size_t count = std::min",
+            ),
+        ),
+    ),
+    "FPU not enabled": (
+        "fpu-off",
+        (Change("K64Board.cpp", "  scb::CPACR.set(scb::CPACR_FPU);\n", ""), CALCULATION),
+    ),
+    "vector of PIT0 missing": (
+        "reset-request",  # the vector leads to the handler of unexpected interrupts
+        (Change("start_up/vectors.cpp", "  lines[kCycleTimerLine] = cycleTimerInterrupt;\n", ""),),
+    ),
+    "vector of the main controller's thread missing": (
+        "reset-request",
+        (Change("start_up/vectors.cpp", "  lines[kMainThreadLine] = mainThreadInterrupt;\n", ""),),
+    ),
+    "vector of PIT0 empty": (
+        "vector-missing",
+        (Change("start_up/vectors.cpp", "= cycleTimerInterrupt;", "= nullptr;"),),
+    ),
+    "PLL not waited for": (
+        "register-misuse",
+        (
+            Change(
+                "K64Board.cpp",
+                "!comes(mcg::S_PLLST | mcg::S_LOCK0, mcg::S_PLLST | mcg::S_LOCK0)",
+                "false",
+            ),
+        ),
+    ),
+    "clocks not divided": (
+        "register-misuse",
+        (Change("K64Board.cpp", "  sim::CLKDIV1.write(kDividers);\n", ""),),
+    ),
+    "store to flash": (
+        "flash-store",
+        (
+            Change(
+                "K64Board.cpp",
+                "  faultRecord.mark = 0;\n",
+                "  *reinterpret_cast<volatile std::uint32_t*>(0x8000) = 0;\n",
+            ),
+        ),
+    ),
+    "stack overflow": (
+        "unmapped-memory",
+        (
+            Change(
+                "K64Uart.cpp",
+                "  const std::size_t count = std::min",
+                "  volatile std::uint8_t copy[9000];\n"
+                "  for (volatile std::uint8_t& byte : copy) {\n    byte = 0;\n  }\n"
+                "  const std::size_t count = std::min",
+            ),
+        ),
+    ),
+}
+
+
+@pytest.fixture(scope="module", autouse=True)
+def programs(tmp_path_factory: pytest.TempPathFactory) -> None:
+    with (tmp_path_factory.mktemp("build") / "log").open("w") as log:
+        build(ROOT, "k64", log, "weeding_robot")
+        build(ROOT, "host", log, "weeding_robot_board")
+
+
+@pytest.fixture(scope="module")
+def table() -> Iterator[dict[str, dict[str, object]]]:
+    """What was found. When all faults were seeded, it is a result of the run."""
+    rows: dict[str, dict[str, object]] = {}
+    yield rows
+    for fault, row in rows.items():
+        print(f"{fault:50} -> {row['finding'] or 'nothing'}")
+    if rows.keys() == FAULTS.keys():
+        results = ROOT / "build" / "results" / "driver_faults.json"
+        results.parent.mkdir(parents=True, exist_ok=True)
+        record = {"sources": source_hash(ROOT), "faults": list(rows.values())}
+        results.write_text(json.dumps(record, indent=1), encoding="utf-8")
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_fault_of_a_driver_is_found(
+    tmp_path: Path, table: dict[str, dict[str, object]], fault: str
+) -> None:
+    finding, changes = FAULTS[fault]
+    run = driven(seeded(tmp_path, changes), tmp_path)
+    caught = run.code == FOUND and run.finding == finding
+    table[fault] = {
+        "fault": fault,
+        "file": f"src/k64/{changes[0].file}",
+        "finding": run.finding,
+        "caught": caught,
+        "text": run.text,
+    }
+    assert caught, run.text
+
+
+def test_the_image_itself_has_no_finding(tmp_path: Path) -> None:
+    run = driven(BUILD / "weeding_robot", tmp_path)
+    assert (run.code, run.finding) == (0, ""), run.text
+
+
+def test_an_image_that_is_linked_again_is_the_same(tmp_path: Path) -> None:
+    """So a finding comes from the change, not from the way in which it was made."""
+    image = seeded(tmp_path, ())
+    assert image.with_suffix(".bin").read_bytes() == (BUILD / "weeding_robot.bin").read_bytes()
+
+
+def test_a_calculation_with_the_fpu_on_has_no_finding(tmp_path: Path) -> None:
+    run = driven(seeded(tmp_path, (CALCULATION,)), tmp_path)
+    assert (run.code, run.finding) == (0, ""), run.text
