@@ -1,4 +1,5 @@
-"""The client against the firmware, which runs in real time on a pseudo-terminal."""
+"""The client against the firmware, which runs in real time on a pseudo-terminal: once built for
+this machine, once as the image of the K64 on the virtual board."""
 
 import itertools
 import os
@@ -13,27 +14,36 @@ from weeding_robot_client.link import Link
 from weeding_robot_client.messages import Order, Quantity, Report, WheelSetPoint
 
 ROOT = Path(__file__).parents[3]
-PROGRAM = ROOT / "build" / "host" / "sim" / "weeding_robot_host"
+PROGRAMS = ROOT / "build" / "host" / "sim"
+IMAGE = ROOT / "build" / "k64" / "weeding_robot.bin"
 VELOCITY = WheelSetPoint(Quantity.VELOCITY, 40.0)
 
 
-@pytest.fixture(scope="module")
-def program() -> Path:
-    build = ROOT / "build" / "host"
+def build(preset: str, target: str) -> None:
+    folder = ROOT / "build" / preset
     jobs = str(os.cpu_count() or 1)
     for words in (
-        ["cmake", "-S", ROOT, "--preset", "host"],
-        ["cmake", "--build", build, "--parallel", jobs, "--target", "weeding_robot_host"],
+        ["cmake", "-S", str(ROOT), "--preset", preset],
+        ["cmake", "--build", str(folder), "--parallel", jobs, "--target", target],
     ):
         subprocess.run(words, check=True, cwd=ROOT, timeout=300, stdout=subprocess.DEVNULL)
-    return PROGRAM
+
+
+@pytest.fixture(scope="module", params=["host", "board"])
+def program(request: pytest.FixtureRequest) -> list[Path | str]:
+    name = f"weeding_robot_{request.param}"
+    build("host", name)
+    if request.param == "host":
+        return [PROGRAMS / name]
+    build("k64", "weeding_robot")
+    return [PROGRAMS / name, "--image", IMAGE]
 
 
 @pytest.fixture
-def robot(program: Path, tmp_path: Path) -> Iterator[Path]:
+def robot(program: list[Path | str], tmp_path: Path) -> Iterator[Path]:
     """A robot that was just switched on; its remote control is silent."""
     path = tmp_path / "pc-link"
-    process = subprocess.Popen([program, "--link", path], stdout=subprocess.DEVNULL)
+    process = subprocess.Popen([*program, "--link", path], stdout=subprocess.DEVNULL)
     end = time.monotonic() + 10
     while not path.exists() and time.monotonic() < end:
         time.sleep(0.005)
@@ -76,6 +86,16 @@ def test_from_power_up_with_a_silent_remote_control_the_pc_commands_within_n_and
     for report in reports[working:]:
         assert (report.mode, report.source, report.state) == ("PC", "PC", "Working")
         assert report.order_read
+
+
+def test_the_robot_tells_why_it_started_and_no_fault(
+    robot: Path, program: list[Path | str]
+) -> None:
+    with Link(robot) as link:
+        drive(link, 1)
+        assert link.welcome is not None
+        start = str(link.welcome.start)
+    assert start == ("power on" if IMAGE in program else "unknown cause")
 
 
 def test_an_order_sent_before_a_clock_pulse_is_in_the_report_of_that_cycle(robot: Path) -> None:
