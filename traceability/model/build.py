@@ -12,7 +12,6 @@ from traceability.model.declared import Declared, read_declared
 from traceability.model.results import (
     Result,
     bindings_of,
-    plain_name,
     read_coverage,
     read_driver_faults,
     read_results,
@@ -522,7 +521,8 @@ def _result_of(found: Result | None, model: Model, binding: str) -> BindingResul
     stale = model.stale_on(binding)
     if found is None:
         return BindingResult(stale=stale)
-    return BindingResult(found.result, round(found.milliseconds, 3), found.message, stale)
+    milliseconds = round(found.milliseconds, 3)
+    return BindingResult(found.result, milliseconds, found.message, stale, found.recordings)
 
 
 def _test_name(lines: list[str], line: int) -> tuple[str, str] | None:
@@ -549,17 +549,12 @@ def _add_board_findings(model: Model, facts: Facts) -> None:
 
 
 def _add_executed_modules(model: Model, recordings: dict[str, Traces]) -> None:
-    executed: dict[str, set[str]] = {}
-    for traces in recordings.values():
-        for recorded in sorted(traces.tests):
-            suite, _, case = recorded.partition(".")
-            name = plain_name(suite, case)
-            if name in model.tests:
-                classes = {method.split("::")[0] for method in traces.methods(recorded)}
-                executed.setdefault(name, set()).update(classes)
     for test in model.tests.values():
-        named = Path(test.place.file).stem.removesuffix("Test")
-        classes = executed.get(test.id, set()) | {named}
+        classes = {Path(test.place.file).stem.removesuffix("Test")}
+        for binding, result in test.results.items():
+            for name in recordings[binding].tests.intersection(result.recordings):
+                called = recordings[binding].methods(name)
+                classes |= {method.split("::")[0] for method in called}
         test.modules = sorted(
             name for name in classes if name in model.modules and not model.modules[name].datatype
         )
@@ -684,11 +679,13 @@ class Run:
 def _execute(model: Model, requirement: Requirement, run: Run) -> None:
     """Looks for the tree in the recordings of passing tests, the shortest first."""
     tree = requirement.tree
-    passing = [
-        name
+    passing = {
+        recording: name
         for name in requirement.verified_by
-        if run.binding in model.tests[name].gave("passed") and name in run.traces.tests
-    ]
+        if run.binding in model.tests[name].gave("passed")
+        for recording in model.tests[name].results[run.binding].recordings
+        if recording in run.traces.tests
+    }
     if tree is None or not passing:
         return
     recorded = {name: run.traces.rows(name, run.known.__contains__) for name in passing}
@@ -701,7 +698,7 @@ def _execute(model: Model, requirement: Requirement, run: Run) -> None:
         if found.failed is None:
             shown, start, numbers = excerpt(rows, sorted(found.rows.values()))
             places = [numbers.get(found.rows.get(id(node), -1)) for node in nodes]
-            requirement.runs[run.binding] = TreeRun(name, shown, start, places)
+            requirement.runs[run.binding] = TreeRun(passing[name], shown, start, places)
             furthest = len(nodes)
             break
         furthest = max(furthest, order[id(found.failed)])

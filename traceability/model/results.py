@@ -22,6 +22,7 @@ class Result:
     result: str  # "passed", "failed", "skipped"
     milliseconds: float
     message: str
+    recordings: list[str] = field(default_factory=list)  # names of the files of recorded calls
 
 
 @dataclass
@@ -60,9 +61,11 @@ def read_results(root: Path, binding: str) -> dict[str, Result]:
         for test in suite.get("testsuite", []):
             name = plain_name(suite["name"], test["name"])
             result = _result(test)
+            result.recordings.append(f"{suite['name']}.{test['name']}".replace("/", "_"))
             known = found.get(name)
             if known is not None:
                 result.milliseconds += known.milliseconds
+                result.recordings += known.recordings
                 if known.result == "failed":
                     result.result, result.message = known.result, known.message
             found[name] = result

@@ -214,6 +214,7 @@ class BindingResult:
     milliseconds: float | None = None
     message: str = ""
     stale: bool = False
+    recordings: list[str] = field(default_factory=list)  # files of recorded calls that it may have
 
 
 @dataclass

@@ -40,6 +40,7 @@ def test_one_failed_instance_fails_a_parameterised_test(tmp_path: Path) -> None:
     write(tmp_path, "trace.json", {"testsuites": [suite]})
     result = read_results(tmp_path, HOST)["Suite.T"]
     assert (result.result, result.message, result.milliseconds) == ("failed", "expected 1", 2.0)
+    assert sorted(result.recordings) == ["All_Suite.T_0", "All_Suite.T_1"]
 
 
 def test_skipped_and_disabled_tests_did_not_pass(tmp_path: Path) -> None:
