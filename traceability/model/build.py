@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import subprocess
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from traceability.model.annotations import Annotations, MemberText, Text, read_annotations
@@ -47,6 +47,7 @@ from traceability.model.syntax import (
     read_syntax,
 )
 from traceability.model.traces import (
+    Row,
     Traces,
     embed,
     excerpt,
@@ -591,6 +592,7 @@ def _add_trees(model: Model, facts: Facts, recordings: dict[str, Traces]) -> Non
         for method in fact.methods
         if (top := model.modules.get(fact.name.split("::")[0])) and not top.datatype
     }
+    runs = [Run(binding, traces, facts, known) for binding, traces in recordings.items()]
     for name, (_, tree) in facts.declared.trees.items():
         requirement = model.requirements.get(name)
         if requirement is None or tree is None:
@@ -598,8 +600,8 @@ def _add_trees(model: Model, facts: Facts, recordings: dict[str, Traces]) -> Non
         requirement.tree = tree
         _resolve(tree, facts)
         _reach(tree, facts)
-        for binding, traces in recordings.items():
-            _execute(model, requirement, Run(binding, traces, facts, known))
+        for run in runs:
+            _execute(model, requirement, run)
 
 
 def _resolve(tree: TreeNode, facts: Facts) -> None:
@@ -671,6 +673,12 @@ class Run:
     traces: Traces
     facts: Facts
     known: set[str]  # methods of design modules
+    read: dict[str, list[Row]] = field(default_factory=dict)
+
+    def rows(self, recording: str) -> list[Row]:
+        if recording not in self.read:
+            self.read[recording] = self.traces.rows(recording, self.known.__contains__)
+        return self.read[recording]
 
     def accepts(self, node: TreeNode) -> set[str]:
         return accepted_on(self.binding, node, self.facts)
@@ -688,12 +696,11 @@ def _execute(model: Model, requirement: Requirement, run: Run) -> None:
     }
     if tree is None or not passing:
         return
-    recorded = {name: run.traces.rows(name, run.known.__contains__) for name in passing}
     nodes = nodes_of(tree)
     order = {id(node): number for number, node in enumerate(nodes)}
     furthest = 0
-    for name in sorted(recorded, key=lambda test: len(recorded[test])):
-        rows = recorded[name]
+    for name in sorted(passing, key=lambda one: (run.traces.file(one).stat().st_size, one)):
+        rows = run.rows(name)
         found = embed(tree, rows, run.accepts)
         if found.failed is None:
             shown, start, numbers = excerpt(rows, sorted(found.rows.values()))

@@ -104,7 +104,8 @@ def test_results_count_only_for_the_sources_they_were_made_from(tree: Path) -> N
     (results / "trace.hash").write_text(json.dumps({"sources": source_hash(tree)}))
     assert not build_model(tree).results_stale
     test = build_model(tree).tests["Working.WaitsWithoutMessage"]
-    assert test.results == {HOST: BindingResult("passed", 2.0)}
+    recordings = ["Working.WaitsWithoutMessage"]
+    assert test.results == {HOST: BindingResult("passed", 2.0, recordings=recordings)}
     path = tree / "src/main_control/operation_modes/RC.cpp"
     path.write_text(path.read_text() + "\n// changed\n")
     assert build_model(tree).results_stale
