@@ -1,22 +1,24 @@
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
+#include <memory>
 
-#include "sim/k64/VirtualBoard.hpp"
 #include "sim/scenario/BoardLine.hpp"
 
 namespace wr::test {
 
 /// @brief The image under test; the variable WR_IMAGE names another one.
-inline std::filesystem::path imageFile() {
-  const char* const given = std::getenv("WR_IMAGE");
-  return given != nullptr ? given : WR_IMAGE;
-}
+[[nodiscard]] std::filesystem::path imageFile();
 
 /// @brief The file with the symbols of the image, which is beside it.
-inline std::filesystem::path elfFile() {
-  return imageFile().replace_extension(".elf");
-}
+[[nodiscard]] std::filesystem::path elfFile();
+
+/// @brief Switches a board with the image on. The calls of its firmware are recorded for the test.
+/// @param options what the board does and has; the file with the symbols is added
+[[nodiscard]] std::unique_ptr<BoardLine> switchBoardOn(k64::Options options = {});
+
+/// @brief The same with an image that a test has changed.
+[[nodiscard]] std::unique_ptr<BoardLine> switchBoardOn(std::vector<std::uint8_t> image,
+                                                       k64::Options options);
 
 }  // namespace wr::test

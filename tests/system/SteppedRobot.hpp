@@ -15,7 +15,8 @@ namespace wr::test {
 
 using std::chrono::microseconds;
 
-/// Switches a new robot on. What it runs on is chosen when the tests are linked.
+/// Switches a new robot on, and returns when it listens to its line. What it runs on is chosen when
+/// the tests are linked.
 [[nodiscard]] std::unique_ptr<RobotLine> switchOn();
 
 /// Sequences of the comparison with the reference that this binding runs in reasonable time.

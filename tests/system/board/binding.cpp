@@ -1,13 +1,20 @@
 // The robot of the system tests is the image of the firmware on the virtual K64.
 
-#include "sim/scenario/BoardLine.hpp"
+#include <chrono>
+#include <memory>
+#include <stdexcept>
+
 #include "support/image.hpp"
 #include "system/SteppedRobot.hpp"
 
 namespace wr::test {
 
 std::unique_ptr<RobotLine> switchOn() {
-  return std::make_unique<BoardLine>(readImage(imageFile()), k64::Options{.elf = elfFile()});
+  std::unique_ptr<BoardLine> robot = switchBoardOn();
+  if (!robot->board.runToSleep(std::chrono::milliseconds(50))) {
+    throw std::runtime_error("the firmware does not start");
+  }
+  return robot;
 }
 
 int referenceSequences() {

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/image.hpp"
+#include "system/SteppedRobot.hpp"
+
+namespace wr::test {
+
+using std::chrono::milliseconds;
+using std::chrono::nanoseconds;
+using std::chrono::seconds;
+
+/// A pin that the firmware drives, and its level when nobody controls the robot.
+struct SafePin {
+  char port;
+  int number;
+  bool level;
+};
+
+/// The outputs of the robot, written from the page of the pins and without the firmware's table:
+/// tension, orientation and enable of the wheels, steering, green light off, red light on.
+inline constexpr std::array<SafePin, 17> kSafePins{{
+    {'C', 1, false},
+    {'C', 2, false},
+    {'C', 3, false},
+    {'C', 4, false},
+    {'C', 16, false},
+    {'C', 17, false},
+    {'B', 9, false},
+    {'B', 23, false},
+    {'C', 5, false},
+    {'C', 7, false},
+    {'C', 12, false},
+    {'B', 20, false},
+    {'C', 8, false},
+    {'C', 9, false},
+    {'C', 0, false},
+    {'E', 26, true},
+    {'B', 22, false},
+}};
+
+/// The firmware on the virtual K64, where a test also reaches the board. Faults and resets are what
+/// is tested: they do not stop the board.
+class BoardRobot : public SteppedRobot {
+ public:
+  explicit BoardRobot(bool externalClock = true)
+      : BoardRobot(switchBoardOn({.elf = {},
+                                  .externalClock = externalClock,
+                                  .resetsAreFindings = false,
+                                  .faultsAreFindings = false})) {}
+  explicit BoardRobot(std::vector<std::uint8_t> image)
+      : BoardRobot(switchBoardOn(std::move(image), {.elf = {},
+                                                    .externalClock = true,
+                                                    .resetsAreFindings = false,
+                                                    .faultsAreFindings = false})) {}
+
+  /// Lets time pass; a finding ends the test.
+  void run(nanoseconds duration) {
+    if (!board.runUntil(board.now() + duration)) {
+      throw std::runtime_error(line.finding().value().text);
+    }
+  }
+
+  /// Lets the firmware start: then it listens to its line.
+  void startUp() { run(milliseconds(5)); }
+
+  /// Asks for a connection, and takes the answer.
+  PcWelcome askForWelcome() {
+    welcome.reset();
+    static_cast<void>(line.takeSent());
+    hello();
+    cycle();
+    return welcome.value();
+  }
+
+  /// The outputs that are not at their safe level, or are no outputs.
+  [[nodiscard]] std::string unsafePins() const {
+    std::string names;
+    for (const SafePin& pin : kSafePins) {
+      if (!board.isOutput(pin.port, pin.number) || board.pin(pin.port, pin.number) != pin.level) {
+        names += std::string("PT") + pin.port + std::to_string(pin.number) + " ";
+      }
+    }
+    return names;
+  }
+
+ private:
+  explicit BoardRobot(std::unique_ptr<BoardLine> robot) : BoardRobot(*robot, robot) {}
+  BoardRobot(BoardLine& robot, std::unique_ptr<BoardLine>& owner)
+      : SteppedRobot(std::move(owner)), line(robot), board(robot.board) {}
+
+ public:
+  BoardLine& line;
+  k64::VirtualBoard& board;
+};
+
+// Addresses of registers, as the reference manual of the part gives them.
+inline constexpr std::uint32_t kWatchdogBegin = 0x40052000;
+inline constexpr std::uint32_t kWatchdogEnd = 0x40052018;
+inline constexpr std::uint32_t kWatchdogRefresh = 0x4005200C;
+inline constexpr std::uint32_t kClockBegin = 0x40064000;
+inline constexpr std::uint32_t kClockEnd = 0x40064010;
+inline constexpr std::uint32_t kSystemReset = 0xE000ED0C;
+
+// Numbers in the Welcome.
+inline constexpr int kPowerOn = 1;
+inline constexpr int kPinReset = 3;
+inline constexpr int kByWatchdog = 4;
+inline constexpr int kBySoftware = 7;
+inline constexpr int kNoFault = 0;
+inline constexpr int kAssertion = 1;
+inline constexpr int kHardFault = 2;
+inline constexpr int kBusFault = 4;
+inline constexpr int kUsageFault = 5;
+inline constexpr int kUnexpectedInterrupt = 6;
+inline constexpr int kClockFailed = 7;
+
+}  // namespace wr::test

@@ -1,0 +1,41 @@
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/scenario/EventTrace.hpp"
+#include "sim/scenario/Scenario.hpp"
+#include "sim/scenario/ScenarioPlayer.hpp"
+#include "support/image.hpp"
+
+namespace wr::test {
+namespace {
+
+/// @brief The same scenario gives the same events at the same times, always.
+TEST(BoardRun, SameRunGivesSameTrace) {
+  const auto hashOf = [](const char* scenario) {
+    const Scenario steps =
+        Scenario::load(std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/examples" / scenario);
+    const std::unique_ptr<BoardLine> robot = switchBoardOn();
+    EventTrace trace;
+    robot->onEvent([&](const k64::Event& event) { trace.add(event); });
+    const auto outcome = ScenarioPlayer(steps, *robot).play();
+    EXPECT_EQ(outcome.failures, std::vector<std::string>{});
+    EXPECT_GT(trace.events(), 1000U);
+    return trace.hash();
+  };
+  const std::uint64_t first = hashOf("stop.scenario");
+  EXPECT_EQ(first, hashOf("stop.scenario"));
+  EXPECT_NE(first, hashOf("loss_of_the_pc.scenario"));
+}
+
+/// @brief Without an image there is no test that passes.
+TEST(BoardRun, MissingImageIsAnError) {
+  EXPECT_THROW(static_cast<void>(readImage("/nowhere/weeding_robot.bin")), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace wr::test

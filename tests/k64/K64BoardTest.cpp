@@ -1,0 +1,242 @@
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "k64/BoardRobot.hpp"
+#include "k64/patch.hpp"
+
+namespace wr::test {
+namespace {
+
+constexpr std::uint32_t kUpperMemory = 0x20000000;
+constexpr std::uint32_t kWordsOfMemory = 4096;
+constexpr nanoseconds kSlice{1000};
+
+bool isClock(std::uint32_t address) {
+  return address >= kClockBegin && address < kClockEnd;
+}
+
+std::vector<std::uint32_t> memoryOf(const k64::VirtualBoard& board) {
+  std::vector<std::uint32_t> words;
+  for (std::uint32_t i = 0; i < kWordsOfMemory; ++i) {
+    words.push_back(board.word(kUpperMemory + 4 * i));
+  }
+  return words;
+}
+
+// Runs to the next reset. Returns the pins that were not safe just before it.
+std::string unsafeAtReset(BoardRobot& robot) {
+  const int before = robot.board.resets();
+  const nanoseconds limit = robot.board.now() + milliseconds(1);
+  std::string unsafe = "no time passed";
+  while (robot.board.now() < limit) {
+    unsafe = robot.unsafePins();
+    robot.run(kSlice);
+    if (robot.board.resets() != before) {
+      return unsafe;
+    }
+  }
+  return "no reset came";
+}
+
+/// @brief When the first register of the clock is written, all outputs are at their safe level.
+/// @verifies FR-71
+TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeTheClockIsSetUp) {
+  BoardRobot robot;
+  EXPECT_NE(robot.unsafePins(), "");
+  std::optional<std::string> unsafe;
+  robot.board.onWrite([&](std::uint32_t address, unsigned /*size*/, std::uint32_t /*value*/) {
+    if (isClock(address) && !unsafe) {
+      unsafe = robot.unsafePins();
+    }
+  });
+  robot.cycle();
+  EXPECT_EQ(unsafe, "");
+}
+
+/// @brief When the outputs become safe after a reset, memory still holds what it held before it.
+/// @verifies FR-71
+TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeMemoryIsInitialised) {
+  BoardRobot robot;
+  robot.startUp();
+  robot.connect();
+  robot.cycles(3);
+  const std::vector<std::uint32_t> before = memoryOf(robot.board);
+  std::optional<std::vector<std::uint32_t>> whenSafe;
+  std::optional<std::vector<std::uint32_t>> atClock;
+  robot.board.reset(k64::Reset::Pin);
+  robot.board.onWrite([&](std::uint32_t address, unsigned /*size*/, std::uint32_t /*value*/) {
+    if (!whenSafe && robot.unsafePins().empty()) {
+      whenSafe = memoryOf(robot.board);
+    }
+    if (!atClock && isClock(address)) {
+      atClock = memoryOf(robot.board);
+    }
+  });
+  robot.cycle();
+  ASSERT_TRUE(whenSafe.has_value());
+  EXPECT_EQ(*whenSafe, before);
+  EXPECT_NE(*atClock, before) << "the comparison would not see the initialisation";
+}
+
+/// @brief No output leaves its safe level in a start, but for the lights when the cycles run.
+/// @verifies FR-71
+TEST(K64BoardOnBoard, FR71_NoOutputLeavesItsSafeLevel) {
+  BoardRobot robot;
+  std::vector<std::uint32_t> changed;
+  robot.line.onEvent([&](const k64::Event& event) {
+    for (const SafePin& pin : kSafePins) {
+      const auto number = static_cast<std::uint32_t>(32 * (pin.port - 'A') + pin.number);
+      if (event.kind == k64::Event::Kind::PinChanged && event.number == number &&
+          (event.value != 0) != pin.level) {
+        changed.push_back(number);
+      }
+    }
+  });
+  robot.cycles(3);
+  const std::uint32_t red = 32 * 1 + 22;
+  const std::uint32_t green = 32 * 4 + 26;
+  EXPECT_EQ(changed, (std::vector<std::uint32_t>{red, green}));
+}
+
+/// @brief The core runs at 120 MHz when the first clock pulse comes, and at 115200 baud each byte of
+/// the first Welcome comes through.
+/// @verifies FR-72
+TEST(K64BoardOnBoard, FR72_CoreRunsAt120MegahertzBeforeTheFirstCycle) {
+  BoardRobot robot;
+  EXPECT_LT(robot.board.clockHz(), 22'000'000U);
+  ASSERT_TRUE(robot.board.runToInterrupt(BoardLine::kPulseInterrupt, seconds(1)));
+  EXPECT_EQ(robot.board.clockHz(), 120'000'000U);
+  EXPECT_EQ(robot.askForWelcome().resetCause, kPowerOn);
+}
+
+/// @brief Without the external clock no cycle runs, the outputs stay safe, and the watchdog begins the
+/// start again and again. When the clock comes back the robot starts and tells it.
+/// @verifies FR-73
+/// @verifies FR-76
+TEST(K64BoardOnBoard, FR73_StartIsTriedAgainUntilTheClockComes) {
+  BoardRobot robot(false);
+  robot.run(milliseconds(280));
+  for (int attempt = 1; attempt <= 3; ++attempt) {
+    EXPECT_EQ(robot.board.resets(), attempt - 1);
+    EXPECT_EQ(robot.unsafePins(), "");
+    robot.run(milliseconds(301));
+  }
+  EXPECT_EQ(robot.line.pulses().size(), 0U);
+  robot.board.setExternalClock(true);
+  robot.run(milliseconds(301));
+  const PcWelcome welcome = robot.askForWelcome();
+  EXPECT_EQ(welcome.resetCause, kByWatchdog);
+  EXPECT_EQ(welcome.faultKind, kClockFailed);
+  EXPECT_EQ(welcome.faultNumber, 1) << "the step in which the external clock does not come";
+  EXPECT_EQ(robot.board.clockHz(), 120'000'000U);
+}
+
+struct Ending {
+  const char* name;
+  Image (*image)();
+  std::uint32_t exception;
+  int kind;
+  std::uint32_t number;
+  std::optional<std::uint32_t> address;
+};
+
+Image unchanged() {
+  return readImage(imageFile());
+}
+
+template <Code (*kCode)()>
+Image handledBy() {
+  return withHandler(unchanged(), kUnusedException, kCode());
+}
+
+Code failThreadStartedTwice() {
+  return stubs::failAssertion(3);
+}
+
+std::ostream& operator<<(std::ostream& out, const Ending& ending) {
+  return out << ending.name;
+}
+
+std::string nameOf(const testing::TestParamInfo<Ending>& ending) {
+  return ending.param.name;
+}
+
+class K64BoardEnds : public testing::TestWithParam<Ending> {};
+
+/// @brief Whatever ends the firmware: the outputs become safe, then comes a reset, and the Welcome of the
+/// next start tells what it was, and where. It is told for one start only.
+/// @verifies FR-75
+/// @verifies FR-76
+/// @verifies FR-77
+TEST_P(K64BoardEnds, FR75_SafelyWithRecordAndReset) {
+  const Ending& ending = GetParam();
+  BoardRobot robot(ending.image());
+  robot.startUp();
+  PcWelcome welcome = robot.askForWelcome();
+  EXPECT_EQ(welcome.resetCause, kPowerOn);
+  EXPECT_EQ(welcome.faultKind, kNoFault);
+  robot.confirm();
+  robot.cycles(2);
+  EXPECT_NE(robot.unsafePins(), "") << "the lights tell that cycles run";
+
+  robot.board.raise(static_cast<int>(ending.exception));
+  EXPECT_EQ(unsafeAtReset(robot), "");
+  robot.startUp();
+  welcome = robot.askForWelcome();
+  EXPECT_EQ(welcome.resetCause, kBySoftware);
+  EXPECT_EQ(welcome.faultKind, ending.kind);
+  EXPECT_EQ(welcome.faultNumber, ending.number);
+  if (ending.address) {
+    EXPECT_EQ(welcome.faultAddress, *ending.address);
+  } else {
+    EXPECT_GE(welcome.faultAddress, 0x410U);
+    EXPECT_LT(welcome.faultAddress, unchanged().size());
+  }
+  EXPECT_EQ(robot.askForWelcome().faultKind, ending.kind)
+      << "each Welcome of a start tells the same";
+
+  robot.board.reset(k64::Reset::Pin);
+  robot.startUp();
+  welcome = robot.askForWelcome();
+  EXPECT_EQ(welcome.resetCause, kPinReset);
+  EXPECT_EQ(welcome.faultKind, kNoFault);
+  EXPECT_EQ(welcome.faultNumber, 0);
+  EXPECT_EQ(welcome.faultAddress, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Endings, K64BoardEnds,
+    testing::Values(Ending{"HardFault", unchanged, 3, kHardFault, 0, {}},
+                    Ending{"BusFault", handledBy<stubs::readFromNowhere>, kUnusedException,
+                           kBusFault, 0, kHandlerAddress + 4},
+                    Ending{"UsageFault", handledBy<stubs::undefined>, kUnusedException, kUsageFault,
+                           0, kHandlerAddress},
+                    Ending{"UnexpectedInterrupt",
+                           unchanged,
+                           kUnusedException,
+                           kUnexpectedInterrupt,
+                           kUnusedException,
+                           {}},
+                    Ending{"Assertion", handledBy<failThreadStartedTwice>, kUnusedException,
+                           kAssertion, 3, kHandlerAddress + 10}),
+    nameOf);
+
+/// @brief A stack that overflows is a fault like others: the record is made, and the reset comes.
+/// @verifies FR-75
+TEST(K64BoardOnBoard, FR75_EndsSafelyWhenTheStackOverflowed) {
+  BoardRobot robot(withHandler(unchanged(), kUnusedException, stubs::overflowStack()));
+  robot.cycles(2);
+  robot.board.raise(kUnusedException);
+  EXPECT_EQ(unsafeAtReset(robot), "");
+  robot.startUp();
+  const PcWelcome welcome = robot.askForWelcome();
+  EXPECT_EQ(welcome.resetCause, kBySoftware);
+  EXPECT_EQ(welcome.faultKind, kBusFault);
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "k64/BoardRobot.hpp"
+#include "k64/patch.hpp"
+
+namespace wr::test {
+namespace {
+
+using Kind = k64::Event::Kind;
+
+/// @brief A clock pulse ends before the cycle begins: the handler of the timer only pends the thread of the
+/// main controller, which runs once.
+/// @verifies FR-1
+TEST(K64ThreadOnBoard, FR1_CycleRunsAfterThePulseHasEnded) {
+  BoardRobot robot;
+  std::vector<std::string> events;
+  robot.line.onEvent([&](const k64::Event& event) {
+    const bool entered = event.kind == Kind::ExceptionEntered;
+    if (!entered && event.kind != Kind::ExceptionLeft) {
+      return;
+    }
+    if (event.number == kPulseException) {
+      events.emplace_back(entered ? "pulse begins" : "pulse ends");
+    } else if (event.number == kMainThreadException) {
+      events.emplace_back(entered ? "cycle begins" : "cycle ends");
+    }
+  });
+  robot.cycles(2);
+  const std::vector<std::string> one{"pulse begins", "pulse ends", "cycle begins", "cycle ends"};
+  std::vector<std::string> two = one;
+  two.insert(two.end(), one.begin(), one.end());
+  EXPECT_EQ(events, two);
+}
+
+/// @brief Bytes that come while a cycle runs interrupt it: the serial port goes first.
+/// @verifies FR-37
+TEST(K64ThreadOnBoard, FR37_SerialPortInterruptsTheCycle) {
+  BoardRobot robot;
+  robot.startUp();
+  robot.connect();
+  bool inCycle = false;
+  int interrupted = 0;
+  robot.line.onEvent([&](const k64::Event& event) {
+    if (event.number == kMainThreadException) {
+      inCycle = event.kind == Kind::ExceptionEntered;
+    }
+    interrupted +=
+        inCycle && event.kind == Kind::ExceptionEntered && event.number == kSerialPortException ? 1
+                                                                                                : 0;
+  });
+  for (int cycle = 0; cycle < 20; ++cycle) {
+    robot.arriveBeforePulse(Bytes(100, 0), -milliseconds(4));
+    robot.keepAlive();
+    robot.cycle();
+  }
+  EXPECT_GE(interrupted, 1);
+  EXPECT_EQ(robot.report().lostBytes, 0);
+}
+
+}  // namespace
+}  // namespace wr::test

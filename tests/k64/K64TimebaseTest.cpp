@@ -1,0 +1,44 @@
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+#include "k64/BoardRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+/// @brief The time in the reports goes on by 100 ms in each cycle, also where the counter of 32 bits wraps:
+/// after 71.6 s and after 143.2 s.
+/// @verifies FR-60
+TEST(K64TimebaseOnBoard, FR60_TimeGoesOnWhereTheCounterWraps) {
+  BoardRobot robot;
+  robot.startUp();
+  robot.connect();
+  const std::uint32_t start = robot.report().time - 200;
+  EXPECT_LT(start, 20U);
+  for (std::uint32_t cycle = 3; cycle <= 1450; ++cycle) {
+    robot.keepAlive();
+    robot.cycle();
+    ASSERT_EQ(robot.report().cycle, cycle);
+    ASSERT_EQ(robot.report().time, start + 100 * cycle);
+  }
+}
+
+/// @brief The time of the firmware is that of the board.
+/// @verifies FR-60
+TEST(K64TimebaseOnBoard, FR60_TimeIsThatOfTheBoard) {
+  BoardRobot robot;
+  robot.startUp();
+  robot.connect();
+  const auto ahead = [&] { return robot.line.pulses().back() - milliseconds(robot.report().time); };
+  const nanoseconds first = ahead();
+  for (int cycle = 0; cycle < 800; ++cycle) {
+    robot.keepAlive();
+    robot.cycle();
+    EXPECT_LT(ahead() - first, milliseconds(1));
+    EXPECT_LT(first - ahead(), milliseconds(1));
+  }
+}
+
+}  // namespace
+}  // namespace wr::test

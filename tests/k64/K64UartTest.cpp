@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+
+#include "k64/BoardRobot.hpp"
+#include "k64/patch.hpp"
+
+namespace wr::test {
+namespace {
+
+constexpr int kUnknownType = 3;  // place in PcReport::dropped
+constexpr int kDamaged = 0;
+
+class K64UartOnBoard : public testing::Test {
+ protected:
+  K64UartOnBoard() { robot.startUp(); }
+
+  // Frames of a type that the robot does not know; it counts each one that comes whole.
+  void sendUnknown(int frames) {
+    for (int i = 0; i < frames; ++i) {
+      robot.arrive(robot.pc.frame(0x55, {}));
+    }
+  }
+
+  BoardRobot robot;
+};
+
+/// @brief As many bytes as the line brings between two pulses come in, and none is lost.
+/// @verifies FR-37
+TEST_F(K64UartOnBoard, FR37_FullLineLosesNoByte) {
+  constexpr int kFrames = 150;  // of 7 bytes: 91 ms on the line, the report before takes 9 ms
+  robot.connect();
+  sendUnknown(kFrames);
+  robot.keepAlive();
+  robot.cycle();
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_EQ(robot.report().dropped[kUnknownType], kFrames);
+  EXPECT_EQ(robot.report().dropped[kDamaged], 0);
+  EXPECT_EQ(robot.report().lostBytes, 0);
+}
+
+/// @brief For ten seconds the line is never idle, in both directions, and none is lost.
+/// @verifies FR-37
+TEST_F(K64UartOnBoard, FR37_LineThatIsNeverIdleLosesNoByte) {
+  robot.connect();
+  constexpr int kFrames = 16'000;
+  sendUnknown(kFrames);
+  for (int cycle = 0; cycle < 105 && !robot.board.lineIdle(); ++cycle) {
+    ASSERT_TRUE(robot.board.runUntil(robot.board.now() + milliseconds(100)));
+  }
+  static_cast<void>(robot.line.takeSent());
+  robot.connect();
+  EXPECT_EQ(robot.report().dropped[kUnknownType], kFrames);
+  EXPECT_EQ(robot.report().dropped[kDamaged], 0);
+  EXPECT_EQ(robot.report().lostBytes, 0);
+}
+
+/// @brief A byte with a wrong stop bit is not taken, and is counted.
+/// @verifies FR-49
+TEST_F(K64UartOnBoard, FR49_FramingErrorIsCounted) {
+  robot.connect();
+  for (int i = 0; i < 3; ++i) {
+    robot.board.receiveBroken(0x41);
+  }
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_EQ(robot.report().lostBytes, 3);
+  EXPECT_EQ(robot.report().dropped[kDamaged], 0);
+}
+
+/// @brief When the main controller is kept away for so long that the storage of 2048 bytes is full, what
+/// comes after is counted byte by byte.
+/// @verifies FR-49
+TEST(K64UartOnBoardThatIsBusy, FR49_BytesBeyondTheStorageAreCounted) {
+  constexpr std::uint32_t kRounds = 11'800'000;  // 197 ms of the core
+  BoardRobot robot(withHandler(readImage(imageFile()), kUnusedException, stubs::takeTime(kRounds)));
+  robot.startUp();
+  robot.connect();
+  robot.board.raise(kUnusedException);
+  robot.run(milliseconds(1));
+  robot.arrive(Bytes(2048 + 100, 1));
+  robot.run(milliseconds(230));
+  static_cast<void>(robot.line.takeSent());
+  robot.arrive(Bytes{0});
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_EQ(robot.report().lostBytes, 100);
+  EXPECT_EQ(robot.report().overruns, 1);
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,77 @@
+// Boards with the image under test. The calls of the firmware are recorded as on the host: one file
+// for each test in the folder WR_TRACE_DIR, see trace.cpp.
+
+#include "support/image.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <utility>
+
+#include "sim/k64/CallRecorder.hpp"
+
+namespace wr::test {
+
+namespace {
+
+k64::CallRecorder& recorder() {
+  static k64::CallRecorder instance(elfFile());
+  return instance;
+}
+
+class Recording final : public testing::EmptyTestEventListener {
+  void OnTestStart(const testing::TestInfo& /*test*/) override {
+    if (std::filesystem::exists(elfFile())) {
+      recorder().clear();
+    }
+  }
+
+  void OnTestEnd(const testing::TestInfo& test) override {
+    if (!std::filesystem::exists(elfFile()) || recorder().events().empty()) {
+      return;
+    }
+    std::string name = std::string(test.test_suite_name()) + "." + test.name();
+    std::ranges::replace(name, '/', '_');
+    const std::filesystem::path folder = WR_TRACE_DIR;
+    std::filesystem::create_directories(folder);
+    recorder().write(folder / (name + ".bin"));
+    std::filesystem::remove(folder / (name + ".truncated"));
+    if (recorder().truncated()) {
+      std::ofstream(folder / (name + ".truncated"))
+          << "The record ends after " << recorder().events().size() << " events.\n";
+    }
+  }
+};
+
+const bool registered = [] {
+  testing::UnitTest::GetInstance()->listeners().Append(new Recording);
+  return true;
+}();
+
+}  // namespace
+
+std::filesystem::path imageFile() {
+  const char* const given = std::getenv("WR_IMAGE");
+  return given != nullptr ? given : WR_IMAGE;
+}
+
+std::filesystem::path elfFile() {
+  return imageFile().replace_extension(".elf");
+}
+
+std::unique_ptr<BoardLine> switchBoardOn(k64::Options options) {
+  return switchBoardOn(readImage(imageFile()), std::move(options));
+}
+
+std::unique_ptr<BoardLine> switchBoardOn(std::vector<std::uint8_t> image, k64::Options options) {
+  options.elf = elfFile();
+  auto robot = std::make_unique<BoardLine>(std::move(image), std::move(options));
+  recorder().reset();
+  robot->board.record(recorder());
+  return robot;
+}
+
+}  // namespace wr::test
