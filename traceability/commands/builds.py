@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TextIO
 
 from traceability.commands.steps import FailureError, run
-from traceability.sources import file_hash, source_hash
+from traceability.sources import file_hash, hash_of, source_hash
 
 # CMake keeps what it once read of them, so that a change needs a fresh configuration.
 SETTINGS = ("CMakePresets.json", "setup/k64-toolchain.cmake")
@@ -45,10 +45,11 @@ def jobs() -> str:
 def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
     """Configures where needed, then builds into build/<preset>."""
     directory = root / "build" / preset
-    made = directory / "build.ninja"
-    changed = max((root / name).stat().st_mtime for name in SETTINGS)
-    if not made.exists() or made.stat().st_mtime < changed:
+    stamp = directory / "settings.hash"
+    now = hash_of(root, [root / name for name in SETTINGS])
+    if not stamp.exists() or stamp.read_text() != now or not (directory / "build.ninja").exists():
         run(log, ["cmake", "--fresh", "-S", root, "--preset", preset])
+        stamp.write_text(now)
     wanted = ["--target", *targets] if targets else []
     run(log, ["cmake", "--build", directory, "--parallel", jobs(), *wanted])
 

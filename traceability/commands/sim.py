@@ -11,7 +11,7 @@ from weeding_robot_client.options import positive
 from traceability.commands.builds import build, build_for_board
 from traceability.commands.firmware import BIN, build_k64
 from traceability.commands.sizes import ELF
-from traceability.commands.steps import Steps
+from traceability.commands.steps import FailureError, Steps
 
 PROGRAM = "weeding_robot_host"
 BOARD_PROGRAM = "weeding_robot_board"
@@ -71,7 +71,10 @@ def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
     if steps.failed:
         return 1
     words = command(root, options)
-    return os.execv(words[0], words)
+    try:
+        return os.execv(words[0], words)
+    except OSError as error:
+        raise FailureError(f"cannot run {words[0]}: {error.strerror}") from error
 
 
 def command(root: Path, options: argparse.Namespace) -> list[str]:

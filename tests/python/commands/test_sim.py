@@ -84,6 +84,14 @@ def test_what_cannot_be_built_is_not_run(
     assert not (root / "called").exists()
 
 
+def test_a_program_that_cannot_be_run_is_said(
+    root: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (root / "build/host/sim" / sim.PROGRAM).unlink()
+    assert cli.main(["sim"]) == 1
+    assert "weeding_robot_host: No such file" in capsys.readouterr().err
+
+
 def test_without_an_image_the_board_is_not_switched_on(
     root: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
