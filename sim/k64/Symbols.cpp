@@ -91,11 +91,11 @@ std::string Symbols::placeOf(std::uint32_t address) const {
   std::array<char, 16> number{};
   std::snprintf(number.data(), number.size(), "0x%x", static_cast<unsigned>(address));
   const std::string command =
-      "arm-none-eabi-addr2line -e '" + elf_.string() + "' " + number.data() + " 2>/dev/null";
+      "arm-none-eabi-addr2line -i -e '" + elf_.string() + "' " + number.data() + " 2>/dev/null";
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
+  // The last line tells the place in the function itself, those before in what is inlined there.
   std::array<char, 1024> line{};
-  if (!pipe || std::fgets(line.data(), line.size(), pipe.get()) == nullptr) {
-    return {};
+  while (pipe && std::fgets(line.data(), line.size(), pipe.get()) != nullptr) {
   }
   std::string place = line.data();
   place.erase(std::min(place.find('\n'), place.size()));

@@ -55,7 +55,7 @@ def seeded(folder: Path, changes: tuple[Change, ...]) -> Path:
         original, words = compile_command(file)
         words[words.index("-c") + 1] = str(source)
         words[words.index("-o") + 1] = str(compiled)
-        words.append(f"-ffile-prefix-map={folder}=./src/k64")  # findings name the true place
+        words.append(f"-ffile-prefix-map={folder}=src/k64")  # findings name the true place
         subprocess.run(words, check=True, cwd=BUILD, timeout=60)
         link[link.index(original)] = str(compiled)
     image = folder / "weeding_robot"
