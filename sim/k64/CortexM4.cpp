@@ -692,12 +692,13 @@ void CortexM4::enter(unsigned exception, std::uint32_t returnsTo) {
       report("unmapped-memory", what);
       return;
     }
-    // The fault that stacking met is taken in place of the exception, which stays pending.
+    // The fault that stacking met is taken in place of the exception, which stays pending. A
+    // handler of faults runs although its own frame is lost (ARM DDI 0337E, 5.12.1).
     const int running = executionPriority();
     const bool bus = nvic_.isEnabled(kBusFault) &&
                      nvic_.group(nvic_.priority(kBusFault)) < running &&
                      nvic_.priority(kBusFault) <= nvic_.priority(exception);
-    if (!bus && (running <= -1 || exception == kHardFault)) {
+    if (!bus && running <= -1) {
       lockUp(returnsTo);
       return;
     }
