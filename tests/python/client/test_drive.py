@@ -10,6 +10,7 @@ import subprocess
 import sys
 import threading
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -194,6 +195,13 @@ def read_until(terminal: int, text: bytes, seconds: float = 10.0) -> bytes:
     return data
 
 
+def wait_for(condition: Callable[[], Any], seconds: float = 10.0) -> None:
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end
+        time.sleep(0.005)
+
+
 def test_the_keyboard_drives_in_a_terminal(mcu: Any) -> None:
     mcu.stop = 1
     terminal, inner = pty.openpty()
@@ -203,6 +211,7 @@ def test_the_keyboard_drives_in_a_terminal(mcu: Any) -> None:
     )  # fmt: skip
     try:
         read_until(terminal, b"STOP (r releases)")
+        wait_for(lambda: orders(mcu))
         os.write(terminal, b"r")
         read_until(terminal, b"ordered: +0 rpm")
         os.write(terminal, b"w\x1b[A\x1b[D")
