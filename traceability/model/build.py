@@ -114,6 +114,9 @@ def build(root: Path) -> Model:
     model.architecture = facts.declared.architecture
     model.allowed_uses = facts.declared.allowed
     traces = read_traces(root, build_folder)
+    called = {call.target for body in syntax.bodies for call in body.calls}
+    for recordings in traces.values():
+        recordings.vectors = set(model.functions) - called
     _add_tests(model, facts)
     _add_board_findings(model, facts)
     _add_executed_modules(model, traces)

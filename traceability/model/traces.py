@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from traceability.model.schema import HOST, VIRTUAL_K64, TraceRow, TreeNode
+from traceability.sources import file_hash
 
 
 @dataclass(frozen=True)
@@ -35,12 +36,16 @@ SHOWN = 60
 
 @dataclass
 class Row:
-    """A call: it holds the rows up to, and without, ``end``."""
+    """A call: it holds the rows up to, and without, ``end``, but for those of an interrupt.
+
+    Each entry of an interrupt is an ``activation`` of its own; 0 is what ran from the start.
+    """
 
     depth: int
     method: str
     parent: int
     end: int = 0
+    activation: int = 0
 
 
 @dataclass
@@ -48,7 +53,8 @@ class Traces:
     """The recordings of a binding."""
 
     folder: Path
-    symbols: dict[int, str] = field(default_factory=dict)  # address -> method
+    symbols: dict[int, str] = field(default_factory=dict)  # address -> method or function
+    vectors: set[str] = field(default_factory=set)  # functions that the hardware enters
     tests: set[str] = field(default_factory=set)
 
     def file(self, test: str) -> Path:
@@ -62,30 +68,35 @@ class Traces:
 
     def methods(self, test: str) -> set[str]:
         """The methods that ran in a test."""
-        found = (self.symbols.get(address) for address in set(self.events(test)))
-        return {method for method in found if method}
+        found = (self.symbols.get(address, "") for address in set(self.events(test)))
+        return {method for method in found if "::" in method}
 
     def rows(self, test: str, wanted: Callable[[str], bool]) -> list[Row]:
         """The calls of wanted methods, in order."""
         rows: list[Row] = []
-        open_calls: list[int] = []  # index of the row, or -1 for a call that is not shown
-        depth, parent = 0, -1
+        # Index of the row, or -1 for a call that is not shown; and the activation before it.
+        open_calls: list[tuple[int, int]] = []
+        depth, parent, activation, entries = 0, -1, 0, 0
         for event in self.events(test):
             if event & EXIT:
-                if open_calls and (row := open_calls.pop()) >= 0:
+                row, activation = open_calls.pop() if open_calls else (-1, activation)
+                if row >= 0:
                     rows[row].end = len(rows)
                     depth -= 1
                     parent = rows[row].parent
                 continue
-            method = self.symbols.get(event)
-            if method is None or not wanted(method):
-                open_calls.append(-1)
+            method = self.symbols.get(event, "")
+            if wanted(method):
+                rows.append(Row(depth, method, parent, activation=activation))
+                parent = len(rows) - 1
+                open_calls.append((parent, activation))
+                depth += 1
                 continue
-            rows.append(Row(depth, method, parent))
-            parent = len(rows) - 1
-            open_calls.append(parent)
-            depth += 1
-        for row in open_calls:
+            open_calls.append((-1, activation))
+            if method in self.vectors:
+                entries += 1
+                activation = entries
+        for row, _ in open_calls:
             if row >= 0:
                 rows[row].end = len(rows)
         return rows
@@ -107,7 +118,7 @@ def read_traces(root: Path, cache: Path) -> dict[str, Traces]:
 def _symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
     """Address -> method. On the K64 without the bit that tells the instruction set."""
     state = executable.stat()
-    key = f"{state.st_mtime_ns} {state.st_size}"
+    key = f"{state.st_mtime_ns} {state.st_size} {file_hash(Path(__file__))}"
     if cache.exists():
         known = json.loads(cache.read_text(encoding="utf-8"))
         if known["key"] == key:
@@ -117,10 +128,9 @@ def _symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
     even = 0 if names == "nm" else 1
     for line in run.stdout.splitlines():
         match = re.match(r"([0-9a-f]+) [tTwWuV] (.*)", line)
-        if match and "wr::" in match[2]:
-            method = method_of(match[2])
-            if method:
-                symbols[int(match[1], 16) & ~even] = method
+        name = match and (method_of(match[2]) or function_of(match[2]))
+        if match and name:
+            symbols[int(match[1], 16) & ~even] = name
     cache.parent.mkdir(parents=True, exist_ok=True)
     cache.write_text(json.dumps({"key": key, "symbols": symbols}), encoding="utf-8")
     return symbols
@@ -145,6 +155,12 @@ def method_of(symbol: str) -> str:
     return name.removeprefix("wr::") if name.startswith("wr::") and "::" in name[4:] else ""
 
 
+def function_of(symbol: str) -> str:
+    """``cycleTimerInterrupt()`` -> ``cycleTimerInterrupt``; empty for what is no plain function."""
+    match = re.fullmatch(r"(?:wr::)?(\w+)(?:\(\))?", symbol)
+    return match[1] if match else ""
+
+
 @dataclass
 class Embedding:
     """Where the nodes of a tree lie in a trace; ``failed`` is the first node without a place."""
@@ -154,25 +170,32 @@ class Embedding:
 
 
 def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str]]) -> Embedding:
-    """Looks for the tree in a trace: a child lies within the call of its parent, in order."""
+    """Looks for the tree in a trace: a child lies within the call of its parent, in order.
+
+    What an interrupt called meanwhile is no call of the parent; what the parent posts is.
+    """
     order = {id(node): number for number, node in enumerate(nodes_of(tree))}
     names = {id(node): accepts(node) for node in nodes_of(tree)}
     reached = tree
 
-    def fit(node: TreeNode, start: int, stop: int) -> dict[int, int] | None:
+    def fit(node: TreeNode, start: int, stop: int, activation: int | None) -> dict[int, int] | None:
         nonlocal reached
         if order[id(node)] > order[id(reached)]:
             reached = node
         for index in range(start, stop):
             if rows[index].method not in names[id(node)]:
                 continue
+            if activation is not None and rows[index].activation != activation:
+                continue
             placed = {id(node): index}
             position = index + 1
             for child in node.children:
                 if not child.children and not names[id(child)]:
                     continue  # implemented outside the trace
-                last = len(rows) if child.kind == "post" else rows[index].end
-                found = fit(child, position, last)
+                if child.kind == "post":
+                    found = fit(child, position, len(rows), None)
+                else:
+                    found = fit(child, position, rows[index].end, rows[index].activation)
                 if found is None:
                     break
                 placed |= found
@@ -181,7 +204,7 @@ def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str
                 return placed
         return None
 
-    found = fit(tree, 0, len(rows))
+    found = fit(tree, 0, len(rows), None)
     return Embedding(found, None) if found is not None else Embedding({}, reached)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import struct
 import subprocess
+from collections.abc import Set
 from pathlib import Path
 
 import pytest
@@ -51,7 +52,7 @@ def test_addresses_of_the_image_are_without_the_bit_of_the_instruction_set(tmp_p
     assert found[VIRTUAL_K64].methods("S.T") == {"Led::set"}
 
 
-def recorded(tmp_path: Path, calls: str) -> list[Row]:
+def recorded(tmp_path: Path, calls: str, vectors: Set[str] = frozenset()) -> list[Row]:
     """``a(b c(d))`` written as events, read back."""
     traces = Traces(tmp_path)
     addresses: dict[str, int] = {}
@@ -66,10 +67,24 @@ def recorded(tmp_path: Path, calls: str) -> list[Row]:
         address = addresses.setdefault(word, 4096 + len(addresses))
         events.append(address)
         stack.append(address)
-    traces.symbols = {address: f"M::{name}" for name, address in addresses.items()}
+    traces.symbols = {
+        address: name if name in vectors else f"M::{name}" for name, address in addresses.items()
+    }
+    traces.vectors = set(vectors)
     file = traces.file("S.T")
     file.write_bytes(struct.pack(f"<{len(events)}Q", *events))
-    return traces.rows("S.T", lambda method: not method.startswith("M::x"))
+    return traces.rows("S.T", lambda method: method[:3] == "M::" and method != "M::x")
+
+
+def test_what_an_interrupt_calls_is_no_call_of_what_it_interrupted(tmp_path: Path) -> None:
+    calls = "a(vector(b(c())) d())"
+    plain = recorded(tmp_path, calls)
+    assert fits(node("a(b)"), plain) is None
+    apart = recorded(tmp_path, calls, vectors={"vector"})
+    assert fits(node("a(b)"), apart) == "M::b"
+    assert fits(node("a(>b)"), apart) is None
+    assert fits(node("b(c)"), apart) is None
+    assert fits(node("a(d)"), apart) is None
 
 
 def node(text: str) -> TreeNode:
