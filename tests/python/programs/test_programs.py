@@ -1,0 +1,136 @@
+"""The programs that run the firmware: on this machine, and its image on the virtual K64."""
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[3]
+PROGRAMS = ROOT / "build" / "host" / "sim"
+IMAGE = ROOT / "build" / "k64" / "weeding_robot.bin"
+ELF = IMAGE.with_suffix(".elf")
+EXAMPLES = sorted((ROOT / "sim" / "scenario" / "examples").glob("*.scenario"))
+CYCLE_TIMER_VECTOR = 4 * (16 + 48)
+
+Words = list[str | Path]
+
+
+def build(preset: str, *targets: str) -> None:
+    folder = ROOT / "build" / preset
+    jobs = str(os.cpu_count() or 1)
+    commands: tuple[Words, Words] = (
+        ["cmake", "-S", ROOT, "--preset", preset],
+        ["cmake", "--build", folder, "--parallel", jobs, "--target", *targets],
+    )
+    for words in commands:
+        subprocess.run(words, check=True, cwd=ROOT, timeout=600, stdout=subprocess.DEVNULL)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def built() -> None:
+    build("host", "weeding_robot_host", "weeding_robot_board")
+    build("k64", "weeding_robot")
+
+
+def command(binding: str, image: Path = IMAGE) -> Words:
+    program = PROGRAMS / f"weeding_robot_{binding}"
+    return [program, "--image", image, "--elf", ELF] if binding == "board" else [program]
+
+
+def run(words: Words) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(words, capture_output=True, text=True, timeout=120, check=False)
+
+
+@pytest.fixture(params=["host", "board"])
+def program(request: pytest.FixtureRequest) -> Words:
+    return command(request.param)
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
+def test_the_image_reports_what_the_firmware_on_this_machine_reports(
+    example: Path, tmp_path: Path
+) -> None:
+    """On this machine a cycle takes no time. So at the end of a connection, and at that of the
+    scenario, one of the two may have sent a report more."""
+    reports = []
+    for binding in ("host", "board"):
+        table = tmp_path / f"{binding}.csv"
+        done = run([*command(binding), "--scenario", example, "--reports", table])
+        assert done.returncode == 0, done.stdout + done.stderr
+        lines = table.read_text().splitlines()[1:]
+        reports.append({line.split(",", 1)[0]: line for line in lines})
+    host, board = reports
+    common = host.keys() & board.keys()
+    assert len(common) > 50
+    assert len(host.keys() ^ board.keys()) <= 2
+    assert [host[cycle] for cycle in common] == [board[cycle] for cycle in common]
+
+
+def test_an_expectation_that_fails_is_told_with_its_line(program: Words, tmp_path: Path) -> None:
+    scenario = tmp_path / "wrong.scenario"
+    scenario.write_text("at 50 connect\nat 350 expect state Working\nat 600 end\n")
+    done = run([*program, "--scenario", scenario])
+    assert done.returncode == 1
+    assert f"{scenario}:2: state is 1, not Working, at 350 ms" in done.stderr
+
+
+def test_a_text_that_is_no_scenario_is_wrong_usage(program: Words, tmp_path: Path) -> None:
+    scenario = tmp_path / "wrong.scenario"
+    scenario.write_text("at 50 connect\nat 60 jump\n")
+    done = run([*program, "--scenario", scenario])
+    assert done.returncode == 2
+    assert done.stderr == f"{scenario}:2: there is no action 'jump'\n"
+
+
+@pytest.mark.parametrize("words", [["--jump"], ["--cycles"], ["--cycles", "many"]])
+def test_wrong_usage_is_explained(program: Words, words: list[str]) -> None:
+    done = run([*program, *words])
+    assert done.returncode == 2
+    assert "usage: weeding_robot_" in done.stderr
+
+
+def test_real_time_ends_after_its_cycles(program: Words, tmp_path: Path) -> None:
+    link = tmp_path / "pc-link"
+    done = run([*program, "--cycles", "3", "--link", link])
+    assert done.returncode == 0
+    assert done.stdout.startswith("PC link: /dev/")
+    assert not link.is_symlink()
+
+
+def test_without_link_the_same_run_gives_the_same_trace(tmp_path: Path) -> None:
+    traces = []
+    for name in ("first.csv", "second.csv"):
+        trace = tmp_path / name
+        done = run([*command("board"), "--fast", "--cycles", "100", "--trace", trace])
+        assert done.returncode == 0
+        traces.append((done.stdout, trace.read_text()))
+    assert traces[0] == traces[1]
+    assert traces[0][1].count(f"exception_entered,{16 + 48}") == 100
+
+
+def test_a_finding_is_printed_and_has_its_own_exit_code(tmp_path: Path) -> None:
+    """Without a vector for the cycle timer, the first clock pulse leads nowhere."""
+    image = tmp_path / "broken.bin"
+    content = bytearray(IMAGE.read_bytes())
+    content[CYCLE_TIMER_VECTOR : CYCLE_TIMER_VECTOR + 4] = bytes(4)
+    image.write_bytes(content)
+    scenario = tmp_path / "idle.scenario"
+    scenario.write_text("at 500 end\n")
+    expecting = tmp_path / "expecting.scenario"
+    expecting.write_text("at 400 expect-finding vector-missing\nat 500 end\n")
+    for words in (["--fast", "--cycles", "5"], ["--scenario", scenario], ["--cycles", "5"]):
+        done = run([*command("board", image), *words])
+        assert done.returncode == 4, done.stdout
+        finding = done.stdout.splitlines()[-1]
+        assert finding.startswith("finding: vector-missing: ")
+        assert " ms" in finding
+    assert run([*command("board", image), "--scenario", expecting]).returncode == 0
+
+
+def test_there_is_no_run_without_image(tmp_path: Path) -> None:
+    board = PROGRAMS / "weeding_robot_board"
+    assert run([board, "--fast", "--cycles", "1"]).returncode == 2
+    missing = run([board, "--image", tmp_path / "none.bin", "--fast", "--cycles", "1"])
+    assert missing.returncode == 1
+    assert "there is no image" in missing.stderr
