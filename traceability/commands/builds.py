@@ -18,6 +18,7 @@ SETTINGS = ("CMakePresets.json", "setup/k64-toolchain.cmake")
 IMAGE = "build/k64/weeding_robot.bin"
 # The tests on the virtual K64 are a run of their own, built with the preset of this machine.
 BOARD, BOARD_TESTS, BOARD_PRESET = "board", "board_tests", "host"
+BOARD_PROGRAM = "weeding_robot_board"
 
 
 @dataclass(frozen=True)
@@ -54,9 +55,9 @@ def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
     run(log, ["cmake", "--build", directory, "--parallel", jobs(), *wanted])
 
 
-def build_for_board(root: Path, log: TextIO, target: str) -> None:
-    """Builds a program that holds the virtual K64."""
-    build(root, BOARD_PRESET, log, target)
+def build_for_board(root: Path, log: TextIO, *targets: str) -> None:
+    """Builds programs that hold the virtual K64."""
+    build(root, BOARD_PRESET, log, *targets)
 
 
 def gtest_counts(results: Path) -> Counts:
@@ -121,7 +122,7 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> tuple[Counts, bool]:
         return gtest_counts(results), False
     now = tested(root, run_name)
     if on_board:
-        build_for_board(root, log, BOARD_TESTS)
+        build_for_board(root, log, BOARD_TESTS, BOARD_PROGRAM)
     else:
         build(root, run_name, log)
     results.parent.mkdir(parents=True, exist_ok=True)

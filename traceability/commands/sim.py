@@ -8,13 +8,12 @@ from pathlib import Path
 
 from weeding_robot_client.options import positive
 
-from traceability.commands.builds import build, build_for_board
+from traceability.commands.builds import BOARD_PROGRAM, build, build_for_board
 from traceability.commands.firmware import BIN, build_k64
 from traceability.commands.sizes import ELF
 from traceability.commands.steps import FailureError, Steps
 
 PROGRAM = "weeding_robot_host"
-BOARD_PROGRAM = "weeding_robot_board"
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:

@@ -8,6 +8,7 @@ from typing import TextIO
 import pytest
 
 from traceability.commands import cli, sim
+from traceability.commands.builds import BOARD_PROGRAM
 from traceability.commands.steps import FailureError, Steps
 
 
@@ -16,7 +17,7 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A project whose two programs print their name and their options, one a line."""
     folder = tmp_path / "build/host/sim"
     folder.mkdir(parents=True)
-    for name in (sim.PROGRAM, sim.BOARD_PROGRAM):
+    for name in (sim.PROGRAM, BOARD_PROGRAM):
         add_program(tmp_path, name, 0)
     monkeypatch.setattr(cli, "ROOT", tmp_path)
     monkeypatch.setattr(sim, "build", lambda *_arguments: None)
@@ -68,7 +69,7 @@ def test_a_fast_run_has_no_link(root: Path) -> None:
 
 @pytest.mark.parametrize("code", [1, 4])
 def test_the_exit_code_of_the_program_is_that_of_the_command(root: Path, code: int) -> None:
-    add_program(root, sim.BOARD_PROGRAM, code)
+    add_program(root, BOARD_PROGRAM, code)
     assert cli.main(["sim", "--board"]) == code
 
 
