@@ -18,6 +18,8 @@ class K64Board {
   static constexpr std::uint32_t kCoreClock = 120'000'000;
   /// @brief Clock of the timers and of the bus to the other blocks [Hz].
   static constexpr std::uint32_t kBusClock = 60'000'000;
+  /// @brief Ticks of a timer in a microsecond.
+  static constexpr std::uint32_t kTicksPerMicrosecond = kBusClock / 1'000'000;
 
   /// @brief Brings all outputs to their safe level. Touches no memory.
   /// @isr{yes}

@@ -18,6 +18,11 @@ class K64Pit final : public PeriodicTimer {
   /// @param channel the channel; nothing else uses it
   explicit constexpr K64Pit(Channel channel) : channel_(channel) {}
 
+  /// @brief Switches the timer on, with all its channels. What runs already goes on.
+  /// @pre The clocks of the timers run.
+  /// @isr{no}
+  static void switchOn();
+
   /// @param period time between two interrupts [us], 1 to 71582788
   /// @pre The clocks of the timers run.
   /// @isr{no}

@@ -1,6 +1,7 @@
 #include "k64/K64Timebase.hpp"
 
 #include "k64/K64Board.hpp"
+#include "k64/K64Pit.hpp"
 #include "k64/core.hpp"
 #include "k64/registers.hpp"
 
@@ -10,14 +11,11 @@ namespace {
 
 constexpr std::uint32_t kChannel = 2 * pit::kChannelDistance;
 constexpr std::uint32_t kFirst = 0xFFFFFFFF;  // the counter runs from here down to 0
-constexpr std::uint32_t kTicksPerMicrosecond = K64Board::kBusClock / 1'000'000;
 
 }  // namespace
 
 void K64Timebase::start() {
-  // Erratum: an access right after the clock came is lost, so the module is read first.
-  static_cast<void>(pit::MCR.read());
-  pit::MCR.write({0});
+  K64Pit::switchOn();
   pit::TCTRL.at(kChannel).write({0});
   pit::LDVAL.at(kChannel).write({kFirst});
   pit::TFLG.at(kChannel).write(pit::TFLG_TIF);
@@ -39,7 +37,7 @@ Instant K64Timebase::now() const {
     wraps = wraps_;
   }
   const std::uint64_t ticks = (std::uint64_t{wraps} << 32U) + (kFirst - count);
-  return Instant(ticks / kTicksPerMicrosecond);
+  return Instant(ticks / K64Board::kTicksPerMicrosecond);
 }
 
 }  // namespace wr
