@@ -34,6 +34,8 @@ const std::array<std::string_view, 5>& namesOfWords(Kind kind) {
       return kFault;
     case Kind::CheckFailed:
       return kCheck;
+    case Kind::FpMode:
+      return kFpMode;
     default:
       return kState;
   }
