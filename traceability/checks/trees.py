@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from traceability.model.build import Facts, accepted
+from traceability.model.build import Facts
 from traceability.model.schema import Finding, Model, Place, Requirement, TreeNode
 from traceability.model.traces import nodes_of
+from traceability.model.trees import accepted
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:

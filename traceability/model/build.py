@@ -4,24 +4,14 @@ from __future__ import annotations
 
 import re
 import subprocess
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 from traceability.model.annotations import Annotations, MemberText, Text, read_annotations
 from traceability.model.declared import Declared, read_declared
-from traceability.model.results import (
-    Result,
-    bindings_of,
-    read_coverage,
-    read_driver_faults,
-    read_results,
-    read_results_hash,
-    read_sizes,
-)
+from traceability.model.results import read_coverage, read_sizes
 from traceability.model.schema import (
     BINDINGS,
-    HOST,
-    BindingResult,
     Call,
     Function,
     LogicModule,
@@ -33,32 +23,13 @@ from traceability.model.schema import (
     Place,
     Requirement,
     RoleBinding,
-    Test,
-    TreeNode,
-    TreeRun,
     Use,
 )
-from traceability.model.syntax import (
-    BodyFact,
-    ClassFact,
-    MethodFact,
-    Syntax,
-    is_board,
-    read_syntax,
-)
-from traceability.model.traces import (
-    Row,
-    Traces,
-    embed,
-    excerpt,
-    nodes_of,
-    read_traces,
-    recorded_nodes,
-)
+from traceability.model.syntax import BodyFact, ClassFact, MethodFact, Syntax, read_syntax
+from traceability.model.tests import add_board_findings, add_executed_modules, add_tests
+from traceability.model.traces import nodes_of, read_traces
+from traceability.model.trees import add_trees
 from traceability.sources import files_below, source_hash
-
-BOARD_TESTS = "tests/sim/k64/"
-TEST_MACRO = re.compile(r"^TEST(?:_F|_P)?\(\s*(\w+)\s*,\s*(\w+)\s*\)")
 
 
 @dataclass
@@ -117,11 +88,11 @@ def build(root: Path) -> Model:
     called = {call.target for body in syntax.bodies for call in body.calls}
     for recordings in traces.values():
         recordings.vectors = set(model.functions) - called
-    _add_tests(model, facts)
-    _add_board_findings(model, facts)
-    _add_executed_modules(model, traces)
+    add_tests(model, facts)
+    add_board_findings(model, facts)
+    add_executed_modules(model, traces)
     _add_measures(model, root)
-    _add_trees(model, facts, traces)
+    add_trees(model, facts, traces)
     _set_states(model)
     model.files = source_files(root)
     model.facts = facts
@@ -485,87 +456,6 @@ def _add_uses(model: Model, facts: Facts) -> None:
             model.uses.append(Use(source, target, places))
 
 
-def _add_tests(model: Model, facts: Facts) -> None:
-    """Each test with its results. A binding that has tests is to have results of these sources."""
-    results = {binding: read_results(facts.root, binding) for binding in BINDINGS}
-    tested = {
-        binding for member in facts.annotations.tests for binding in bindings_of(member.place.file)
-    }
-    for binding in BINDINGS:
-        if binding in tested or binding == HOST:
-            model.results_hashes[binding] = read_results_hash(facts.root, binding)
-    lines: dict[str, list[str]] = {}
-    for member in facts.annotations.tests:
-        file = member.place.file
-        if file not in lines:
-            lines[file] = (facts.root / file).read_text(encoding="utf-8").splitlines()
-        macro = _test_name(lines[file], member.place.line)
-        if macro is None:
-            continue
-        suite, case = macro
-        model.tests[f"{suite}.{case}"] = Test(
-            id=f"{suite}.{case}",
-            suite=suite,
-            name=case,
-            brief=member.text.brief,
-            place=member.place,
-            verifies=member.verifies,
-            results={
-                binding: _result_of(results[binding].get(f"{suite}.{case}"), model, binding)
-                for binding in bindings_of(file)
-            },
-        )
-    for test in model.tests.values():
-        for name in test.verifies:
-            if name in model.requirements:
-                model.requirements[name].verified_by.append(test.id)
-
-
-def _result_of(found: Result | None, model: Model, binding: str) -> BindingResult:
-    stale = model.stale_on(binding)
-    if found is None:
-        return BindingResult(stale=stale)
-    milliseconds = round(found.milliseconds, 3)
-    return BindingResult(found.result, milliseconds, found.message, stale, found.recordings)
-
-
-def _test_name(lines: list[str], line: int) -> tuple[str, str] | None:
-    match = TEST_MACRO.match(" ".join(lines[line - 1 : line + 2]))
-    return (match[1], match[2]) if match else None
-
-
-def _add_board_findings(model: Model, facts: Facts) -> None:
-    """A test of the virtual board makes a finding when its text names the id."""
-    model.board_findings = facts.declared.board_findings
-    model.driver_faults = read_driver_faults(facts.root, model.sources_hash)
-    lines: dict[str, list[str]] = {}
-    tests = [test for test in model.tests.values() if test.place.file.startswith(BOARD_TESTS)]
-    for test in tests:
-        file = test.place.file
-        if file not in lines:
-            lines[file] = (facts.root / file).read_text(encoding="utf-8").splitlines()
-        starts = [other.place.line for other in tests if other.place.file == file]
-        end = min((line for line in starts if line > test.place.line), default=None)
-        body = "\n".join(lines[file][test.place.line - 1 : end and end - 1])
-        for finding in model.board_findings.values():
-            if f'"{finding.id}"' in body:
-                finding.tests.append(test.id)
-
-
-def _add_executed_modules(model: Model, recordings: dict[str, Traces]) -> None:
-    for test in model.tests.values():
-        classes = {Path(test.place.file).stem.removesuffix("Test")}
-        for binding, result in test.results.items():
-            for name in recordings[binding].tests.intersection(result.recordings):
-                called = recordings[binding].methods(name)
-                classes |= {method.split("::")[0] for method in called}
-        test.modules = sorted(
-            name for name in classes if name in model.modules and not model.modules[name].datatype
-        )
-        for name in test.modules:
-            model.modules[name].tests.append(test.id)
-
-
 def _add_measures(model: Model, root: Path) -> None:
     coverage = read_coverage(root)
     sizes = read_sizes(root)
@@ -586,134 +476,6 @@ def _add_measures(model: Model, root: Path) -> None:
             module.branches_total = (module.branches_total or 0) + total
         if module.name in sizes:
             module.flash_bytes, module.ram_bytes = sizes[module.name]
-
-
-def _add_trees(model: Model, facts: Facts, recordings: dict[str, Traces]) -> None:
-    known = {
-        method.id
-        for fact in facts.syntax.classes
-        for method in fact.methods
-        if (top := model.modules.get(fact.name.split("::")[0])) and not top.datatype
-    }
-    runs = [Run(binding, traces, facts, known) for binding, traces in recordings.items()]
-    for name, (_, tree) in facts.declared.trees.items():
-        requirement = model.requirements.get(name)
-        if requirement is None or tree is None:
-            continue
-        requirement.tree = tree
-        _resolve(tree, facts)
-        _reach(tree, facts)
-        for run in runs:
-            _execute(model, requirement, run)
-
-
-def _resolve(tree: TreeNode, facts: Facts) -> None:
-    for node in nodes_of(tree):
-        owner, _, name = node.label.rpartition("::")
-        method = facts.method(owner, name)
-        node.resolved = method.id if method else None
-        if method is not None and not node.children:
-            node.outside = [one for one in BINDINGS if not accepted_on(one, node, facts)]
-
-
-def accepted(node: TreeNode, facts: Facts) -> set[str]:
-    """The methods whose call counts as the node: its own, or an overrider when it has no body."""
-    if node.resolved is None:
-        return set()
-    if node.resolved in facts.bodies:
-        return {node.resolved}
-    return set(facts.overriders.get(node.resolved, []))
-
-
-def accepted_on(binding: str, node: TreeNode, facts: Facts) -> set[str]:
-    """Those of them that a binding has: methods of the K64 are not on the host."""
-    return {
-        method
-        for method in accepted(node, facts)
-        if binding != HOST or not all(is_board(b.place.file) for b in facts.bodies.get(method, []))
-    }
-
-
-def _bodies_of(node: TreeNode, facts: Facts) -> list[BodyFact]:
-    return [body for method in accepted(node, facts) for body in facts.bodies.get(method, [])]
-
-
-def _reach(tree: TreeNode, facts: Facts) -> None:
-    tree.reachable = tree.resolved is not None
-    for node in nodes_of(tree):
-        targets = {
-            target
-            for body in _bodies_of(node, facts)
-            for call in body.calls
-            for target in facts.targets(call.target, call.virtual)
-        }
-        for child in node.children:
-            wanted = accepted(child, facts) | {child.resolved or ""}
-            if child.kind == "post":
-                child.reachable = "ControlThread::post" in targets and _is_activated(wanted, facts)
-            else:
-                child.reachable = bool(wanted & targets)
-
-
-def _is_activated(wanted: set[str], facts: Facts) -> bool:
-    """A thread executes a command: the body is one, or a command calls it."""
-    commands = set(facts.overriders.get("Command::execute", []))
-    called = {
-        target
-        for command in commands
-        for body in facts.bodies.get(command, [])
-        for call in body.calls
-        for target in facts.targets(call.target, call.virtual)
-    }
-    return bool(wanted & (commands | called))
-
-
-@dataclass
-class Run:
-    """What the recordings of a binding are searched with."""
-
-    binding: str
-    traces: Traces
-    facts: Facts
-    known: set[str]  # methods of design modules
-    read: dict[str, list[Row]] = field(default_factory=dict)
-
-    def rows(self, recording: str) -> list[Row]:
-        if recording not in self.read:
-            self.read[recording] = self.traces.rows(recording, self.known.__contains__)
-        return self.read[recording]
-
-    def accepts(self, node: TreeNode) -> set[str]:
-        return accepted_on(self.binding, node, self.facts)
-
-
-def _execute(model: Model, requirement: Requirement, run: Run) -> None:
-    """Looks for the tree in the recordings of passing tests, the shortest first."""
-    tree = requirement.tree
-    passing = {
-        recording: name
-        for name in requirement.verified_by
-        if run.binding in model.tests[name].gave("passed")
-        for recording in model.tests[name].results[run.binding].recordings
-        if recording in run.traces.tests
-    }
-    if tree is None or not passing:
-        return
-    nodes = nodes_of(tree)
-    order = {id(node): number for number, node in enumerate(nodes)}
-    furthest = 0
-    for name in sorted(passing, key=lambda one: (run.traces.file(one).stat().st_size, one)):
-        rows = run.rows(name)
-        found = embed(tree, rows, run.accepts)
-        if found.failed is None:
-            shown, start, numbers = excerpt(rows, sorted(found.rows.values()))
-            places = [numbers.get(found.rows.get(id(node), -1)) for node in nodes]
-            requirement.runs[run.binding] = TreeRun(passing[name], shown, start, places)
-            furthest = len(nodes)
-            break
-        furthest = max(furthest, order[id(found.failed)])
-    for node in recorded_nodes(tree, run.binding):
-        node.executed[run.binding] = order[id(node)] < furthest
 
 
 def _set_states(model: Model) -> None:

@@ -1,0 +1,141 @@
+"""The trees of invocations: which edges the code can make, and which run made them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from traceability.model.schema import BINDINGS, HOST, Model, Requirement, TreeNode, TreeRun
+from traceability.model.syntax import BodyFact, is_board
+from traceability.model.traces import Row, Traces, embed, excerpt, nodes_of, recorded_nodes
+
+if TYPE_CHECKING:
+    from traceability.model.build import Facts
+
+
+def add_trees(model: Model, facts: Facts, recordings: dict[str, Traces]) -> None:
+    known = {
+        method.id
+        for fact in facts.syntax.classes
+        for method in fact.methods
+        if (top := model.modules.get(fact.name.split("::")[0])) and not top.datatype
+    }
+    runs = [Run(binding, traces, facts, known) for binding, traces in recordings.items()]
+    for name, (_, tree) in facts.declared.trees.items():
+        requirement = model.requirements.get(name)
+        if requirement is None or tree is None:
+            continue
+        requirement.tree = tree
+        _resolve(tree, facts)
+        _reach(tree, facts)
+        for run in runs:
+            _execute(model, requirement, run)
+
+
+def _resolve(tree: TreeNode, facts: Facts) -> None:
+    for node in nodes_of(tree):
+        owner, _, name = node.label.rpartition("::")
+        method = facts.method(owner, name)
+        node.resolved = method.id if method else None
+        if method is not None and not node.children:
+            node.outside = [one for one in BINDINGS if not accepted_on(one, node, facts)]
+
+
+def accepted(node: TreeNode, facts: Facts) -> set[str]:
+    """The methods whose call counts as the node: its own, or an overrider when it has no body."""
+    if node.resolved is None:
+        return set()
+    if node.resolved in facts.bodies:
+        return {node.resolved}
+    return set(facts.overriders.get(node.resolved, []))
+
+
+def accepted_on(binding: str, node: TreeNode, facts: Facts) -> set[str]:
+    """Those of them that a binding has: methods of the K64 are not on the host."""
+    return {
+        method
+        for method in accepted(node, facts)
+        if binding != HOST or not all(is_board(b.place.file) for b in facts.bodies.get(method, []))
+    }
+
+
+def _bodies_of(node: TreeNode, facts: Facts) -> list[BodyFact]:
+    return [body for method in accepted(node, facts) for body in facts.bodies.get(method, [])]
+
+
+def _reach(tree: TreeNode, facts: Facts) -> None:
+    tree.reachable = tree.resolved is not None
+    for node in nodes_of(tree):
+        targets = {
+            target
+            for body in _bodies_of(node, facts)
+            for call in body.calls
+            for target in facts.targets(call.target, call.virtual)
+        }
+        for child in node.children:
+            wanted = accepted(child, facts) | {child.resolved or ""}
+            if child.kind == "post":
+                child.reachable = "ControlThread::post" in targets and _is_activated(wanted, facts)
+            else:
+                child.reachable = bool(wanted & targets)
+
+
+def _is_activated(wanted: set[str], facts: Facts) -> bool:
+    """A thread executes a command: the body is one, or a command calls it."""
+    commands = set(facts.overriders.get("Command::execute", []))
+    called = {
+        target
+        for command in commands
+        for body in facts.bodies.get(command, [])
+        for call in body.calls
+        for target in facts.targets(call.target, call.virtual)
+    }
+    return bool(wanted & (commands | called))
+
+
+@dataclass
+class Run:
+    """What the recordings of a binding are searched with."""
+
+    binding: str
+    traces: Traces
+    facts: Facts
+    known: set[str]  # methods of design modules
+    read: dict[str, list[Row]] = field(default_factory=dict)
+
+    def rows(self, recording: str) -> list[Row]:
+        if recording not in self.read:
+            self.read[recording] = self.traces.rows(recording, self.known.__contains__)
+        return self.read[recording]
+
+    def accepts(self, node: TreeNode) -> set[str]:
+        return accepted_on(self.binding, node, self.facts)
+
+
+def _execute(model: Model, requirement: Requirement, run: Run) -> None:
+    """Looks for the tree in the recordings of passing tests, the shortest first."""
+    tree = requirement.tree
+    passing = {
+        recording: name
+        for name in requirement.verified_by
+        if run.binding in model.tests[name].gave("passed")
+        for recording in model.tests[name].results[run.binding].recordings
+        if recording in run.traces.tests
+    }
+    if tree is None or not passing:
+        return
+    nodes = nodes_of(tree)
+    order = {id(node): number for number, node in enumerate(nodes)}
+    furthest = 0
+    for name in sorted(passing, key=lambda one: (run.traces.file(one).stat().st_size, one)):
+        rows = run.rows(name)
+        found = embed(tree, rows, run.accepts)
+        if found.failed is None:
+            shown, start, numbers = excerpt(rows, sorted(found.rows.values()))
+            places = [numbers.get(found.rows.get(id(node), -1)) for node in nodes]
+            requirement.runs[run.binding] = TreeRun(passing[name], shown, start, places)
+            furthest = len(nodes)
+            break
+        furthest = max(furthest, order[id(found.failed)])
+    for node in recorded_nodes(tree, run.binding):
+        node.executed[run.binding] = order[id(node)] < furthest
