@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
+
 namespace wr::torture {
 namespace {
 
@@ -56,6 +59,20 @@ TEST(TortureComparisonTest, TheContextShowsBothRecords) {
   EXPECT_THAT(text, HasSubstr("0         enters exception 20"));
   EXPECT_THAT(text, HasSubstr("1 left    leaves exception 20"));
   EXPECT_THAT(text, HasSubstr("1 right acted end"));
+}
+
+/// @brief A record tells its numbers with the names that they have in its kind.
+TEST(TortureComparisonTest, EachKindNamesItsNumbers) {
+  constexpr std::array<std::uint32_t, 5> kWords{1, 2, 3, 4, 5};
+  EXPECT_THAT(described({Kind::Entered, 20, 1, 0xE9, kWords}),
+              HasSubstr("link E9, ICSR 1, SHCSR 2, IABR 3, ISPR 4, masks 5"));
+  EXPECT_THAT(
+      described({Kind::Acted, static_cast<std::uint8_t>(Action::SetGrouping), 0, 0, kWords}),
+      HasSubstr("acted set grouping"));
+  EXPECT_THAT(described({Kind::Fault, 3, 1, 0xF9, kWords}),
+              HasSubstr("CFSR 1, HFSR 2, BFAR 3, PC 4, xPSR 5"));
+  EXPECT_THAT(described({Kind::FpMode, 3, 1, 0xE9, kWords}), HasSubstr("FP mode in exception 3"));
+  EXPECT_THAT(described({Kind::FpMode, 3, 1, 0xE9, kWords}), HasSubstr(", FPSCR 1"));
 }
 
 /// @brief A check of the program that failed is told with what was wanted and found.
