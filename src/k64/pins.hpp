@@ -42,10 +42,11 @@ struct Pin {
   }
 };
 
-// The pins that the firmware uses, one on a line. Left for inputs to come: the Hall sensors
-// PTD0-PTD7 (J2 and J6), the currents of the wheels PTB2, PTB3, PTB10, PTB11 and the steering angle
-// PTC10 (J4), the end stops PTC11 (J4) and PTC18 (J6), the remote control PTB18 and PTB19 (J1), a
-// second serial port PTC14 and PTC15 (J199).
+// The pins that the firmware uses, one on a line. Left for inputs to come: the Hall sensors PTD0-PTD7
+// (J2 and J6), the currents of the wheels PTB2, PTB3, PTB10, PTB11 and the steering angle PTC10 (J4), the
+// end stops PTA1 (J1) and PTC18 (J6), the remote control PTB18 and PTB19 (J1), a second serial port
+// PTC14 and PTC15 (J199). Left alone: J2-2, which is PTC12 from revision E of the board on only; before,
+// it is PTA0, a pin of the debugger.
 // clang-format off
 inline constexpr auto kPins = std::to_array<Pin>({
     {Port::A, 4, Mux::Gpio, Role::Input, "button", "SW3", "After reset it is the NMI; as an input it is none."},
@@ -64,7 +65,7 @@ inline constexpr auto kPins = std::to_array<Pin>({
     {Port::B, 23, Mux::Gpio, Role::LowOutput, "wheel_rr_orientation", "J1-10", "High turns the rear right wheel backwards."},
     {Port::C, 5, Mux::Gpio, Role::LowOutput, "wheel_fl_enable", "J1-15", "High lets current into the front left wheel."},
     {Port::C, 7, Mux::Gpio, Role::LowOutput, "wheel_fr_enable", "J1-13", "High lets current into the front right wheel."},
-    {Port::C, 12, Mux::Gpio, Role::LowOutput, "wheel_rl_enable", "J2-2", "High lets current into the rear left wheel."},
+    {Port::C, 11, Mux::Gpio, Role::LowOutput, "wheel_rl_enable", "J4-10", "High lets current into the rear left wheel."},
     {Port::B, 20, Mux::Gpio, Role::LowOutput, "wheel_rr_enable", "J4-9", "High lets current into the rear right wheel."},
     {Port::C, 8, Mux::Gpio, Role::LowOutput, "steering_step", "J1-7", "Each pulse turns the steering by one step, FTM3_CH4."},
     {Port::C, 9, Mux::Gpio, Role::LowOutput, "steering_direction", "J1-9", "High turns the steering to the left."},

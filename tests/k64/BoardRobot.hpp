@@ -38,7 +38,7 @@ inline constexpr std::array<SafePin, 17> kSafePins{{
     {'B', 23, false},
     {'C', 5, false},
     {'C', 7, false},
-    {'C', 12, false},
+    {'C', 11, false},
     {'B', 20, false},
     {'C', 8, false},
     {'C', 9, false},
