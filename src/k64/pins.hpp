@@ -42,11 +42,11 @@ struct Pin {
   }
 };
 
-// The pins that the firmware uses, one on a line. Left for inputs to come: the Hall sensors PTD0-PTD7
-// (J2 and J6), the currents of the wheels PTB2, PTB3, PTB10, PTB11 and the steering angle PTC10 (J4), the
-// end stops PTA1 (J1) and PTC18 (J6), the remote control PTB18 and PTB19 (J1), a second serial port
-// PTC14 and PTC15 (J199). Left alone: J2-2, which is PTC12 from revision E of the board on only; before,
-// it is PTA0, a pin of the debugger.
+// The pins that the firmware uses, one on a line. Left for inputs to come: the Hall sensors
+// PTD0-PTD7 (J2 and J6), the currents of the wheels PTB2, PTB3, PTB10, PTB11 and the steering angle
+// PTC10 (J4), the end stops PTA1 (J1) and PTC18 (J6), the remote control PTB18 and PTB19 (J1), a
+// second serial port PTC14 and PTC15 (J199). Left alone: J2-2, which is PTC12 from revision E of
+// the board on only; before, it is PTA0, a pin of the debugger.
 // clang-format off
 inline constexpr auto kPins = std::to_array<Pin>({
     {Port::A, 4, Mux::Gpio, Role::Input, "button", "SW3", "After reset it is the NMI; as an input it is none."},
