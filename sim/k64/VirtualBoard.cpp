@@ -431,7 +431,7 @@ bool VirtualBoard::Parts::runUntil(Time limit, Done done) {
       return false;
     }
     const Time next = std::min(nextEvent(), limit);
-    if (next > time() && runCore(next) && sleeps_ && !done()) {
+    if (next > time() && runCore(next) && sleeps_ && core_.hz() != 0 && !done()) {
       // The program may have made an event come sooner since the run began.
       cpu_.skipTo(core_.reach(std::min(nextEvent(), limit)));
     }

@@ -17,7 +17,7 @@ class CallRecorder;
 
 /// @brief What a virtual board does and has.
 struct Options {
-  std::filesystem::path elf;      ///< names the functions of findings; may be empty
+  std::filesystem::path elf{};    ///< names the functions of findings; may be empty
   bool externalClock = true;      ///< the clock of 50 MHz is there
   bool resetsAreFindings = true;  ///< a reset that the program causes stops the run
   bool faultsAreFindings = true;  ///< a fault stops the run; false: the program gets it

@@ -1,0 +1,160 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <ostream>
+#include <string>
+
+#include "sim/k64/Guest.hpp"
+#include "sim/k64/VirtualBoard.hpp"
+
+namespace wr::test {
+namespace {
+
+using namespace std::chrono_literals;
+using k64::VirtualBoard;
+
+struct Mistake {
+  std::string program;
+  std::string id;
+  std::string what;  // a part of it
+
+  friend std::ostream& operator<<(std::ostream& stream, const Mistake& mistake) {
+    return stream << mistake.program;
+  }
+};
+
+class FindingOfBoard : public testing::TestWithParam<Mistake> {};
+
+/// @brief Each mistake of a program stops the run, and the finding names what the program did.
+TEST_P(FindingOfBoard, NamesWhatTheProgramDid) {
+  const Mistake& mistake = GetParam();
+  Guest guest(mistake.program);
+  guest.handleLine(48, mistake.program == "startsTimer" ? "handlerThatAcknowledgesNothing"
+                                                        : "refreshesAtEachTimer");
+  VirtualBoard board(guest.image(), {.elf = Guest::elf()});
+  EXPECT_FALSE(board.runUntil(1s));
+  ASSERT_TRUE(board.finding());
+  EXPECT_EQ(board.finding()->id, mistake.id);
+  EXPECT_NE(board.finding()->what.find(mistake.what), std::string::npos) << board.finding()->what;
+}
+
+const std::array kMistakes{
+    Mistake{"usesPortBehindClosedGate", "clock-gate", "store to PORTA + 0x0"},
+    Mistake{"usesAdc", "unmodelled-register", "store to ADC0 + 0x0"},
+    Mistake{"loadsWhereNothingIs", "unmapped-memory", "load from 0x30000000"},
+    Mistake{"loadsAcrossTheBorderOfTheMemories", "unmapped-memory", "border of two memories"},
+    Mistake{"storesToFlash", "flash-store", "store to 0x00001000"},
+    Mistake{"configuresNoWatchdog", "watchdog-sequence", "within 256 bus clocks"},
+    Mistake{"unlocksTooLate", "watchdog-sequence", "within 256 bus clocks"},
+    Mistake{"givesSecondKeyTooLate", "watchdog-sequence", "second key of the unlock too late"},
+    Mistake{"givesWrongKey", "watchdog-sequence", "unlock with the key 0xC521"},
+    Mistake{"configuresInTheNextClock", "watchdog-sequence", "in the bus clock after its unlock"},
+    Mistake{"unlocksWithoutConfiguration", "watchdog-sequence", "without configuration"},
+    Mistake{"refreshesWithWrongKey", "watchdog-sequence", "second key of the refresh without"},
+    Mistake{"configuresLockedWatchdog", "watchdog-sequence", "without unlock"},
+    Mistake{"refreshesNever", "watchdog-missed", "not refreshed"},
+    Mistake{"refreshesBeforeTheWindow", "watchdog-early", "before its window"},
+    Mistake{"sendsAtWrongBaud", "uart-baud", "115200"},
+    Mistake{"sendsWithoutPin", "register-misuse", "no pin"},
+    Mistake{"executesUndefinedInstruction", "unhandled-fault", "undefined instruction"},
+    Mistake{"usesFpuThatIsOff", "fpu-off", "floating-point"},
+    Mistake{"startsTimer", "interrupt-storm", "interrupt 48"},
+    Mistake{"requestsReset", "reset-request", "reset"},
+    Mistake{"writesWordToUart", "register-misuse", "UART0 + 0x0 accessed with 4 bytes"},
+    Mistake{"startsTimerWithoutReadingItsControl", "register-misuse", "before MCR was read"},
+    Mistake{"sleepsDeeply", "unmodelled-register", "SLEEPDEEP"},
+    Mistake{"waitsForNoLock", "register-misuse", "before it is locked"},
+    Mistake{"dividesNothing", "register-misuse", "clock at 120 MHz, more than 60 MHz"},
+    Mistake{"skipsMode", "register-misuse", "state diagram"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Mistakes, FindingOfBoard, testing::ValuesIn(kMistakes),
+                         [](const auto& each) { return each.param.program; });
+
+/// @brief A program without mistake gives no finding.
+TEST(FindingOfBoardAlone, EmptyProgramGivesNone) {
+  VirtualBoard board(Guest("emptyProgram").image());
+  EXPECT_TRUE(board.runUntil(10s));
+  EXPECT_FALSE(board.finding());
+  EXPECT_EQ(board.now(), 10s);
+}
+
+/// @brief A finding names the function and the line of the instruction, and the time.
+TEST(FindingOfBoardAlone, NamesFunctionLineAndTime) {
+  VirtualBoard board(Guest("usesPortBehindClosedGate").image(), {.elf = Guest::elf()});
+  EXPECT_FALSE(board.runUntil(1s));
+  ASSERT_TRUE(board.finding());
+  EXPECT_EQ(board.finding()->function, "usesPortBehindClosedGate");
+  EXPECT_NE(board.finding()->place.find("findings.cpp:"), std::string::npos);
+  EXPECT_GT(board.finding()->at, 0s);
+  EXPECT_LT(board.finding()->at, 10us);
+}
+
+/// @brief A run that a finding stopped does not go on.
+TEST(FindingOfBoardAlone, EndsTheRun) {
+  VirtualBoard board(Guest("usesPortBehindClosedGate").image());
+  EXPECT_FALSE(board.runUntil(1s));
+  const auto stoppedAt = board.now();
+  EXPECT_FALSE(board.runUntil(2s));
+  EXPECT_EQ(board.now(), stoppedAt);
+}
+
+/// @brief An interrupt without vector is found when it is taken.
+TEST(FindingOfBoardAlone, MissingVector) {
+  VirtualBoard board(Guest("startsTimer").image());
+  EXPECT_FALSE(board.runUntil(1s));
+  ASSERT_TRUE(board.finding());
+  EXPECT_EQ(board.finding()->id, "vector-missing");
+}
+
+/// @brief A byte that comes before the last one was read is an overrun; a single one is not.
+TEST(FindingOfBoardAlone, Overrun) {
+  VirtualBoard board(Guest("readsNoByte").image());
+  ASSERT_TRUE(board.runUntil(1ms));
+  board.receive(std::array<std::uint8_t, 1>{1});
+  EXPECT_TRUE(board.runUntil(2ms));
+  board.receive(std::array<std::uint8_t, 1>{2});
+  EXPECT_FALSE(board.runUntil(3ms));
+  ASSERT_TRUE(board.finding());
+  EXPECT_EQ(board.finding()->id, "uart-overrun");
+}
+
+/// @brief A byte that arrives while the receiver has another speed is found.
+TEST(FindingOfBoardAlone, ReceiverAtWrongBaud) {
+  VirtualBoard board(Guest("receivesAtWrongBaud").image());
+  ASSERT_TRUE(board.runUntil(1ms));
+  board.receive(std::array<std::uint8_t, 1>{1});
+  EXPECT_FALSE(board.runUntil(2ms));
+  ASSERT_TRUE(board.finding());
+  EXPECT_EQ(board.finding()->id, "uart-baud");
+}
+
+/// @brief A fault in the handler of a fault locks the processor up.
+TEST(FindingOfBoardAlone, Lockup) {
+  Guest guest("loadsWhereNothingIs");
+  guest.handle(3, "handlerThatFaults");
+  VirtualBoard board(guest.image(), {.faultsAreFindings = false});
+  EXPECT_FALSE(board.runUntil(1s));
+  ASSERT_TRUE(board.finding());
+  EXPECT_EQ(board.finding()->id, "lockup");
+}
+
+/// @brief A watchdog that is missed is found at its time-out.
+TEST(FindingOfBoardAlone, MissedWatchdogAtItsTimeOut) {
+  VirtualBoard board(Guest("refreshesNever").image());
+  EXPECT_TRUE(board.runUntil(299ms));
+  EXPECT_FALSE(board.runUntil(301ms));
+  EXPECT_EQ(board.finding()->id, "watchdog-missed");
+}
+
+/// @brief A watchdog that is refreshed in time lets the program run.
+TEST(FindingOfBoardAlone, RefreshedWatchdogGivesNone) {
+  Guest guest("refreshesInTime");
+  guest.handleLine(48, "refreshesAtEachTimer");
+  VirtualBoard board(guest.image());
+  EXPECT_TRUE(board.runUntil(10s));
+}
+
+}  // namespace
+}  // namespace wr::test

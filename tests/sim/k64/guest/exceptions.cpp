@@ -1,0 +1,205 @@
+// Programs that meet interrupts and faults.
+
+#include "guest.hpp"
+
+PROGRAM notesOne() {
+  note(1);
+}
+
+PROGRAM notesTwo() {
+  note(2);
+}
+
+PROGRAM notesThree() {
+  note(3);
+}
+
+PROGRAM pendsTwoInside() {
+  note(10);
+  pend(2);
+  asm volatile("dsb\n\tisb");
+  note(11);
+}
+
+// Line 1 pends line 2 while it runs.
+static void nest(std::uint8_t priorityOfOne, std::uint8_t priorityOfTwo) {
+  stopWatchdog();
+  forgetNotes();
+  setPriority(1, priorityOfOne);
+  setPriority(2, priorityOfTwo);
+  enableInterrupt(1);
+  enableInterrupt(2);
+  pend(1);
+  asm volatile("dsb\n\tisb");
+  note(20);
+  sleepForever();
+}
+
+PROGRAM pendsHigherPriority() {
+  nest(5, 4);
+}
+
+PROGRAM pendsEqualPriority() {
+  nest(5, 5);
+}
+
+PROGRAM pendsTwoBehindMask() {
+  stopWatchdog();
+  forgetNotes();
+  setPriority(1, 5);
+  setPriority(2, 3);
+  setPriority(3, 5);
+  for (std::uint32_t line = 1; line <= 3; ++line) {
+    enableInterrupt(line);
+  }
+  asm volatile("msr basepri, %0" ::"r"(0x40));
+  pend(3);
+  pend(1);
+  pend(2);
+  asm volatile("dsb\n\tisb");
+  note(20);
+  asm volatile("msr basepri, %0\n\tisb" ::"r"(0));
+  note(21);
+  asm volatile("cpsid i");
+  pend(1);
+  asm volatile("dsb\n\tisb");
+  note(22);
+  asm volatile("wfi");
+  note(23);
+  asm volatile("cpsie i\n\tisb");
+  note(24);
+  sleepForever();
+}
+
+PROGRAM spoilsFpuRegisters() {
+  asm volatile(
+      "vmov s0, %0\n\tvmov s15, %0\n\tvadd.f32 s1, s0, s0\n\tvmsr fpscr, %1" ::"r"(0x40400000),
+      "r"(0x80000000)
+      : "s0", "s1", "s15");
+}
+
+PROGRAM keepsFpuRegisters() {
+  stopWatchdog();
+  switchFpuOn();
+  enableInterrupt(1);
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+  std::uint32_t status = 0;
+  std::uint32_t before = 0;
+  std::uint32_t after = 0;
+  asm volatile(
+      "vmov s0, %5\n\tvmov s15, %6\n\tvmsr fpscr, %7\n\t"
+      "mov %3, sp\n\t"
+      "str %9, [%8]\n\tdsb\n\tisb\n\t"
+      "mov %4, sp\n\t"
+      "vmov %0, s0\n\tvmov %1, s15\n\tvmrs %2, fpscr"
+      : "=&r"(first), "=&r"(last), "=&r"(status), "=&r"(before), "=&r"(after)
+      : "r"(0x11111111), "r"(0x22222222), "r"(0x10000000), "r"(0xE000E200), "r"(2)
+      : "s0", "s15", "memory");
+  told(0) = first;
+  told(1) = last;
+  told(2) = status;
+  told(3) = before - after;
+  sleepForever();
+}
+
+PROGRAM tellsFrame() {
+  // The return address, the stack pointer and the state of exception.
+  std::uint32_t link = 0;
+  std::uint32_t stack = 0;
+  std::uint32_t process = 0;
+  asm volatile("mov %0, lr\n\tmov %1, sp\n\tmrs %2, psp" : "=r"(link), "=r"(stack), "=r"(process));
+  told(0) = link;
+  told(1) = stack;
+  told(2) = process;
+}
+
+PROGRAM usesProcessStack() {
+  stopWatchdog();
+  enableInterrupt(1);
+  asm volatile(
+      "msr psp, %0\n\tmsr control, %1\n\tisb\n\t"
+      "str %3, [%2]\n\tdsb\n\tisb" ::"r"(0x20001000),
+      "r"(2), "r"(0xE000E200), "r"(2)
+      : "memory");
+  std::uint32_t stack = 0;
+  std::uint32_t control = 0;
+  asm volatile("mov %0, sp\n\tmrs %1, control" : "=r"(stack), "=r"(control));
+  told(3) = stack;
+  told(4) = control;
+  sleepForever();
+}
+
+PROGRAM tellsFault() {
+  told(0) = wordAt(0xE000ED28);  // CFSR
+  told(1) = wordAt(0xE000ED2C);  // HFSR
+  told(2) = wordAt(0xE000ED38);  // BFAR
+  std::uint32_t number = 0;
+  asm volatile("mrs %0, ipsr" : "=r"(number));
+  told(3) = number;
+  sleepForever();
+}
+
+PROGRAM faultsWithHandlerOn() {
+  stopWatchdog();
+  wordAt(0xE000ED24) = 7U << 16;
+  told(4) = wordAt(0x30000000);
+  sleepForever();
+}
+
+PROGRAM faultsWithHandlerOff() {
+  stopWatchdog();
+  told(4) = wordAt(0x30000000);
+  sleepForever();
+}
+
+PROGRAM countsUp() {
+  stopWatchdog();
+  told(0) = 0;
+  while (true) {
+    told(0) = told(0) + 1;
+  }
+}
+
+PROGRAM measures100Instructions() {
+  stopWatchdog();
+  wordAt(0xE000EDFC) = 1U << 24;
+  wordAt(0xE0001004) = 0;
+  wordAt(0xE0001000) = 1;
+  const std::uint32_t from = wordAt(0xE0001004);
+  asm volatile(".rept 100\n\tnop\n\t.endr");
+  told(0) = wordAt(0xE0001004) - from;
+  sleepForever();
+}
+
+PROGRAM countsTicks() {
+  told(0) = told(0) + 1;
+}
+
+PROGRAM startsSysTick() {
+  stopWatchdog();
+  told(0) = 0;
+  wordAt(0xE000E014) = 20971 - 1;
+  wordAt(0xE000E018) = 0;
+  wordAt(0xE000E010) = 7;
+  sleepForever();
+}
+
+extern "C" [[gnu::noinline, gnu::used]] std::uint32_t inner(std::uint32_t value) {
+  asm volatile("" ::: "memory");
+  return value + 1;
+}
+
+extern "C" [[gnu::noinline, gnu::used]] std::uint32_t outer(std::uint32_t value) {
+  return inner(inner(value)) + 1;
+}
+
+PROGRAM callsFunctions() {
+  stopWatchdog();
+  enableInterrupt(1);
+  told(0) = outer(1);
+  pend(1);
+  asm volatile("dsb\n\tisb");
+  told(1) = inner(1);
+  sleepForever();
+}

@@ -1,0 +1,232 @@
+// Programs that do what a board would not forgive.
+
+#include "guest.hpp"
+
+PROGRAM emptyProgram() {
+  stopWatchdog();
+  sleepForever();
+}
+
+PROGRAM usesPortBehindClosedGate() {
+  stopWatchdog();
+  wordAt(0x40049000) = 0x100;
+  sleepForever();
+}
+
+PROGRAM usesAdc() {
+  stopWatchdog();
+  wordAt(0x4004803C) |= 1U << 27;
+  wordAt(0x4003B000) = 0;
+  sleepForever();
+}
+
+PROGRAM loadsWhereNothingIs() {
+  stopWatchdog();
+  told(0) = wordAt(0x30000000);
+  sleepForever();
+}
+
+PROGRAM loadsAcrossTheBorderOfTheMemories() {
+  stopWatchdog();
+  told(0) = wordAt(0x1FFFFFFE);
+  sleepForever();
+}
+
+PROGRAM storesToFlash() {
+  stopWatchdog();
+  wordAt(0x00001000) = 1;
+  sleepForever();
+}
+
+PROGRAM configuresNoWatchdog() {
+  sleepForever();
+}
+
+PROGRAM unlocksTooLate() {
+  for (int i = 0; i < 300; ++i) {
+    asm volatile("nop");
+  }
+  stopWatchdog();
+  sleepForever();
+}
+
+PROGRAM givesSecondKeyTooLate() {
+  halfAt(0x4005200E) = 0xC520;
+  for (int i = 0; i < 10; ++i) {
+    asm volatile("nop");
+  }
+  halfAt(0x4005200E) = 0xD928;
+  sleepForever();
+}
+
+PROGRAM givesWrongKey() {
+  halfAt(0x4005200E) = 0xC521;
+  sleepForever();
+}
+
+PROGRAM configuresInTheNextClock() {
+  asm volatile(
+      "ldr r0, =0x40052000\n\t"
+      "ldr r1, =0xC520\n\t"
+      "ldr r2, =0xD928\n\t"
+      "ldr r3, =0x01D2\n\t"
+      "strh r1, [r0, #14]\n\t"
+      "strh r2, [r0, #14]\n\t"
+      "strh r3, [r0, #0]\n\t"
+      ".ltorg" ::
+          : "r0", "r1", "r2", "r3");
+  sleepForever();
+}
+
+PROGRAM unlocksWithoutConfiguration() {
+  unlockWatchdog();
+  sleepForever();
+}
+
+// Low-power oscillator, 300 ms, no update.
+static void watchFor300Milliseconds(std::uint16_t control) {
+  unlockWatchdog();
+  halfAt(0x40052004) = 0;
+  halfAt(0x40052006) = 300;
+  halfAt(0x40052008) = 0;
+  halfAt(0x4005200A) = 100;
+  halfAt(0x40052016) = 0;
+  halfAt(0x40052000) = control;
+}
+
+static void refreshWatchdog() {
+  halfAt(0x4005200C) = 0xA602;
+  halfAt(0x4005200C) = 0xB480;
+}
+
+PROGRAM refreshesNever() {
+  watchFor300Milliseconds(0x00C1);
+  sleepForever();
+}
+
+PROGRAM refreshesAtEachTimer() {
+  refreshWatchdog();
+  wordAt(0x4003710C) = 1;
+}
+
+PROGRAM refreshesInTime() {
+  watchFor300Milliseconds(0x00C1);
+  openPit();
+  wordAt(0x40037100) = 20971520 / 5;
+  wordAt(0x40037108) = 3;
+  enableInterrupt(48);
+  sleepForever();
+}
+
+PROGRAM refreshesBeforeTheWindow() {
+  watchFor300Milliseconds(0x00C9);
+  openPit();
+  wordAt(0x40037100) = 20971520 / 20;
+  wordAt(0x40037108) = 3;
+  enableInterrupt(48);
+  sleepForever();
+}
+
+PROGRAM refreshesWithWrongKey() {
+  watchFor300Milliseconds(0x00C1);
+  for (int i = 0; i < 600; ++i) {
+    asm volatile("nop");
+  }
+  halfAt(0x4005200C) = 0xB480;
+  sleepForever();
+}
+
+PROGRAM configuresLockedWatchdog() {
+  watchFor300Milliseconds(0x00C1);
+  for (int i = 0; i < 600; ++i) {
+    asm volatile("nop");
+  }
+  halfAt(0x40052006) = 1000;
+  sleepForever();
+}
+
+PROGRAM readsNoByte() {
+  stopWatchdog();
+  openUart();
+  byteAt(0x4006A003) = 0x04;
+  sleepForever();
+}
+
+PROGRAM sendsAtWrongBaud() {
+  stopWatchdog();
+  openUart();
+  byteAt(0x4006A001) = 22;
+  byteAt(0x4006A003) = 0x08;
+  byteAt(0x4006A007) = 'a';
+  sleepForever();
+}
+
+PROGRAM receivesAtWrongBaud() {
+  stopWatchdog();
+  openUart();
+  byteAt(0x4006A001) = 22;
+  byteAt(0x4006A003) = 0x04;
+  sleepForever();
+}
+
+PROGRAM sendsWithoutPin() {
+  stopWatchdog();
+  openUart();
+  wordAt(0x4004A044) = 0x100;
+  byteAt(0x4006A003) = 0x08;
+  byteAt(0x4006A007) = 'a';
+  sleepForever();
+}
+
+PROGRAM executesUndefinedInstruction() {
+  stopWatchdog();
+  asm volatile("udf #0");
+  sleepForever();
+}
+
+PROGRAM usesFpuThatIsOff() {
+  stopWatchdog();
+  asm volatile("vmov s0, r0\n\tvadd.f32 s0, s0, s0" ::: "s0");
+  sleepForever();
+}
+
+PROGRAM handlerThatAcknowledgesNothing() {}
+
+PROGRAM startsTimer() {
+  stopWatchdog();
+  openPit();
+  wordAt(0x40037100) = 999;
+  wordAt(0x40037108) = 3;
+  enableInterrupt(48);
+  sleepForever();
+}
+
+PROGRAM requestsReset() {
+  stopWatchdog();
+  wordAt(0xE000ED0C) = 0x05FA0004;
+  sleepForever();
+}
+
+PROGRAM writesWordToUart() {
+  stopWatchdog();
+  openUart();
+  wordAt(0x4006A000) = 0;
+  sleepForever();
+}
+
+PROGRAM startsTimerWithoutReadingItsControl() {
+  stopWatchdog();
+  wordAt(0x4004803C) |= 1U << 23;
+  wordAt(0x40037000) = 0;
+  sleepForever();
+}
+
+PROGRAM handlerThatFaults() {
+  told(0) = wordAt(0x30000000);
+}
+
+PROGRAM sleepsDeeply() {
+  stopWatchdog();
+  wordAt(0xE000ED10) = 4;
+  sleepForever();
+}
