@@ -28,6 +28,9 @@ constexpr auto kDamaged = uart0::S1_FE | uart0::S1_NF;
 
 }  // namespace
 
+// Not in the header: an object that the compiler initialises would put its empty storage in flash.
+K64Uart::K64Uart() = default;
+
 void K64Uart::start() {
   uart0::C2.write({0});
   uart0::BDH.write({static_cast<std::uint8_t>(kDivider >> 8U)});

@@ -19,7 +19,7 @@ class K64Uart final : public SerialPort {
   static constexpr std::uint32_t kBaud = 115'200;
 
   /// @brief Makes a port that is switched off.
-  constexpr K64Uart() = default;
+  K64Uart();
 
   /// @brief Switches the port on.
   /// @pre The core runs at its full clock, and the clock of the port runs.

@@ -23,8 +23,10 @@ void K64Watchdog::configure() {
   wdog::PRESC.write({0});
   wdog::TOVALH.write({0});
   wdog::TOVALL.write({static_cast<std::uint16_t>(kTicks)});
-  // Clock: the low-power oscillator. No window, no second update; it runs while the core sleeps.
-  wdog::STCTRLH.write(wdog::STCTRLH_WDOGEN | wdog::STCTRLH_WAITEN);
+  // Clock: the low-power oscillator. No window, no second update; it runs while the core sleeps or
+  // stops.
+  wdog::STCTRLH.write(wdog::STCTRLH_WDOGEN | wdog::STCTRLH_STOPEN | wdog::STCTRLH_WAITEN |
+                      wdog::STCTRLH_RESERVED);
 }
 
 void K64Watchdog::refresh() {

@@ -14,7 +14,9 @@ namespace wr {
 namespace wdog {
 inline constexpr Register<std::uint16_t, 0x40052000> STCTRLH;
 inline constexpr auto STCTRLH_WDOGEN = STCTRLH.bit(0);
+inline constexpr auto STCTRLH_STOPEN = STCTRLH.bit(6);
 inline constexpr auto STCTRLH_WAITEN = STCTRLH.bit(7);
+inline constexpr auto STCTRLH_RESERVED = STCTRLH.bit(8);  // 1 after reset, and kept
 inline constexpr Register<std::uint16_t, 0x40052004> TOVALH;
 inline constexpr Register<std::uint16_t, 0x40052006> TOVALL;
 inline constexpr Register<std::uint16_t, 0x4005200C, Access::Write> REFRESH;

@@ -20,7 +20,7 @@ namespace {
 constinit K64Watchdog watchdog;
 constinit K64Timebase timebase;
 constinit K64Pit cycleTimer(K64Pit::Channel::First);
-constinit K64Uart pcPort;
+K64Uart pcPort;
 constinit K64Thread mainThread(kMainThreadLine);
 constinit K64Gpio greenLight(pinOf("light_green"), K64Gpio::Level::Low);
 constinit K64Gpio redLight(pinOf("light_red"), K64Gpio::Level::Low);
