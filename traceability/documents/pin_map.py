@@ -10,10 +10,12 @@ from pathlib import Path
 
 HEADER = Path("src/k64/pins.hpp")
 COLUMNS = ("pin", "connected to", "use", "signal", "on the FRDM-K64F", "what it does")
-BEGIN = re.compile(r"kPins = std::to_array<Pin>\(\{$")
+BEGIN = re.compile(r"kPinTable = std::to_array<PinRow>\(\{$")
 END = "});"
 TEXT = r'"([^"\\]+)"'
-ENTRY = re.compile(rf"\{{Port::([A-E]), (\d+), Mux::(\w+), Role::(\w+), {TEXT}, {TEXT}, {TEXT}\}},")
+ENTRY = re.compile(
+    rf"\{{\{{Port::([A-E]), (\d+), Mux::(\w+), Role::(\w+)\}}, {TEXT}, {TEXT}, {TEXT}\}},"
+)
 ROLE = re.compile(r"^ *(\w+),? +///< (.+)$", re.MULTILINE)
 
 
@@ -29,7 +31,7 @@ def pin_map(root: Path) -> str:
     writer.writerow(COLUMNS)
     rows = list(entries(text, roles(text)))
     if not rows:
-        raise PinMapError(f"{HEADER}: the table kPins has no entry")
+        raise PinMapError(f"{HEADER}: the table kPinTable has no entry")
     writer.writerows(rows)
     return table.getvalue()
 
@@ -56,4 +58,4 @@ def entries(text: str, uses: dict[str, str]) -> Iterator[tuple[str, ...]]:
             port, pin, mux, role, *said = match.groups()
             yield f"PT{port}{pin}", mux.upper(), uses[role], *said
     if not ended:
-        raise PinMapError(f"{HEADER}: the table kPins is missing or has no end")
+        raise PinMapError(f"{HEADER}: the table kPinTable is missing or has no end")

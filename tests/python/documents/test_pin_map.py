@@ -13,11 +13,11 @@ enum class Role : std::uint8_t {
   LowOutput,  ///< output, safe when low
   Input       ///< input, pulled up
 };
-inline constexpr auto kPins = std::to_array<Pin>({
+inline constexpr auto kPinTable = std::to_array<PinRow>({
     // Buttons.
-    {Port::A, 4, Mux::Gpio, Role::Input, "button", "SW3, left", "Not used."},
+    {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3, left", "Not used."},
 
-    {Port::C, 12, Mux::Alt3, Role::LowOutput, "light", "J1-2", "Low lights it."},
+    {{Port::C, 12, Mux::Alt3, Role::LowOutput}, "light", "J1-2", "Low lights it."},
 });
 """
 
@@ -41,11 +41,11 @@ def test_each_entry_is_a_row(tmp_path: Path) -> None:
     ("old", "new", "place"),
     [
         ("Port::C, 12", "Port::F, 12", "pins.hpp:9: "),
-        ("Role::LowOutput, ", "", "pins.hpp:9: "),
-        ("Role::LowOutput,", "Role::HighOutput,", "pins.hpp:9: "),
+        (", Role::LowOutput}", "}", "pins.hpp:9: "),
+        ("Role::LowOutput}", "Role::HighOutput}", "pins.hpp:9: "),
         ('"Low lights it."', '"Low " "lights it."', "pins.hpp:9: "),
         ('"Not used."},', '"Not used."}, {Port::A, 5},', "pins.hpp:7: "),
-        ("kPins = ", "kOthers = ", "missing or has no end"),
+        ("kPinTable = ", "kOthers = ", "missing or has no end"),
         ("});", "}};", "pins.hpp:10: "),
     ],
 )
@@ -65,7 +65,7 @@ def test_an_empty_table_is_an_error(tmp_path: Path) -> None:
 
 def test_the_table_of_the_firmware_has_each_pin_that_its_header_names() -> None:
     text = (ROOT / HEADER).read_text()
-    table, _, _ = text.partition("kPins =")[2].partition("\n});")
+    table, _, _ = text.partition("kPinTable =")[2].partition("\n});")
     rows = list(csv.reader(pin_map(ROOT).splitlines()))[1:]
     assert len(rows) == table.count("{Port::") > 0
     assert "PTB16" in {row[0] for row in rows}
