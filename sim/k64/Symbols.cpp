@@ -20,7 +20,7 @@ namespace {
 /// @brief A piece of the file as what it is.
 template <typename Part>
 Part partAt(const std::vector<char>& file, std::size_t offset) {
-  Part part;
+  Part part{};
   if (offset + sizeof part > file.size()) {
     throw std::runtime_error("the ELF file is too short");
   }
@@ -92,6 +92,8 @@ std::string Symbols::placeOf(std::uint32_t address) const {
   std::snprintf(number.data(), number.size(), "0x%x", static_cast<unsigned>(address));
   const std::string command =
       "arm-none-eabi-addr2line -i -e '" + elf_.string() + "' " + number.data() + " 2>/dev/null";
+  // The command is that of the toolchain, with a path of the project and a number.
+  // NOLINTNEXTLINE(cert-env33-c)
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
   // The last line tells the place in the function itself, those before in what is inlined there.
   std::array<char, 1024> line{};
