@@ -331,8 +331,9 @@ void CortexM4::skipTo(std::uint64_t cycle) {
 }
 
 void CortexM4::setLine(unsigned line, bool high) {
-  nvic_.setLine(line, high);
-  reevaluate();
+  if (nvic_.setLine(line, high)) {
+    reevaluate();
+  }
 }
 
 void CortexM4::raise(unsigned exception) {

@@ -52,13 +52,15 @@ void Nvic::deactivate(unsigned exception) {
   }
 }
 
-void Nvic::setLine(unsigned line, bool high) {
+bool Nvic::setLine(unsigned line, bool high) {
   const unsigned exception = kFirstLine + line;
-  if (high && !level_[exception]) {
+  const bool rises = high && !level_[exception];
+  if (rises) {
     pending_.set(exception);
     entries_[exception] = 0;
   }
   level_.set(exception, high);
+  return rises;
 }
 
 unsigned Nvic::entriesOfHighLine(unsigned exception) const {

@@ -33,7 +33,8 @@ class Nvic {
   void deactivate(unsigned exception);
 
   /// @brief Sets the level of an interrupt line; a rising level pends it.
-  void setLine(unsigned line, bool high);
+  /// @return true when it did.
+  bool setLine(unsigned line, bool high);
 
   /// @brief Times an interrupt was entered since its line rose.
   [[nodiscard]] unsigned entriesOfHighLine(unsigned exception) const;
