@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdio>
+#include <cstring>
+#include <new>
 #include <stdexcept>
 #include <utility>
 
@@ -141,6 +144,9 @@ CortexM4::CortexM4(unsigned lines, unsigned priorityBits)
   // UC_MODE_MCLASS would make a Cortex-M33; the model is set before any other call.
   check(uc_open(UC_ARCH_ARM, UC_MODE_THUMB, &engine_), "uc_open");
   check(uc_ctl_set_cpu_model(engine_, UC_CPU_ARM_CORTEX_M4), "uc_ctl_set_cpu_model");
+  check(uc_ctl_exits_enable(engine_), "uc_ctl_exits_enable");
+  std::uint64_t nowhere = kNowhere;
+  check(uc_ctl_set_exits(engine_, &nowhere, 1), "uc_ctl_set_exits");
   Hooks::add(*this, UC_HOOK_CODE, Hooks::code);
   Hooks::add(*this, UC_HOOK_INTR, Hooks::interrupt);
   Hooks::add(*this, UC_HOOK_MEM_INVALID, Hooks::invalid);
@@ -184,8 +190,15 @@ void CortexM4::mapMemory(std::uint32_t address, std::uint32_t size, Access acces
   const std::uint32_t rights = access == Access::ReadWrite     ? UC_PROT_READ | UC_PROT_WRITE
                                : access == Access::ReadExecute ? UC_PROT_READ | UC_PROT_EXEC
                                                                : UC_PROT_ALL;
-  check(uc_mem_map(engine_, address, size, rights), "uc_mem_map");
-  memories_.push_back({address, size, access});
+  constexpr std::size_t kPage = 4096;
+  std::unique_ptr<std::uint8_t, Release> bytes(
+      static_cast<std::uint8_t*>(std::aligned_alloc(kPage, size)));
+  if (bytes == nullptr) {
+    throw std::bad_alloc();
+  }
+  std::fill_n(bytes.get(), size, std::uint8_t{0});
+  check(uc_mem_map_ptr(engine_, address, size, rights, bytes.get()), "uc_mem_map_ptr");
+  memories_.push_back({address, size, access, std::move(bytes)});
 }
 
 void CortexM4::mapWindow(std::uint32_t address, std::uint32_t size, Read read, Write write) {
@@ -205,17 +218,33 @@ void CortexM4::load(std::uint32_t address, std::span<const std::uint8_t> bytes) 
   check(uc_ctl_remove_cache(engine_, address, address + bytes.size()), "uc_ctl_remove_cache");
 }
 
+// The place of bytes that lie in one memory; none where there is no memory.
+std::uint8_t* CortexM4::at(std::uint32_t address, std::uint32_t size) const {
+  for (const Memory& memory : memories_) {
+    const std::uint32_t offset = address - memory.address;
+    if (offset < memory.size && memory.size - offset >= size) {
+      return memory.bytes.get() + offset;
+    }
+  }
+  return nullptr;
+}
+
+template <typename Value>
+Value CortexM4::load(std::uint32_t address) const {
+  static_assert(std::endian::native == std::endian::little, "as the processor");
+  Value value = 0;
+  if (const std::uint8_t* place = at(address, sizeof value); place != nullptr) {
+    std::memcpy(&value, place, sizeof value);
+  }
+  return value;
+}
+
 std::uint32_t CortexM4::word(std::uint32_t address) const {
-  std::array<std::uint8_t, 4> bytes{};
-  uc_mem_read(engine_, address, bytes.data(), bytes.size());
-  return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8 |
-         static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
+  return load<std::uint32_t>(address);
 }
 
 std::uint16_t CortexM4::halfword(std::uint32_t address) const {
-  std::array<std::uint8_t, 2> bytes{};
-  uc_mem_read(engine_, address, bytes.data(), bytes.size());
-  return static_cast<std::uint16_t>(bytes[0] | bytes[1] << 8);
+  return load<std::uint16_t>(address);
 }
 
 std::uint32_t CortexM4::reg(int id) const {
@@ -417,20 +446,26 @@ void CortexM4::takePending() {
     deliver(exception, pc());
     return;
   }
+  // After an entry the next one may preempt before its first instruction: that of a late arrival.
+  while (enterNext()) {
+  }
+}
+
+// Enters the first pending exception if its turn has come.
+bool CortexM4::enterNext() {
   const unsigned next = nvic_.first();
   if (next == 0) {
-    return;
+    return false;
   }
   const int wanted = nvic_.group(nvic_.priority(next));
   // WFI ends also for an interrupt that PRIMASK alone keeps away: ARMv7-M ARM, B1.5.18.
   sleeping_ = sleeping_ && wanted >= executionPriority(false);
-  if (wanted < executionPriority()) {
-    enter(next, pc());
-    // The next one may preempt it before its first instruction: that of a late arrival.
-    takePending();
-  } else {
+  if (wanted >= executionPriority()) {
     maskedPending_ = true;
+    return false;
   }
+  enter(next, pc());
+  return true;
 }
 
 bool CortexM4::mayRun(std::uint32_t address) {
@@ -614,36 +649,34 @@ void CortexM4::breakpoint(std::uint32_t at) {
   fault(kHardFault, 0, at, "unhandled-fault", "breakpoint");
 }
 
-bool CortexM4::isRam(std::uint32_t address, std::uint32_t size) const {
-  const auto holds = [this](std::uint32_t byte) {
-    return std::ranges::any_of(memories_, [byte](const Memory& memory) {
-      return memory.access != Access::ReadExecute && byte - memory.address < memory.size;
-    });
-  };
-  return holds(address) && holds(address + size - 1);
+// The memory of a word of the stack, or none.
+std::uint8_t* CortexM4::stackAt(std::uint32_t address) const {
+  for (const Memory& memory : memories_) {
+    if (memory.access != Access::ReadExecute && address - memory.address < memory.size) {
+      return memory.bytes.get() + (address - memory.address);
+    }
+  }
+  return nullptr;
 }
 
 bool CortexM4::push(std::uint32_t address, std::span<const std::uint32_t> words) const {
-  if (!isRam(address, static_cast<std::uint32_t>(4 * words.size()))) {
-    return false;
-  }
-  for (const std::uint32_t value : words) {
-    const std::array<std::uint8_t, 4> bytes{
-        static_cast<std::uint8_t>(value), static_cast<std::uint8_t>(value >> 8),
-        static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 24)};
-    uc_mem_write(engine_, address, bytes.data(), bytes.size());
-    address += 4;
+  for (std::uint32_t i = 0; i < words.size(); ++i) {
+    std::uint8_t* place = stackAt(address + 4 * i);
+    if (place == nullptr) {
+      return false;
+    }
+    std::memcpy(place, &words[i], sizeof words[i]);
   }
   return true;
 }
 
 bool CortexM4::pop(std::uint32_t address, std::span<std::uint32_t> words) const {
-  if (!isRam(address, static_cast<std::uint32_t>(4 * words.size()))) {
-    return false;
-  }
-  for (std::uint32_t& value : words) {
-    value = word(address);
-    address += 4;
+  for (std::uint32_t i = 0; i < words.size(); ++i) {
+    const std::uint8_t* place = stackAt(address + 4 * i);
+    if (place == nullptr) {
+      return false;
+    }
+    std::memcpy(&words[i], place, sizeof words[i]);
   }
   return true;
 }

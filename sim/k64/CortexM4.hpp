@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -164,22 +165,30 @@ class CortexM4 {
     Read read;
     Write write;
   };
+  struct Release {
+    void operator()(std::uint8_t* bytes) const { std::free(bytes); }
+  };
   struct Memory {
     std::uint32_t address;
     std::uint32_t size;
     Access access;
+    std::unique_ptr<std::uint8_t, Release> bytes;  // what the engine reads and writes
   };
 
   [[nodiscard]] std::uint32_t reg(int id) const;
   void setReg(int id, std::uint32_t value) const;
+  [[nodiscard]] std::uint8_t* at(std::uint32_t address, std::uint32_t size) const;
   [[nodiscard]] std::uint16_t halfword(std::uint32_t address) const;
-  [[nodiscard]] bool isRam(std::uint32_t address, std::uint32_t size) const;
+  [[nodiscard]] std::uint8_t* stackAt(std::uint32_t address) const;
+  template <typename Value>
+  [[nodiscard]] Value load(std::uint32_t address) const;
   bool push(std::uint32_t address, std::span<const std::uint32_t> words) const;
   bool pop(std::uint32_t address, std::span<std::uint32_t> words) const;
 
   [[nodiscard]] int executionPriority(bool withPrimask = true) const;
   void reevaluate() { stopAt_ = 0; }
   void takePending();
+  bool enterNext();
   void execute();
   void stopped(int error);
   bool mayRun(std::uint32_t address);

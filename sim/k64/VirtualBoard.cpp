@@ -560,7 +560,7 @@ void VirtualBoard::onWrite(std::function<void(std::uint32_t, unsigned, std::uint
 void VirtualBoard::record(CallRecorder& recorder) {
   parts_->recorder = &recorder;
   parts_->cpu().onBlock([this](std::uint32_t address) {
-    CortexM4& cpu = parts_->cpu();
+    const CortexM4& cpu = parts_->cpu();
     parts_->recorder->block(address, cpu.core(13), cpu.core(14));
   });
 }
