@@ -12,27 +12,9 @@ const int kN = SystemConstants::instance().waitingCycles();
 
 class OperationStatesOfRobot : public testing::Test {
  protected:
-  // Connects the PC and lets it order until the robot reads from it.
   void SetUp() override {
-    robot.connect();
-    for (int i = 0; i < kN + 4 && !robot.report().orderRead(); ++i) {
-      robot.order({.id = 1, .steering = 200, .wheels = {{{0, 500}, {0, 500}, {0, 500}, {0, 500}}}});
-      robot.cycle();
-    }
-    ASSERT_EQ(robot.report().mode, kPc);
-    ASSERT_EQ(robot.report().state, kWorking);
-  }
-
-  // A cycle in which the PC gives a sign of life and does not order.
-  void silentCycle() {
-    robot.keepAlive();
-    robot.cycle();
-  }
-
-  void silentCycles(int count) {
-    for (int i = 0; i < count; ++i) {
-      silentCycle();
-    }
+    robot.commandByPc(
+        {.id = 1, .steering = 200, .wheels = {{{0, 500}, {0, 500}, {0, 500}, {0, 500}}}});
   }
 
   SteppedRobot robot;
@@ -41,7 +23,7 @@ class OperationStatesOfRobot : public testing::Test {
 /// @brief The first failed read sets the waiting state.
 /// @verifies FR-15
 TEST_F(OperationStatesOfRobot, FR15_FirstFailedReadSetsWaiting) {
-  silentCycle();
+  robot.silentCycle();
   EXPECT_EQ(robot.report().state, kWaiting);
   EXPECT_FALSE(robot.report().orderRead());
 }
@@ -52,13 +34,13 @@ TEST_F(OperationStatesOfRobot, FR15_FirstFailedReadSetsWaiting) {
 /// @verifies FR-16
 TEST_F(OperationStatesOfRobot, FR16_FailedReadsLeadThroughTheWaitingStates) {
   for (int failed = 1; failed < kN; ++failed) {
-    silentCycle();
+    robot.silentCycle();
     EXPECT_EQ(robot.report().state, kWaiting) << failed;
   }
-  silentCycle();
+  robot.silentCycle();
   EXPECT_EQ(robot.report().state, kWaitingN);
   EXPECT_EQ(robot.report().mode, kPc);
-  silentCycle();
+  robot.silentCycle();
   EXPECT_EQ(robot.report().state, kReconnecting);
   EXPECT_EQ(robot.report().mode, kPc);
 }
@@ -66,13 +48,13 @@ TEST_F(OperationStatesOfRobot, FR16_FailedReadsLeadThroughTheWaitingStates) {
 /// @brief A wait that a message ended begins anew with the next failed read.
 /// @verifies FR-16
 TEST_F(OperationStatesOfRobot, FR16_MessageStartsTheCountAnew) {
-  silentCycles(kN - 1);
+  robot.silentCycles(kN - 1);
   robot.order({.id = 2});
   robot.cycle();
   EXPECT_EQ(robot.report().state, kWorking);
-  silentCycles(kN - 1);
+  robot.silentCycles(kN - 1);
   EXPECT_EQ(robot.report().state, kWaiting);
-  silentCycle();
+  robot.silentCycle();
   EXPECT_EQ(robot.report().state, kWaitingN);
 }
 
@@ -80,7 +62,7 @@ TEST_F(OperationStatesOfRobot, FR16_MessageStartsTheCountAnew) {
 /// @verifies FR-13
 TEST_F(OperationStatesOfRobot, FR13_MessageSetsWorkingFromEachState) {
   for (int failed = 0; failed <= kN + 1; ++failed) {
-    silentCycles(failed);
+    robot.silentCycles(failed);
     robot.order({.id = static_cast<std::uint16_t>(10 + failed)});
     robot.cycle();
     EXPECT_EQ(robot.report().state, kWorking) << failed;
@@ -93,7 +75,7 @@ TEST_F(OperationStatesOfRobot, FR13_MessageSetsWorkingFromEachState) {
 /// @verifies FR-14
 TEST_F(OperationStatesOfRobot, FR14_WaitingStatesFollowTheLastSetPoints) {
   for (int failed = 1; failed <= kN; ++failed) {
-    silentCycle();
+    robot.silentCycle();
     EXPECT_EQ(robot.report().wheels[0].value, 500);
     EXPECT_EQ(robot.report().steering, 200);
     EXPECT_FALSE(robot.report().held()) << failed;
@@ -103,10 +85,10 @@ TEST_F(OperationStatesOfRobot, FR14_WaitingStatesFollowTheLastSetPoints) {
 /// @brief Each failed read in Reconnecting changes the reading mode.
 /// @verifies FR-17
 TEST_F(OperationStatesOfRobot, FR17_ReconnectingAlternatesTheMode) {
-  silentCycles(kN + 1);
+  robot.silentCycles(kN + 1);
   int mode = kPc;
   for (int i = 0; i < 6; ++i) {
-    silentCycle();
+    robot.silentCycle();
     mode = mode == kRc ? kPc : kRc;
     EXPECT_EQ(robot.report().state, kReconnecting);
     EXPECT_EQ(robot.report().mode, mode);
@@ -116,10 +98,10 @@ TEST_F(OperationStatesOfRobot, FR17_ReconnectingAlternatesTheMode) {
 /// @brief In Reconnecting the wheels are halted and the steering is held, until an order is read.
 /// @verifies FR-18
 TEST_F(OperationStatesOfRobot, FR18_ReconnectingHoldsTheRobot) {
-  silentCycles(kN + 1);
+  robot.silentCycles(kN + 1);
   for (int i = 0; i < 3; ++i) {
     EXPECT_TRUE(robot.report().held());
-    silentCycle();
+    robot.silentCycle();
   }
   robot.order({.id = 2});
   robot.cycle();
@@ -132,10 +114,10 @@ TEST_F(OperationStatesOfRobot, FR18_ReconnectingHoldsTheRobot) {
 /// @brief Control and report of a cycle are those of the state that the read of the cycle led to.
 /// @verifies FR-3
 TEST_F(OperationStatesOfRobot, FR3_ControlAndWriteFollowTheRead) {
-  silentCycles(kN);
+  robot.silentCycles(kN);
   EXPECT_EQ(robot.report().state, kWaitingN);
   EXPECT_FALSE(robot.report().held());
-  silentCycle();
+  robot.silentCycle();
   EXPECT_EQ(robot.report().state, kReconnecting);
   EXPECT_TRUE(robot.report().held());
 }

@@ -13,18 +13,6 @@ const int kN = SystemConstants::instance().waitingCycles();
 
 class OrdersOfRobot : public testing::Test {
  protected:
-  // Connects the PC and lets it order until the robot reads from it.
-  void commandByPc() {
-    robot.connect();
-    for (int i = 0; i < kN + 4 && (robot.report().mode != kPc || !robot.report().orderRead());
-         ++i) {
-      robot.order({.id = 1});
-      robot.cycle();
-    }
-    ASSERT_EQ(robot.report().mode, kPc);
-    ASSERT_EQ(robot.report().state, kWorking);
-  }
-
   // Connects the PC at power-up and gives signs of life until so many reads in the mode RC have
   // failed.
   void connectAndFail(int reads) {
@@ -61,7 +49,7 @@ TEST_F(OrdersOfRobot, FR17_PcThatConnectsAtPowerUpCommandsSoon) {
 /// @brief Two orders in one cycle count as the newer one, and it is read once.
 /// @verifies FR-20
 TEST_F(OrdersOfRobot, FR20_OnlyTheNewestOrderIsReadAndOnce) {
-  commandByPc();
+  robot.commandByPc();
   robot.order({.id = 20});
   robot.order({.id = 21});
   robot.cycle();
@@ -105,7 +93,7 @@ TEST_F(OrdersOfRobot, FR20_OlderOrderIsNoMessage) {
 /// @brief A stop of the PC holds the robot in the mode PC, in every operation state.
 /// @verifies FR-21
 TEST_F(OrdersOfRobot, FR21_StopActsInEveryState) {
-  commandByPc();
+  robot.commandByPc();
   robot.order({.id = 40, .stop = true});
   robot.cycle();
   EXPECT_EQ(robot.report().state, kWorking);
@@ -121,7 +109,7 @@ TEST_F(OrdersOfRobot, FR21_StopActsInEveryState) {
 /// @brief A stop outlives the connection.
 /// @verifies FR-21
 TEST_F(OrdersOfRobot, FR21_StopOutlivesTheConnection) {
-  commandByPc();
+  robot.commandByPc();
   robot.order({.id = 40, .stop = true});
   robot.cycle();
   robot.cycles(15);
@@ -165,7 +153,7 @@ TEST_F(OrdersOfRobot, FR36_OrderWithoutConnectionIsNoMessage) {
 /// @brief An order that arrived is no message any more when the connection ends before it is read.
 /// @verifies FR-36
 TEST_F(OrdersOfRobot, FR36_OrderOfAnEndedConnectionIsNoMessage) {
-  commandByPc();
+  robot.commandByPc();
   robot.order({.id = 51});
   robot.hello();
   robot.cycle();
@@ -180,7 +168,7 @@ TEST_F(OrdersOfRobot, FR36_OrderOfAnEndedConnectionIsNoMessage) {
 /// @verifies FR-37
 /// @verifies FR-61
 TEST_F(OrdersOfRobot, FR37_OrderIsInTheReportOfItsCycle) {
-  commandByPc();
+  robot.commandByPc();
   const std::uint32_t before = robot.report().cycle;
   robot.arriveBeforePulse(
       robot.pc.order({.id = 60, .steering = -1200, .wheels = {{{0, 1}, {1, -2}, {2, 3}, {0, -4}}}}),
@@ -197,7 +185,7 @@ TEST_F(OrdersOfRobot, FR37_OrderIsInTheReportOfItsCycle) {
 /// @brief An order whose last byte comes after clock pulse n has no effect in cycle n.
 /// @verifies FR-37
 TEST_F(OrdersOfRobot, FR37_OrderThatIsNotWholeWaitsForTheNextCycle) {
-  commandByPc();
+  robot.commandByPc();
   const Bytes bytes = robot.pc.order({.id = 61});
   robot.arrive(std::span(bytes).first(bytes.size() - 1));
   robot.cycle();

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "services/SystemConstants.hpp"
 #include "sim/scenario/PcFrames.hpp"
 #include "sim/scenario/RobotLine.hpp"
 
@@ -21,6 +22,15 @@ using std::chrono::microseconds;
 
 /// Sequences of the comparison with the reference that this binding runs in reasonable time.
 [[nodiscard]] int referenceSequences();
+
+// Numbers in reports.
+inline constexpr int kWorking = 0;
+inline constexpr int kWaiting = 1;
+inline constexpr int kWaitingN = 2;
+inline constexpr int kReconnecting = 3;
+inline constexpr int kRc = 0;
+inline constexpr int kPc = 1;
+inline constexpr int kNobody = 255;
 
 /// The whole firmware in stepped time, and a PC on its line.
 class SteppedRobot {
@@ -64,6 +74,30 @@ class SteppedRobot {
     cycle();
   }
 
+  /// Connects the PC, and lets it order until the robot works with its order.
+  void commandByPc(const PcOrder& first = {.id = 1}) {
+    connect();
+    for (int i = 0; i < kMostTries && !worksForPc(); ++i) {
+      order(first);
+      cycle();
+    }
+    if (!worksForPc()) {
+      throw std::runtime_error("the robot does not read the orders of the PC");
+    }
+  }
+
+  /// A cycle in which the PC gives a sign of life and does not order.
+  void silentCycle() {
+    keepAlive();
+    cycle();
+  }
+
+  void silentCycles(int count) {
+    for (int i = 0; i < count; ++i) {
+      silentCycle();
+    }
+  }
+
   /// The report of the last cycle.
   [[nodiscard]] const PcReport& report() const {
     if (!report_) {
@@ -78,6 +112,12 @@ class SteppedRobot {
   std::optional<PcWelcome> welcome;  // the last one
 
  private:
+  static constexpr int kMostTries = SystemConstants::instance().waitingCycles() + 4;
+
+  [[nodiscard]] bool worksForPc() const {
+    return report().mode == kPc && report().state == kWorking && report().orderRead();
+  }
+
   void require(bool running) const {
     if (!running) {
       throw std::runtime_error("finding: " + line_->finding().value().text);
@@ -98,14 +138,5 @@ class SteppedRobot {
   std::unique_ptr<RobotLine> line_;
   std::optional<PcReport> report_;
 };
-
-// Numbers in reports.
-inline constexpr int kWorking = 0;
-inline constexpr int kWaiting = 1;
-inline constexpr int kWaitingN = 2;
-inline constexpr int kReconnecting = 3;
-inline constexpr int kRc = 0;
-inline constexpr int kPc = 1;
-inline constexpr int kNobody = 255;
 
 }  // namespace wr::test

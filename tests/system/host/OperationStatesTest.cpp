@@ -20,18 +20,6 @@ class OperationStatesOfRobotOnHost : public testing::Test {
     robot.cycle();
   }
 
-  // A cycle in which the PC gives a sign of life and nobody orders.
-  void silentCycle() {
-    robot.keepAlive();
-    robot.cycle();
-  }
-
-  void silentCycles(int count) {
-    for (int i = 0; i < count; ++i) {
-      silentCycle();
-    }
-  }
-
   HostSteppedRobot robot;
 };
 
@@ -47,7 +35,7 @@ TEST_F(OperationStatesOfRobotOnHost, FR10_BeginsInWorkingAndModeRc) {
 /// @verifies FR-14
 TEST_F(OperationStatesOfRobotOnHost, FR14_WaitingStatesFollowTheLastSetPoints) {
   for (int failed = 1; failed <= kN; ++failed) {
-    silentCycle();
+    robot.silentCycle();
     EXPECT_EQ(robot.system.calls, kControlled) << failed;
     EXPECT_EQ(robot.system.applied.wheels[0].value, 500);
     EXPECT_EQ(robot.system.applied.steering, Angle(200));
@@ -55,32 +43,19 @@ TEST_F(OperationStatesOfRobotOnHost, FR14_WaitingStatesFollowTheLastSetPoints) {
   }
 }
 
-/// @brief Each failed read in Reconnecting changes the reading mode.
-/// @verifies FR-17
-TEST_F(OperationStatesOfRobotOnHost, FR17_ReconnectingAlternatesTheMode) {
-  silentCycles(kN + 1);
-  int mode = kRc;
-  for (int i = 0; i < 6; ++i) {
-    silentCycle();
-    mode = mode == kRc ? kPc : kRc;
-    EXPECT_EQ(robot.report().state, kReconnecting);
-    EXPECT_EQ(robot.report().mode, mode);
-  }
-}
-
 /// @brief In Reconnecting the wheels are halted and the steering is held, until an order is read.
 /// @verifies FR-18
 TEST_F(OperationStatesOfRobotOnHost, FR18_ReconnectingHoldsTheRobot) {
-  silentCycles(kN + 1);
+  robot.silentCycles(kN + 1);
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(robot.system.calls, kHeld);
     EXPECT_TRUE(robot.report().held());
-    silentCycle();
+    robot.silentCycle();
   }
   robot.rcOrder(100, 0);
-  silentCycle();
+  robot.silentCycle();
   robot.rcOrder(100, 0);
-  silentCycle();
+  robot.silentCycle();
   EXPECT_EQ(robot.report().state, kWorking);
   EXPECT_EQ(robot.system.calls, kControlled);
   EXPECT_FALSE(robot.report().held());

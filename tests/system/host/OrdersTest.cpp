@@ -10,18 +10,6 @@ const int kN = SystemConstants::instance().waitingCycles();
 
 class OrdersOfRobotOnHost : public testing::Test {
  protected:
-  // Connects the PC and lets it order until the robot reads from it.
-  void commandByPc() {
-    robot.connect();
-    for (int i = 0; i < kN + 4 && (robot.report().mode != kPc || !robot.report().orderRead());
-         ++i) {
-      robot.order({.id = 1});
-      robot.cycle();
-    }
-    ASSERT_EQ(robot.report().mode, kPc);
-    ASSERT_EQ(robot.report().state, kWorking);
-  }
-
   void commandByRc() {
     robot.rcOrder(100, 0);
     robot.hello();
@@ -71,7 +59,7 @@ TEST_F(OrdersOfRobotOnHost, FR50_OrderOfTheRemoteControlNeedsBothSignals) {
 /// @brief In the mode PC an order of the remote control is not read.
 /// @verifies FR-12
 TEST_F(OrdersOfRobotOnHost, FR12_ModePcReadsNoOrderOfTheRemoteControl) {
-  commandByPc();
+  robot.commandByPc();
   robot.rcOrder(200, 0);
   robot.order({.id = 9});
   robot.cycle();
