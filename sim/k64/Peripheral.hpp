@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "sim/k64/Clock.hpp"
-#include "sim/k64/VirtualBoard.hpp"
+#include "sim/k64/Event.hpp"
 
 namespace wr::k64 {
 

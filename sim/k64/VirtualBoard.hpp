@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/k64/Event.hpp"
 #include "sim/k64/Finding.hpp"
 
 namespace wr::k64 {
@@ -21,24 +22,6 @@ struct Options {
   bool externalClock = true;      ///< the clock of 50 MHz is there
   bool resetsAreFindings = true;  ///< a reset that the program causes stops the run
   bool faultsAreFindings = true;  ///< a fault stops the run; false: the program gets it
-};
-
-/// @brief What resets the board from outside or from inside.
-enum class Reset { PowerOn, LowVoltage, Pin, Watchdog, ClockLost, Lockup, Software };
-
-/// @brief Something that happened on the board.
-struct Event {
-  enum class Kind {
-    ExceptionEntered,  ///< number: of the exception
-    ExceptionLeft,     ///< number: of the exception
-    Reset,             ///< number: of the Reset
-    PinChanged,        ///< number: 32 * port + pin; value: level that the program puts out
-    ByteSent           ///< value: the byte, at the end of its stop bit
-  };
-  Kind kind;
-  std::chrono::nanoseconds at;
-  std::uint32_t number = 0;
-  std::uint32_t value = 0;
 };
 
 /// @brief A K64 microcontroller with its clock and a line to a PC, which runs an image unchanged.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from traceability.model.build import Facts
+from traceability.model.facts import Facts
 from traceability.model.schema import Finding, Model, Place
 
 

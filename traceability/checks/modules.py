@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from traceability.model.annotations import Text
-from traceability.model.build import Facts
+from traceability.model.facts import Facts
 from traceability.model.schema import Finding, Method, Model, Module
 
 

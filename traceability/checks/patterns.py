@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from traceability.checks.shapes import CLAUSES, Shape
 from traceability.model.annotations import Text
-from traceability.model.build import Facts, comment_places
+from traceability.model.build import comment_places
 from traceability.model.declared import ClauseText
+from traceability.model.facts import Facts
 from traceability.model.schema import (
     Clause,
     Finding,

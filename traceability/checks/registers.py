@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from traceability.model.build import Facts
 from traceability.model.declared import Block
+from traceability.model.facts import Facts
 from traceability.model.schema import Finding, Model, Place
 
 REGISTERS = "src/k64/registers.hpp"  # the table of all blocks

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from traceability.model.build import Facts
+from traceability.model.facts import Facts
 from traceability.model.results import RESULTS, RUNS
 from traceability.model.schema import Finding, Model, Place
 

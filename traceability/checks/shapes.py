@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from traceability.model.build import Facts
+from traceability.model.facts import Facts
 from traceability.model.schema import PatternApplication, Place
 from traceability.model.syntax import BodyFact, FieldFact, MethodFact
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from traceability.model.build import Facts
+from traceability.model.facts import Facts
 from traceability.model.schema import Finding, Model, Place, Requirement, TreeNode
 from traceability.model.traces import nodes_of
 from traceability.model.trees import accepted

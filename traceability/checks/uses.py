@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from traceability.model.build import Facts
+from traceability.model.facts import Facts
 from traceability.model.schema import AllowedUse, Finding, Model, Use
 from traceability.model.syntax import includes_of, is_board
 from traceability.sources import files_below

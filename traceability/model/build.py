@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 import subprocess
-from dataclasses import dataclass
 from pathlib import Path
 
-from traceability.model.annotations import Annotations, MemberText, Text, read_annotations
-from traceability.model.declared import Declared, read_declared
+from traceability.model.annotations import MemberText, Text, read_annotations
+from traceability.model.declared import read_declared
+from traceability.model.facts import Facts, gather_facts
 from traceability.model.results import read_coverage, read_sizes
 from traceability.model.schema import (
     BINDINGS,
@@ -25,50 +25,18 @@ from traceability.model.schema import (
     RoleBinding,
     Use,
 )
-from traceability.model.syntax import BodyFact, ClassFact, MethodFact, Syntax, read_syntax
+from traceability.model.syntax import BodyFact, MethodFact, read_syntax
 from traceability.model.tests import add_board_findings, add_executed_modules, add_tests
 from traceability.model.traces import nodes_of, read_traces
 from traceability.model.trees import add_trees
 from traceability.sources import files_below, source_hash
 
 
-@dataclass
-class Facts:
-    """What the model was made from. Checks that need more than the model read it here."""
-
-    root: Path
-    annotations: Annotations
-    syntax: Syntax
-    declared: Declared
-    heirs: dict[str, list[str]]  # class -> all classes below it
-    overriders: dict[str, list[str]]  # method -> all methods that override it
-    bodies: dict[str, list[BodyFact]]
-    classes: dict[str, ClassFact]
-
-    def targets(self, method: str, virtual: bool) -> list[str]:
-        """The methods that a call can reach."""
-        return [method, *self.overriders.get(method, [])] if virtual else [method]
-
-    def method(self, owner: str, name: str) -> MethodFact | None:
-        """The method that ``owner`` has or inherits."""
-        fact = self.classes.get(owner)
-        if fact is None:
-            return None
-        for method in fact.methods:
-            if method.name == name:
-                return method
-        for base in fact.bases:
-            found = self.method(base, name)
-            if found is not None:
-                return found
-        return None
-
-
 def build(root: Path) -> Model:
     build_folder = root / "build" / "model"
     annotations = read_annotations(root, build_folder)
     syntax = read_syntax(root, build_folder / "cache")
-    facts = _facts(root, annotations, syntax, read_declared(root))
+    facts = gather_facts(root, annotations, syntax, read_declared(root))
     model = Model(
         commit=_commit(root),
         version=_version(root),
@@ -103,31 +71,6 @@ def source_files(root: Path) -> list[str]:
     suffixes = (".hpp", ".cpp", ".h", ".dox", ".toml", ".tree", ".S", ".ld")
     paths = files_below(root, ("src", "sim", "tests", "requirements", "design"), suffixes)
     return [str(path.relative_to(root)) for path in paths]
-
-
-def _facts(root: Path, annotations: Annotations, syntax: Syntax, declared: Declared) -> Facts:
-    classes = {fact.name: fact for fact in syntax.classes}
-    heirs: dict[str, list[str]] = {}
-    overriders: dict[str, list[str]] = {}
-    methods = {method.id: method for fact in syntax.classes for method in fact.methods}
-    for fact in syntax.classes:
-        above, known = list(fact.bases), set()
-        while above:
-            base = above.pop()
-            if base in known:
-                continue
-            known.add(base)
-            heirs.setdefault(base, []).append(fact.name)
-            above += classes[base].bases if base in classes else []
-    for method in methods.values():
-        upper = method.overrides
-        while upper is not None:
-            overriders.setdefault(upper, []).append(method.id)
-            upper = methods[upper].overrides if upper in methods else None
-    bodies: dict[str, list[BodyFact]] = {}
-    for body in syntax.bodies:
-        bodies.setdefault(body.id, []).append(body)
-    return Facts(root, annotations, syntax, declared, heirs, overriders, bodies, classes)
 
 
 def _git(root: Path, *arguments: str) -> str:

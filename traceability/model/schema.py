@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from traceability.model.build import Facts
+    from traceability.model.facts import Facts
 
 # What the firmware runs on in a test: this machine, or the virtual board that boots the image.
 HOST = "host"

@@ -17,7 +17,7 @@ from traceability.model.schema import BINDINGS, HOST, BindingResult, Model, Test
 from traceability.model.traces import Traces
 
 if TYPE_CHECKING:
-    from traceability.model.build import Facts
+    from traceability.model.facts import Facts
 
 BOARD_TESTS = "tests/sim/k64/"
 TEST_MACRO = re.compile(r"^TEST(?:_F|_P)?\(\s*(\w+)\s*,\s*(\w+)\s*\)")

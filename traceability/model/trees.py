@@ -10,7 +10,7 @@ from traceability.model.syntax import BodyFact, is_board
 from traceability.model.traces import Row, Traces, embed, excerpt, nodes_of, recorded_nodes
 
 if TYPE_CHECKING:
-    from traceability.model.build import Facts
+    from traceability.model.facts import Facts
 
 
 def add_trees(model: Model, facts: Facts, recordings: dict[str, Traces]) -> None:

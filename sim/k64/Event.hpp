@@ -1,0 +1,26 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace wr::k64 {
+
+/// @brief What resets the board from outside or from inside.
+enum class Reset { PowerOn, LowVoltage, Pin, Watchdog, ClockLost, Lockup, Software };
+
+/// @brief Something that happened on the board.
+struct Event {
+  enum class Kind {
+    ExceptionEntered,  ///< number: of the exception
+    ExceptionLeft,     ///< number: of the exception
+    Reset,             ///< number: of the Reset
+    PinChanged,        ///< number: 32 * port + pin; value: level that the program puts out
+    ByteSent           ///< value: the byte, at the end of its stop bit
+  };
+  Kind kind;
+  std::chrono::nanoseconds at;
+  std::uint32_t number = 0;
+  std::uint32_t value = 0;
+};
+
+}  // namespace wr::k64
