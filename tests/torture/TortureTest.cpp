@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <iostream>
+#include <string>
 
 #include "support/seed.hpp"
 #include "torture/Comparison.hpp"
@@ -23,7 +24,14 @@ class TortureTest : public testing::Test {
     }
   }
 
-  static void expectSameOnBoth(std::uint32_t seed) {
+  // Tells the result of the test how much was compared.
+  void TearDown() override {
+    if (compared_ != 0) {
+      RecordProperty("measured", std::to_string(compared_) + " entries and exits compared");
+    }
+  }
+
+  void expectSameOnBoth(std::uint32_t seed) {
     const Image program = image(seed, kActions);
     const Records ours = VirtualProcessor::run(program);
     const Records theirs = Qemu::run(program);
@@ -34,7 +42,11 @@ class TortureTest : public testing::Test {
     EXPECT_TRUE(complete(ours)) << "seed " << seed;
     EXPECT_GE(exceptionEvents(ours), kFewestEvents) << "seed " << seed;
     std::cout << exceptionEvents(ours) << " entries and exits with seed " << seed << "\n";
+    compared_ += exceptionEvents(ours);
   }
+
+ private:
+  std::size_t compared_ = 0;
 };
 
 /// @brief The same exceptions come in the same order, with the same registers kept, the same masks

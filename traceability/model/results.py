@@ -23,6 +23,7 @@ class Result:
     milliseconds: float
     message: str
     recordings: list[str] = field(default_factory=list)  # names of the files of recorded calls
+    measured: str = ""  # what the test itself tells: its property of this name
 
 
 @dataclass
@@ -84,7 +85,7 @@ def _result(test: dict[str, Any]) -> Result:
         return Result("failed", milliseconds, failures[0])
     if test.get("status") != "RUN" or test.get("result") == "SKIPPED":
         return Result("skipped", milliseconds, "")
-    return Result("passed", milliseconds, "")
+    return Result("passed", milliseconds, "", measured=str(test.get("measured", "")))
 
 
 def read_coverage(root: Path) -> dict[str, FileCoverage]:

@@ -215,6 +215,7 @@ class BindingResult:
     message: str = ""
     stale: bool = False
     recordings: list[str] = field(default_factory=list)  # files of recorded calls that it may have
+    measured: str = ""  # what the test tells of its run, beside the result
 
 
 @dataclass

@@ -64,7 +64,9 @@ def _result_of(found: Result | None, model: Model, binding: str) -> BindingResul
     if found is None:
         return BindingResult(stale=stale)
     milliseconds = round(found.milliseconds, 3)
-    return BindingResult(found.result, milliseconds, found.message, stale, found.recordings)
+    return BindingResult(
+        found.result, milliseconds, found.message, stale, found.recordings, found.measured
+    )
 
 
 def _test_name(lines: list[str], line: int) -> tuple[str, str] | None:

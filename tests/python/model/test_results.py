@@ -43,6 +43,16 @@ def test_one_failed_instance_fails_a_parameterised_test(tmp_path: Path) -> None:
     assert sorted(result.recordings) == ["All_Suite.T_0", "All_Suite.T_1"]
 
 
+def test_what_a_test_measured_stands_with_its_result(tmp_path: Path) -> None:
+    tests = [
+        {"name": "Counts", "status": "RUN", "time": "1s", "measured": "7 events"},
+        {"name": "Plain", "status": "RUN", "time": "1s"},
+    ]
+    write(tmp_path, "trace.json", {"testsuites": [{"name": "Suite", "testsuite": tests}]})
+    results = read_results(tmp_path, HOST)
+    assert [results[f"Suite.{name}"].measured for name in ("Counts", "Plain")] == ["7 events", ""]
+
+
 def test_skipped_and_disabled_tests_did_not_pass(tmp_path: Path) -> None:
     cases = [
         {"name": "A", "status": "RUN", "result": "SKIPPED", "time": "0s"},
