@@ -58,6 +58,35 @@ class SystemConstants {
   /// @satisfies FR-70
   [[nodiscard]] constexpr Microseconds watchdogTimeout() const { return milliseconds(300); }
 
+  /// @brief Tells the time between two beats of the second timer.
+  /// @return period of the second timer [us]
+  /// @satisfies FR-100
+  [[nodiscard]] constexpr Microseconds tickPeriod() const { return milliseconds(1); }
+
+  /// @brief Tells how long a measured value can be used. One and a half cycles: a value of the cycle
+  /// before still counts, an older one is missing.
+  /// @return greatest age of a measurement [us]
+  /// @satisfies FR-127
+  [[nodiscard]] constexpr Microseconds measurementLifetime() const { return milliseconds(150); }
+
+  /// @brief Tells the tension of the battery, which a duty cycle of 100 % puts on a wheel. Assumption:
+  /// two lead batteries of 12 V.
+  /// @return tension [mV]
+  /// @satisfies FR-80
+  [[nodiscard]] constexpr Tension supply() const { return Tension(24000); }
+
+  /// @brief Tells how many edges the two Hall sensors of a wheel give in one turn of the motor shaft.
+  /// Assumption: a motor with 15 pairs of poles, two sensors, two edges each.
+  /// @return number of edges
+  /// @satisfies FR-120
+  [[nodiscard]] constexpr std::int32_t hallEdgesPerTurn() const { return 60; }
+
+  /// @brief Tells how far one step turns the steering. Assumption: 400 half steps in a turn of the
+  /// motor, and a gear that reduces 18 to 1.
+  /// @return angle of a step [0.01 degree]
+  /// @satisfies FR-101
+  [[nodiscard]] constexpr Angle steeringStep() const { return Angle(5); }
+
   /// @brief Tells how far the steering can be set to each side. The least radius of a turn, 2.5 m,
   /// needs about 32 degrees.
   /// @return greatest angle [0.01 degree]

@@ -23,6 +23,14 @@ using Current = Quantity<struct CurrentTag, std::int32_t>;
 /// @datatype
 using Angle = Quantity<struct AngleTag, std::int32_t>;
 
+/// @brief Share of the period in which an output is on [0.01 %], 0 to 10000.
+/// @datatype
+using DutyCycle = Quantity<struct DutyCycleTag, std::int32_t>;
+
+/// @brief Speed of the steering motor [steps/s], positive to the left.
+/// @datatype
+using StepRate = Quantity<struct StepRateTag, std::int32_t>;
+
 /// @brief Position of a wheel [Hall edges since start], rising forwards.
 /// @datatype
 using HallCount = Quantity<struct HallCountTag, std::int32_t>;

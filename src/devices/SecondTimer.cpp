@@ -1,0 +1,27 @@
+#include "devices/SecondTimer.hpp"
+
+#include "services/SystemConstants.hpp"
+#include "services/assertion.hpp"
+
+namespace wr {
+
+SecondTimer::SecondTimer(PeriodicTimer& timer) : timer_(timer) {}
+
+void SecondTimer::add(Command& command) {
+  require(count_ < kCapacity, AssertId::TimerFull);
+  commands_[count_] = &command;
+  ++count_;
+}
+
+void SecondTimer::start() {
+  timer_.start(SystemConstants::instance().tickPeriod());
+}
+
+void SecondTimer::expired() {
+  timer_.acknowledge();
+  for (std::size_t i = 0; i < count_; ++i) {
+    commands_[i]->execute();
+  }
+}
+
+}  // namespace wr

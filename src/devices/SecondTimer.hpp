@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "devices/PeriodicTimer.hpp"
+#include "services/Command.hpp"
+
+namespace wr {
+
+/// @brief The fast clock: what must happen more often than a control cycle.
+/// @function Beats 1000 times in a second, and executes the commands that it was given, in the
+/// sequence in which they were added.
+/// @secret How the commands of one beat are kept and put in sequence.
+/// @role{wheel-timer-interrupt, Invoker}
+/// @role{steering-timer-interrupt, Invoker}
+class SecondTimer final {
+ public:
+  /// @brief Largest number of commands.
+  static constexpr std::size_t kCapacity = 6;
+
+  /// @brief Binds a timer. It has no command yet.
+  /// @param timer makes the beat
+  explicit SecondTimer(PeriodicTimer& timer);
+
+  SecondTimer(const SecondTimer&) = delete;
+  SecondTimer& operator=(const SecondTimer&) = delete;
+
+  /// @brief Adds a command.
+  /// @param command is executed at each beat; it lives as long as the timer
+  /// @pre The timer does not run.
+  /// @errors One command too many ends the program with the assertion TimerFull.
+  /// @isr{no}
+  void add(Command& command);
+
+  /// @brief Starts the beat, one in each tick period.
+  /// @isr{no}
+  /// @satisfies FR-100
+  void start();
+
+  /// @brief Makes one beat: acknowledges the timer, then executes the commands. The vector of the
+  /// timer's interrupt calls it.
+  /// @isr{yes}
+  /// @satisfies FR-100
+  void expired();
+
+ private:
+  PeriodicTimer& timer_;
+  std::array<Command*, kCapacity> commands_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace wr
