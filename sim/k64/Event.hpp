@@ -15,7 +15,8 @@ struct Event {
     ExceptionLeft,     ///< number: of the exception
     Reset,             ///< number: of the Reset
     PinChanged,        ///< number: 32 * port + pin; value: level that the program puts out
-    ByteSent           ///< value: the byte, at the end of its stop bit
+    ByteSent,          ///< number: of the UART; value: the byte, at the end of its stop bit
+    PwmChanged         ///< number: 8 * FTM + channel; value: millionths of the period at high level
   };
   Kind kind;
   std::chrono::nanoseconds at;

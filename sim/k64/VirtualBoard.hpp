@@ -73,7 +73,19 @@ class VirtualBoard {
   /// @brief What the board has sent since the last call.
   [[nodiscard]] std::vector<std::uint8_t> takeSent();
 
-  /// @brief Tells whether no byte is on its way in either direction.
+  /// @brief Bytes that come from now on at another serial port, after those that are still coming.
+  /// @param uart 0 for the line to the PC, 4
+  /// @param bytes what comes
+  void receiveOn(int uart, std::span<const std::uint8_t> bytes);
+
+  /// @brief What the board has sent at a serial port since the last call.
+  /// @param uart 0 for the line to the PC, 4
+  [[nodiscard]] std::vector<std::uint8_t> takeSentOn(int uart);
+
+  /// @brief Changes the speed of what is connected to a serial port; 115200 at first.
+  void setLineBaudOn(int uart, std::uint32_t baud);
+
+  /// @brief Tells whether no byte is on its way to or from the PC.
   [[nodiscard]] bool lineIdle() const;
 
   /// @brief Level of a pin, e.g. ('B', 22).
@@ -82,8 +94,29 @@ class VirtualBoard {
   /// @brief Puts a level on a pin from outside.
   void drive(char port, int number, bool level);
 
+  /// @brief Puts a level on a pin from outside at a time to come; at once when it is past. Levels of
+  /// the same time come in the order of the calls.
+  void driveAt(nanoseconds time, char port, int number, bool level);
+
   /// @brief Tells whether the program drives the pin as a digital output.
   [[nodiscard]] bool isOutput(char port, int number) const;
+
+  /// @brief Share of the period in which the pin of a timer's channel is high.
+  /// @param ftm 0 to 3
+  /// @param channel 0 to 7
+  /// @return 0 to 1; 0 while no pin is connected to the channel or the timer stands.
+  [[nodiscard]] double pwmDuty(int ftm, int channel) const;
+
+  /// @brief Puts a voltage on an input of an analog-to-digital converter; 0 V at first.
+  /// @param converter 0 or 1
+  /// @param channel 0 to 23, as field ADCH of SC1 names it; 4 to 7: the inputs b
+  /// @param volts against ground
+  void setAnalog(int converter, int channel, double volts);
+
+  /// @brief Sets what is called at each multiple of a period of board time, before the instructions
+  /// and events of that time; the first call is the first multiple to come. What is called may use
+  /// the board, but not run it. Calls for the same time come in the order in which they were set.
+  void onTime(nanoseconds period, std::function<void()> call);
 
   /// @brief The hardware raises an exception before the next instruction, e.g. 3 HardFault.
   void raise(int exception);

@@ -7,8 +7,8 @@ namespace wr {
 
 namespace {
 
-constexpr std::array<const char*, 5> kKinds{"exception_entered", "exception_left", "reset",
-                                            "pin_changed", "byte_sent"};
+constexpr std::array<const char*, 6> kKinds{"exception_entered", "exception_left", "reset",
+                                            "pin_changed",       "byte_sent",      "pwm_changed"};
 
 }  // namespace
 
