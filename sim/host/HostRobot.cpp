@@ -6,6 +6,8 @@ HostRobot::HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRe
     : timebase_(timebase),
       mainThread_(scheduler_, kMainPriority),
       cycleTimer_(scheduler_),
+      tickTimer_(scheduler_),
+      pins_(scheduler_),
       watchdog_(timebase),
       start_(start),
       controllerBuilder_({.thread = mainThread_,
@@ -27,6 +29,14 @@ void HostRobot::start() {
 
 void HostRobot::clockPulse() {
   cycleTimer_.periodPassed();
+}
+
+void HostRobot::beat() {
+  tickTimer_.periodPassed();
+}
+
+HostPins& HostRobot::pins() {
+  return pins_;
 }
 
 void HostRobot::rcVelocity(Velocity velocity) {

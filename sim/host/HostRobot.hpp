@@ -7,6 +7,7 @@
 #include "devices/Timebase.hpp"
 #include "services/Pipe.hpp"
 #include "services/StartRecord.hpp"
+#include "sim/host/HostPins.hpp"
 #include "sim/host/HostScheduler.hpp"
 #include "sim/host/HostThread.hpp"
 #include "sim/host/HostTimer.hpp"
@@ -43,6 +44,13 @@ class HostRobot {
   /// @param direction the value
   void rcDirection(Angle direction);
 
+  /// @brief Lets the second timer beat once.
+  void beat();
+
+  /// @brief The pins of the firmware.
+  /// @return the pins, to which whoever has the robot connects what is around it
+  [[nodiscard]] HostPins& pins();
+
   /// @brief The period of the clock pulses.
   /// @return the period; 0 before start().
   [[nodiscard]] Microseconds period() const;
@@ -68,6 +76,8 @@ class HostRobot {
   HostScheduler scheduler_;
   HostThread mainThread_;
   HostTimer cycleTimer_;
+  HostTimer tickTimer_;
+  HostPins pins_;
   Pipe<Velocity> rcVelocity_;
   Pipe<Angle> rcDirection_;
   HostWatchdog watchdog_;

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "devices/AnalogInput.hpp"
+
+namespace wr {
+
+/// @brief An analog input on the host. A conversion takes no time.
+class HostAnalogInput final : public AnalogInput {
+ public:
+  HostAnalogInput() = default;
+
+  void convert() override;
+  [[nodiscard]] std::optional<std::uint16_t> take() override;
+
+  /// @brief Puts a voltage on the input; half of the range at first.
+  /// @param share share of the range; what is beyond 0 to 1 counts as the limit
+  void drive(double share);
+
+ private:
+  std::uint16_t level_ = kFullScale / 2 + 1;
+  std::optional<std::uint16_t> result_;
+};
+
+}  // namespace wr

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+
+#include "devices/DigitalOutput.hpp"
+
+namespace wr {
+
+/// @brief A digital output on the host.
+class HostDigitalOutput final : public DigitalOutput {
+ public:
+  HostDigitalOutput() = default;
+
+  void set(bool on) override;
+
+  /// @brief Tells whether the output is on.
+  [[nodiscard]] bool isOn() const { return on_; }
+
+  /// @brief Sets what is called each time the output goes from off to on.
+  /// @param call what is called
+  void onRise(std::function<void()> call);
+
+ private:
+  bool on_ = false;
+  std::function<void()> rise_;
+};
+
+}  // namespace wr

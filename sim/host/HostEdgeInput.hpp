@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+
+#include "devices/EdgeInput.hpp"
+
+namespace wr {
+
+class HostScheduler;
+
+/// @brief An input with edges on the host. Its level is high at first, as a pull-up makes it.
+class HostEdgeInput final : public EdgeInput {
+ public:
+  /// @brief Binds the input to the scheduler that serves its interrupt.
+  /// @param scheduler serves the interrupt
+  /// @param level level at first
+  explicit HostEdgeInput(HostScheduler& scheduler, bool level = true);
+
+  /// @brief Sets what the interrupt executes.
+  /// @param vector what to execute
+  void connect(std::function<void()> vector);
+
+  /// @brief Puts a level on the pin. A change raises the interrupt, once the input was started.
+  /// @param level the level
+  void drive(bool level);
+
+  void start() override;
+  [[nodiscard]] bool level() const override;
+  [[nodiscard]] bool acknowledge() override;
+
+ private:
+  HostScheduler& scheduler_;
+  std::function<void()> vector_;
+  bool level_;
+  bool started_ = false;
+  bool edge_ = false;
+};
+
+}  // namespace wr

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "sim/host/HostAnalogInput.hpp"
+#include "sim/host/HostDigitalOutput.hpp"
+#include "sim/host/HostEdgeInput.hpp"
+#include "sim/host/HostPwmOutput.hpp"
+#include "units/SetPoints.hpp"
+
+namespace wr {
+
+class HostScheduler;
+
+/// @brief What the firmware has of one wheel.
+struct HostWheelPins {
+  /// @brief Makes the pins.
+  /// @param scheduler serves the interrupts
+  explicit HostWheelPins(HostScheduler& scheduler)
+      : hall{HostEdgeInput(scheduler, false), HostEdgeInput(scheduler, false)} {}
+
+  HostPwmOutput pwm;
+  HostDigitalOutput orientation;  ///< on: backwards
+  HostDigitalOutput enable;
+  std::array<HostEdgeInput, 2> hall;  ///< a, b
+  HostAnalogInput current;
+};
+
+/// @brief What the firmware has of the steering.
+struct HostSteeringPins {
+  /// @brief Makes the pins.
+  /// @param scheduler serves the interrupts
+  explicit HostSteeringPins(HostScheduler& scheduler) : leftEnd(scheduler), rightEnd(scheduler) {}
+
+  HostDigitalOutput step;
+  HostDigitalOutput direction;  ///< on: left
+  HostDigitalOutput enable;
+  HostEdgeInput leftEnd;   ///< low: reached
+  HostEdgeInput rightEnd;  ///< low: reached
+  HostAnalogInput angle;
+};
+
+/// @brief All pins of the firmware on the host, with nothing on them: currents and steering in the
+/// middle, no edges, no end stop.
+struct HostPins {
+  /// @brief Makes the pins.
+  /// @param scheduler serves the interrupts
+  explicit HostPins(HostScheduler& scheduler)
+      : wheels{HostWheelPins(scheduler), HostWheelPins(scheduler), HostWheelPins(scheduler),
+               HostWheelPins(scheduler)},
+        steering(scheduler),
+        remoteControl{HostEdgeInput(scheduler, false), HostEdgeInput(scheduler, false)} {}
+
+  std::array<HostWheelPins, kWheelCount> wheels;
+  HostSteeringPins steering;
+  std::array<HostEdgeInput, 2> remoteControl;  ///< velocity, direction
+};
+
+}  // namespace wr

@@ -1,0 +1,11 @@
+#include "sim/host/HostPwmOutput.hpp"
+
+#include <algorithm>
+
+namespace wr {
+
+void HostPwmOutput::set(DutyCycle dutyCycle) {
+  dutyCycle_ = std::clamp(dutyCycle, DutyCycle(0), DutyCycle(10'000));
+}
+
+}  // namespace wr

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "devices/PwmOutput.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief A PWM output on the host.
+class HostPwmOutput final : public PwmOutput {
+ public:
+  HostPwmOutput() = default;
+
+  void set(DutyCycle dutyCycle) override;
+
+  /// @brief The share that was set, within the limits of the output.
+  /// @return share [0.01 %], 0 to 10000; 0 before the first call of set()
+  [[nodiscard]] DutyCycle dutyCycle() const { return dutyCycle_; }
+
+ private:
+  DutyCycle dutyCycle_{};
+};
+
+}  // namespace wr
