@@ -12,6 +12,7 @@ from weeding_robot_client.frames import Frame
 WHEELS = ("front left", "front right", "rear left", "rear right")
 STATES = ("Working", "Waiting", "WaitingN", "Reconnecting")
 MODES = ("RC", "PC")
+STEERING_STATES = ("off", "holding", "turning", "fault")
 SOURCES = {0: "RC", 1: "PC", 255: None}
 RESET_CAUSES = (
     "unknown cause",
@@ -200,6 +201,9 @@ class WheelReport:
     current_amperes: float | None
     position_counts: int | None
     tension_volts: float | None
+    cut_off: bool
+    blind: bool
+    rejected_edges: int
 
 
 @dataclass(frozen=True)
@@ -217,10 +221,13 @@ class Report:
     steering_set_point_degrees: float
     steering_degrees: float | None
     turn: int | None  # -1 right, 0 none, 1 left
+    steering_state: str
+    left_end: bool
+    right_end: bool
     wheels: tuple[WheelReport, WheelReport, WheelReport, WheelReport]
     counters: dict[str, int]
     kind: ClassVar[int] = 0x82
-    form: ClassVar[struct.Struct] = struct.Struct("<IIBBBBHhBhBhBhBhhhhihhihhihhiH4hbB11H")
+    form: ClassVar[struct.Struct] = struct.Struct("<IIBBBBHhBhBhBhBhhhhihhihhihhiH4hbB11H4B4H")
 
     @classmethod
     def from_payload(cls, payload: bytes) -> Report:
@@ -228,8 +235,15 @@ class Report:
         cycle, time_ms, state, mode, source, flags, order_id, steering = values[:8]
         set_points, position, measures = values[8:16], values[16], values[17:29]
         measured, tensions, turn, applied = values[29], values[30:34], values[34], values[35]
+        counters, (steering_state, ends, cut_offs, blind), rejected = (
+            values[36:47],
+            values[47:51],
+            values[51:],
+        )
         if state >= len(STATES) or mode >= len(MODES) or source not in SOURCES:
             raise MessageError("a report with an unknown state, mode or source")
+        if steering_state >= len(STEERING_STATES):
+            raise MessageError("a report with an unknown state of the steering")
         wheels = []
         for wheel in range(len(WHEELS)):
             velocity, current, counts = measures[3 * wheel : 3 * wheel + 3]
@@ -241,6 +255,9 @@ class Report:
                     current / 1000 if bits & 2 else None,
                     counts if bits & 4 else None,
                     tensions[wheel] / 1000 if applied >> wheel & 1 else None,
+                    bool(cut_offs >> wheel & 1),
+                    bool(blind >> wheel & 1),
+                    rejected[wheel],
                 )
             )
         return cls(
@@ -257,8 +274,11 @@ class Report:
             steering_set_point_degrees=steering / 100,
             steering_degrees=position / 100 if measured & 1 << 12 else None,
             turn=turn if applied & 16 else None,
+            steering_state=STEERING_STATES[steering_state],
+            left_end=bool(ends & 1),
+            right_end=bool(ends & 2),
             wheels=(wheels[0], wheels[1], wheels[2], wheels[3]),
-            counters=dict(zip(COUNTERS, values[36:], strict=True)),
+            counters=dict(zip(COUNTERS, counters, strict=True)),
         )
 
 

@@ -74,6 +74,25 @@ def flags(report: Report) -> str:
     return " ".join(name for name, is_set in marks if is_set)
 
 
+def faults(report: Report) -> list[str]:
+    """What keeps the robot from doing what it is ordered, in words."""
+    found = [
+        f"{name} wheel {words}"
+        for name, wheel in zip(WHEELS, report.wheels, strict=True)
+        for words, is_set in (
+            ("is cut off: its current was too high", wheel.cut_off),
+            ("has tension but gives no Hall edge", wheel.blind),
+        )
+        if is_set
+    ]
+    if report.steering_state == "fault":
+        found.append("steering is in fault: it did not move as ordered, or its position is missing")
+    for side, reached in (("left", report.left_end), ("right", report.right_end)):
+        if reached:
+            found.append(f"steering is at its {side} end stop")
+    return found
+
+
 def source(report: Report) -> str:
     if report.source is None:
         return "no order yet"
@@ -91,7 +110,7 @@ def as_line(report: Report) -> str:
         f"{report.cycle:7} {report.time_ms / 1000:9.1f} s  {report.state:12} {report.mode}  "
         f"{source(report):22} {report.steering_set_point_degrees:g} deg, {', '.join(ordered)}  "
         f"measured {shown(report.steering_degrees, '.2f')} deg, {velocities} rpm  {flags(report)}"
-    ).rstrip()
+    ).rstrip() + "".join(f"; {fault}" for fault in faults(report))
 
 
 def session(link: Link) -> str:
@@ -107,16 +126,19 @@ def as_table(report: Report, link: Link) -> str:
         f"reading mode {report.mode}   {source(report)}   {flags(report)}".rstrip(),
         "",
         f"steering: set-point {report.steering_set_point_degrees:.2f} deg, measured "
-        f"{shown(report.steering_degrees, '.2f')} deg, turn {shown(report.turn, 'd')}",
+        f"{shown(report.steering_degrees, '.2f')} deg, turn {shown(report.turn, 'd')}, "
+        f"{report.steering_state}",
         "",
-        f"{'wheel':12} {'set-point':>12} {'rpm':>8} {'A':>8} {'counts':>9} {'V applied':>10}",
+        f"{'wheel':12} {'set-point':>12} {'rpm':>8} {'A':>8} {'counts':>9} {'V applied':>10} "
+        f"{'rejected':>9}",
     ]
     for name, wheel in zip(WHEELS, report.wheels, strict=True):
         lines.append(
             f"{name:12} {set_point(wheel):>12} {shown(wheel.velocity_rpm, '.1f'):>8} "
             f"{shown(wheel.current_amperes, '.2f'):>8} {shown(wheel.position_counts, 'd'):>9} "
-            f"{shown(wheel.tension_volts, '.2f'):>10}"
+            f"{shown(wheel.tension_volts, '.2f'):>10} {wheel.rejected_edges:>9}"
         )
+    lines += ["", *(faults(report) or ["no fault"])]
     raised = [f"{name} {count}" for name, count in report.counters.items() if count]
     lines += ["", "counters: " + (", ".join(raised) or "all 0")]
     if link.damaged:

@@ -16,6 +16,9 @@ WHEEL_COLUMNS = (
     "current_amperes",
     "position_counts",
     "tension_volts",
+    "cut_off",
+    "blind",
+    "rejected_edges",
 )
 PLAIN_COLUMNS = (
     "cycle",
@@ -31,6 +34,9 @@ PLAIN_COLUMNS = (
     "steering_set_point_degrees",
     "steering_degrees",
     "turn",
+    "steering_state",
+    "left_end",
+    "right_end",
 )
 COLUMNS = (
     *PLAIN_COLUMNS,

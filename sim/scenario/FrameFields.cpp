@@ -30,6 +30,12 @@ void addCounters(std::vector<FrameField>& fields) {
   }
 }
 
+void addWheelBits(std::vector<FrameField>& fields, const std::string& name, std::size_t offset) {
+  for (unsigned wheel = 0; wheel < kWheels; ++wheel) {
+    fields.push_back({name + std::to_string(wheel), kReportType, offset, Form::Bit, wheel});
+  }
+}
+
 std::vector<FrameField> makeFields() {
   std::vector<FrameField> fields{
       {"session", kWelcomeType, 0, Form::U8},
@@ -62,6 +68,12 @@ std::vector<FrameField> makeFields() {
   fields.push_back({"turn", kReportType, 72, Form::I8});
   fields.push_back({"applied", kReportType, 73, Form::U8});
   addCounters(fields);
+  fields.push_back({"steering_state", kReportType, 96, Form::U8});
+  fields.push_back({"left_end", kReportType, 97, Form::Bit, 0});
+  fields.push_back({"right_end", kReportType, 97, Form::Bit, 1});
+  addWheelBits(fields, "cut_off", 98);
+  addWheelBits(fields, "blind", 99);
+  addWheels(fields, "rejected_edges", 100, 2, Form::U16);
   return fields;
 }
 
@@ -71,7 +83,7 @@ struct Word {
   std::int64_t number;
 };
 
-constexpr std::array<Word, 26> kWords{{
+constexpr std::array<Word, 30> kWords{{
     {"state", "Working", 0},
     {"state", "Waiting", 1},
     {"state", "WaitingN", 2},
@@ -81,6 +93,10 @@ constexpr std::array<Word, 26> kWords{{
     {"source", "RC", 0},
     {"source", "PC", 1},
     {"source", "nobody", 255},
+    {"steering_state", "Off", 0},
+    {"steering_state", "Holding", 1},
+    {"steering_state", "Turning", 2},
+    {"steering_state", "Fault", 3},
     {"reset_cause", "Unknown", 0},
     {"reset_cause", "PowerOn", 1},
     {"reset_cause", "LowVoltage", 2},

@@ -175,20 +175,26 @@ std::optional<PcReport> reportOf(const Bytes& body) {
                   .orderId = fields.u16(12),
                   .steering = fields.i16(14),
                   .steeringPosition = fields.i16(28),
-                  .velocity0 = fields.i16(30),
-                  .current0 = fields.i16(32),
-                  .position0 = static_cast<std::int32_t>(fields.u32(34)),
                   .measured = fields.u16(62),
-                  .tension0 = fields.i16(64),
+                  .turn = static_cast<std::int8_t>(fields.u8(72)),
                   .applied = fields.u8(73),
                   .overruns = fields.u16(74),
                   .lostBytes = fields.u16(76),
-                  .reportsNotSent = fields.u16(94)};
+                  .reportsNotSent = fields.u16(94),
+                  .steeringState = fields.u8(96),
+                  .steeringEnds = fields.u8(97),
+                  .cutOffs = fields.u8(98),
+                  .blindWheels = fields.u8(99)};
   for (std::size_t reason = 0; reason < report.dropped.size(); ++reason) {
     report.dropped[reason] = fields.u16(78 + 2 * reason);
   }
   for (std::size_t wheel = 0; wheel < report.wheels.size(); ++wheel) {
     report.wheels[wheel] = {fields.u8(16 + 3 * wheel), fields.i16(17 + 3 * wheel)};
+    report.velocity[wheel] = fields.i16(30 + 8 * wheel);
+    report.current[wheel] = fields.i16(32 + 8 * wheel);
+    report.position[wheel] = static_cast<std::int32_t>(fields.u32(34 + 8 * wheel));
+    report.tension[wheel] = fields.i16(64 + 2 * wheel);
+    report.rejectedEdges[wheel] = fields.u16(100 + 2 * wheel);
   }
   return report;
 }

@@ -38,17 +38,23 @@ struct PcReport {
   std::int16_t steering = 0;
   std::array<PcOrder::Wheel, 4> wheels{};
   std::int16_t steeringPosition = 0;
-  std::int16_t velocity0 = 0;  // of wheel 0
-  std::int16_t current0 = 0;
-  std::int32_t position0 = 0;
+  std::array<std::int16_t, 4> velocity{};  // of each wheel, as all arrays of four
+  std::array<std::int16_t, 4> current{};
+  std::array<std::int32_t, 4> position{};
   std::uint16_t measured = 0;
-  std::int16_t tension0 = 0;
+  std::array<std::int16_t, 4> tension{};
+  std::int8_t turn = 0;
   std::uint8_t applied = 0;
   std::uint16_t overruns = 0;
   std::uint16_t lostBytes = 0;
   std::array<std::uint16_t, 7> dropped{};  // damaged, too long, unknown version, unknown type,
                                            // wrong length, out of range, unexpected
   std::uint16_t reportsNotSent = 0;
+  std::uint8_t steeringState = 0;
+  std::uint8_t steeringEnds = 0;
+  std::uint8_t cutOffs = 0;
+  std::uint8_t blindWheels = 0;
+  std::array<std::uint16_t, 4> rejectedEdges{};
 
   [[nodiscard]] bool stop() const { return (flags & 1U) != 0; }
   [[nodiscard]] bool orderRead() const { return (flags & 2U) != 0; }

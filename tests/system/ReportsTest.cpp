@@ -85,8 +85,8 @@ TEST_F(ReportsOfRobot, FR62_MissingValuesAreMarked) {
   robot.connect();
   EXPECT_EQ(robot.report().measured, 0);
   EXPECT_EQ(robot.report().applied, 0);
-  EXPECT_EQ(robot.report().velocity0, 0);
-  EXPECT_EQ(robot.report().tension0, 0);
+  EXPECT_EQ(robot.report().velocity[0], 0);
+  EXPECT_EQ(robot.report().tension[0], 0);
 }
 
 /// @brief Frames that are not in order are counted in the report of their cycle, each kind by itself, and

@@ -38,6 +38,11 @@ enum class FieldName : std::uint8_t {
   Unexpected,        ///< count of frames that the connection did not expect
   SequenceGaps,      ///< count of gaps in the sequence numbers
   ReportsNotSent,    ///< count of reports that were not sent
+  SteeringState,     ///< what the steering does
+  SteeringEnds,      ///< which end stops of the steering are reached
+  CutOffs,           ///< which wheels are cut off
+  BlindWheels,       ///< which wheels have tension and give no Hall edge
+  RejectedEdges,     ///< count of Hall edges of a wheel that were rejected
   Session,           ///< number of the session
   FirmwareVersion,   ///< major, minor and patch number
   BuildId,           ///< character of the build id

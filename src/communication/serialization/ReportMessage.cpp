@@ -33,6 +33,9 @@ constexpr std::uint32_t tensionBit(std::size_t wheel) {
 }
 constexpr std::uint32_t kTurnBit = 1U << 4U;
 
+constexpr std::uint32_t kLeftEndBit = 1;
+constexpr std::uint32_t kRightEndBit = 2;
+
 std::uint32_t bitIf(bool condition, std::uint32_t bit) {
   return condition ? bit : 0;
 }
@@ -209,6 +212,51 @@ void readCounts(Reader& reader, LinkCounts& counts) {
   }
 }
 
+// A bit for each wheel.
+std::uint8_t wheelBits(const Measurements& measurements, bool WheelMeasurements::*mark) {
+  std::uint32_t bits = 0;
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    bits |= bitIf(measurements.wheels[wheel].*mark, 1U << wheel);
+  }
+  return static_cast<std::uint8_t>(bits);
+}
+
+void setMarks(Measurements& measurements, bool WheelMeasurements::*mark, std::uint32_t bits) {
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    measurements.wheels[wheel].*mark = (bits & 1U << wheel) != 0;
+  }
+}
+
+void writeConditions(Writer& writer, const Measurements& measurements) {
+  writer.writeU8({.name = FieldName::SteeringState},
+                 static_cast<std::uint8_t>(measurements.steeringState));
+  writer.writeU8({.name = FieldName::SteeringEnds},
+                 static_cast<std::uint8_t>(bitIf(measurements.leftEnd, kLeftEndBit) |
+                                           bitIf(measurements.rightEnd, kRightEndBit)));
+  writer.writeU8({.name = FieldName::CutOffs}, wheelBits(measurements, &WheelMeasurements::cutOff));
+  writer.writeU8({.name = FieldName::BlindWheels},
+                 wheelBits(measurements, &WheelMeasurements::blind));
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    writer.writeU16({.name = FieldName::RejectedEdges, .index = wheel},
+                    measurements.wheels[wheel].rejectedEdges);
+  }
+}
+
+void readConditions(Reader& reader, Measurements& measurements) {
+  measurements.steeringState =
+      static_cast<SteeringState>(reader.readU8({.name = FieldName::SteeringState}));
+  const std::uint32_t ends = reader.readU8({.name = FieldName::SteeringEnds});
+  measurements.leftEnd = (ends & kLeftEndBit) != 0;
+  measurements.rightEnd = (ends & kRightEndBit) != 0;
+  setMarks(measurements, &WheelMeasurements::cutOff, reader.readU8({.name = FieldName::CutOffs}));
+  setMarks(measurements, &WheelMeasurements::blind,
+           reader.readU8({.name = FieldName::BlindWheels}));
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    measurements.wheels[wheel].rejectedEdges =
+        reader.readU16({.name = FieldName::RejectedEdges, .index = wheel});
+  }
+}
+
 }  // namespace
 
 ReportMessage::ReportMessage(const ReportData& data) : data_(data) {}
@@ -220,6 +268,7 @@ bool ReportMessage::readFrom(Reader& reader) {
   readOutputs(reader, data_.outputs);
   data_.overruns = reader.readU16({.name = FieldName::Overruns});
   readCounts(reader, data_.link);
+  readConditions(reader, data_.measurements);
   return reader.finish();
 }
 
@@ -230,6 +279,7 @@ bool ReportMessage::writeTo(Writer& writer) const {
   writeOutputs(writer, data_.outputs);
   writer.writeU16({.name = FieldName::Overruns}, data_.overruns);
   writeCounts(writer, data_.link);
+  writeConditions(writer, data_.measurements);
   return writer.finish();
 }
 

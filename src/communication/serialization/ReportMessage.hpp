@@ -32,6 +32,11 @@ class ReportMessage final : public Serializable {
   /// @satisfies FR-61
   /// @satisfies FR-62
   /// @satisfies FR-63
+  /// @satisfies FR-65
+  /// @satisfies FR-66
+  /// @satisfies FR-67
+  /// @satisfies FR-68
+  /// @satisfies FR-69
   [[nodiscard]] bool writeTo(Writer& writer) const override;
 
  private:

@@ -510,7 +510,7 @@ TEST_F(PcConnectionTest, FR60_AReportIsSentOnlyWhileConnected) {
   EXPECT_TRUE(connection.sendReport(report));
   ASSERT_EQ(sent().size(), 2U);
   EXPECT_EQ(sent()[1][1], kReport);
-  EXPECT_EQ(sent()[1].size(), 101U);
+  EXPECT_EQ(sent()[1].size(), 113U);
   EXPECT_EQ(connection.counts().reportsNotSent, 0);
 }
 
@@ -520,11 +520,11 @@ TEST_F(PcConnectionTest, FR60_AReportIsSentOnlyWhileConnected) {
 TEST_F(PcConnectionTest, FR64_AReportWithoutRoomIsDroppedAndCounted) {
   handshake();
   const std::size_t before = port.sent.size();
-  port.room = 101;
+  port.room = 113;
   expectCounted(&LinkCounts::reportsNotSent, 1,
                 [&] { EXPECT_FALSE(connection.sendReport(ReportMessage())); });
   EXPECT_EQ(port.sent.size(), before);
-  port.room = 103;
+  port.room = 115;
   EXPECT_TRUE(connection.sendReport(ReportMessage()));
   EXPECT_EQ(sent().back()[2], 1);
 }
@@ -669,9 +669,8 @@ TEST_F(PcConnectionTest, FR76_TheWelcomeAfterAFaultAgreesWithTheExample) {
   EXPECT_EQ(compared, 1);
 }
 
-/// @brief The report of the examples is what the firmware makes of the same data.
-/// @verifies FR-61
-TEST_F(PcConnectionTest, FR61_TheReportAgreesWithTheExample) {
+/// @brief What the report of cycle 7 of the examples tells.
+ReportData reportOfCycle7() {
   ReportData data;
   data.cycle = 7;
   data.time = Instant(700000);
@@ -685,16 +684,57 @@ TEST_F(PcConnectionTest, FR61_TheReportAgreesWithTheExample) {
   }
   data.link.damaged = 1;
   data.link.unexpected = 2;
+  return data;
+}
+
+/// @brief What the report of cycle 8 of the examples tells.
+ReportData reportOfCycle8() {
+  ReportData data = reportOfCycle7();
+  data.cycle = 8;
+  data.time = Instant(800000);
+  data.measurements.wheels = {{
+      {.velocity = Velocity(1480), .current = Current(2150), .position = HallCount(52)},
+      {.velocity = Velocity(0),
+       .current = Current(3210),
+       .position = HallCount(0),
+       .blind = true,
+       .rejectedEdges = 3},
+      {.velocity = Velocity(0), .current = Current(0), .position = HallCount(-1), .cutOff = true},
+      {.velocity = Velocity(1496),
+       .current = Current(2190),
+       .position = HallCount(55),
+       .rejectedEdges = 1},
+  }};
+  data.measurements.steering = Angle(-1244);
+  data.measurements.steeringState = SteeringState::Turning;
+  data.measurements.rightEnd = true;
+  data.outputs.tensions = {Tension(11800), Tension(12100), Tension(0), Tension(11950)};
+  data.outputs.turn = std::int8_t{-1};
+  return data;
+}
+
+/// @brief The reports of the examples are what the firmware makes of the same data.
+/// @verifies FR-61
+/// @verifies FR-62
+/// @verifies FR-65
+/// @verifies FR-66
+/// @verifies FR-67
+/// @verifies FR-68
+/// @verifies FR-69
+TEST_F(PcConnectionTest, FR61_TheReportsAgreeWithTheExamples) {
   handshake();
-  ASSERT_TRUE(connection.sendReport(ReportMessage(data)));
-  int compared = 0;
+  std::vector<Bytes> made;
+  for (const ReportData& data : {reportOfCycle7(), reportOfCycle8()}) {
+    ASSERT_TRUE(connection.sendReport(ReportMessage(data)));
+    made.push_back(sent().back());
+  }
+  std::vector<Bytes> expected;
   for (const Example& example : examples()) {
     if (example.body[1] == kReport) {
-      EXPECT_EQ(sent().back(), test::withCrc(example.body));
-      ++compared;
+      expected.push_back(test::withCrc(example.body));
     }
   }
-  EXPECT_EQ(compared, 1);
+  EXPECT_EQ(made, expected);
 }
 
 }  // namespace

@@ -94,6 +94,9 @@ ReportData randomData(std::mt19937& random) {
     if (flip()) {
       measured.position = HallCount(number<std::int32_t>(random));
     }
+    measured.cutOff = flip();
+    measured.blind = flip();
+    measured.rejectedEdges = number<std::uint16_t>(random);
     if (flip()) {
       data.outputs.tensions[wheel] = Tension(number<std::int16_t>(random));
     }
@@ -101,6 +104,9 @@ ReportData randomData(std::mt19937& random) {
   if (flip()) {
     data.measurements.steering = Angle(number<std::int16_t>(random));
   }
+  data.measurements.steeringState = static_cast<SteeringState>(random() % 4);
+  data.measurements.leftEnd = flip();
+  data.measurements.rightEnd = flip();
   if (flip()) {
     data.outputs.turn = static_cast<std::int8_t>(static_cast<int>(random() % 3) - 1);
   }
@@ -143,12 +149,12 @@ TEST(LinkCounts, DifferInEachCount) {
                          &LinkCounts::sequenceGaps, kOne, &LinkCounts::reportsNotSent, kOne);
 }
 
-/// @brief A report without content has 96 bytes, and all values are marked as missing.
+/// @brief A report without content has 108 bytes, and all values are marked as missing.
 /// @verifies FR-62
 TEST(ReportMessage, FR62_AnEmptyReportMarksAllValuesAsMissing) {
   const Bytes bytes = written({});
-  ASSERT_EQ(bytes.size(), 96U);
-  Bytes expected(96, 0);
+  ASSERT_EQ(bytes.size(), 108U);
+  Bytes expected(108, 0);
   expected[10] = 255;
   EXPECT_EQ(bytes, expected);
 }
@@ -235,6 +241,66 @@ TEST(ReportMessage, FR63_EachCountHasItsPlace) {
   }
 }
 
+/// @brief The state of the steering is told by its number.
+/// @verifies FR-65
+TEST(ReportMessage, FR65_TheStateOfTheSteeringHasItsNumber) {
+  using enum SteeringState;
+  const std::vector<std::pair<SteeringState, int>> numbers{
+      {Off, 0}, {Holding, 1}, {Turning, 2}, {Fault, 3}};
+  for (const auto& [state, number] : numbers) {
+    ReportData data;
+    data.measurements.steeringState = state;
+    EXPECT_EQ(written(data)[96], number);
+  }
+}
+
+/// @brief Each end stop of the steering has its bit.
+/// @verifies FR-66
+TEST(ReportMessage, FR66_EachEndStopHasItsBit) {
+  ReportData data;
+  data.measurements.leftEnd = true;
+  EXPECT_EQ(written(data)[97], 1);
+  data.measurements.rightEnd = true;
+  EXPECT_EQ(written(data)[97], 3);
+  data.measurements.leftEnd = false;
+  EXPECT_EQ(written(data)[97], 2);
+}
+
+/// @brief Each wheel has a bit that tells that it is cut off.
+/// @verifies FR-67
+TEST(ReportMessage, FR67_EachWheelThatIsCutOffHasItsBit) {
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    ReportData data;
+    data.measurements.wheels[wheel].cutOff = true;
+    EXPECT_EQ(written(data)[98], 1 << wheel);
+    EXPECT_EQ(written(data)[99], 0);
+  }
+}
+
+/// @brief Each wheel has a bit that tells that it is blind.
+/// @verifies FR-68
+TEST(ReportMessage, FR68_EachBlindWheelHasItsBit) {
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    ReportData data;
+    data.measurements.wheels[wheel].blind = true;
+    EXPECT_EQ(written(data)[98], 0);
+    EXPECT_EQ(written(data)[99], 1 << wheel);
+  }
+}
+
+/// @brief Each wheel has its place for the count of rejected Hall edges.
+/// @verifies FR-69
+TEST(ReportMessage, FR69_EachCountOfRejectedEdgesHasItsPlace) {
+  ReportData data;
+  for (std::uint16_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    data.measurements.wheels[wheel].rejectedEdges = static_cast<std::uint16_t>(0xFFFF - wheel);
+  }
+  const Bytes bytes = written(data);
+  for (unsigned wheel = 0; wheel < kWheelCount; ++wheel) {
+    EXPECT_EQ(u16(bytes, 100 + 2 * wheel), 0xFFFFU - wheel);
+  }
+}
+
 /// @brief A value that its field cannot hold is sent as the nearest one that it can.
 TEST(ReportMessage, ValuesAreLimitedToTheirFields) {
   ReportData data;
@@ -249,6 +315,11 @@ TEST(ReportMessage, ValuesAreLimitedToTheirFields) {
 /// @verifies FR-61
 /// @verifies FR-62
 /// @verifies FR-63
+/// @verifies FR-65
+/// @verifies FR-66
+/// @verifies FR-67
+/// @verifies FR-68
+/// @verifies FR-69
 TEST(ReportMessage, IsReadAsItWasWritten) {
   std::mt19937 random(test::seed());
   for (int i = 0; i < 1000; ++i) {

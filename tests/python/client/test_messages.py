@@ -125,6 +125,21 @@ def test_report_of_the_worked_example() -> None:
     }
 
 
+def test_report_of_the_worked_example_with_conditions() -> None:
+    report = from_frame(example("report of cycle 8"))
+    assert isinstance(report, Report)
+    assert (report.cycle, report.time_ms) == (8, 800)
+    assert (report.steering_degrees, report.turn) == (-12.44, -1)
+    assert (report.steering_state, report.left_end, report.right_end) == ("turning", False, True)
+    assert [wheel.velocity_rpm for wheel in report.wheels] == [148.0, 0.0, 0.0, 149.6]
+    assert [wheel.current_amperes for wheel in report.wheels] == [2.15, 3.21, 0.0, 2.19]
+    assert [wheel.position_counts for wheel in report.wheels] == [52, 0, -1, 55]
+    assert [wheel.tension_volts for wheel in report.wheels] == [11.8, 12.1, 0.0, 11.95]
+    assert [wheel.cut_off for wheel in report.wheels] == [False, False, True, False]
+    assert [wheel.blind for wheel in report.wheels] == [False, True, False, False]
+    assert [wheel.rejected_edges for wheel in report.wheels] == [0, 3, 0, 1]
+
+
 # The report, field by field as the protocol lists it: name, offset, form.
 FIELDS = {
     "cycle": (0, "<I"),
@@ -135,11 +150,15 @@ FIELDS = {
     "applied": (73, "<B"),
     "overruns": (74, "<H"),
     "reports_not_sent": (94, "<H"),
+    "steering_state": (96, "<B"),
+    "ends": (97, "<B"),
+    "cut_offs": (98, "<B"),
+    "blind": (99, "<B"),
 }
 
 
 def report_with(**values: int) -> Report:
-    payload = bytearray(96)
+    payload = bytearray(108)
     for name, value in values.items():
         offset, form = FIELDS[name]
         struct.pack_into(form, payload, offset, value)
@@ -180,11 +199,12 @@ def test_each_applied_bit_makes_just_its_value_valid() -> None:
 
 
 def test_wheel_values_have_their_own_places() -> None:
-    payload = bytearray(96)
+    payload = bytearray(108)
     for wheel in range(4):
         struct.pack_into("<Bh", payload, 16 + 3 * wheel, 1, 1000 * wheel)
         struct.pack_into("<hhi", payload, 30 + 8 * wheel, 10 + wheel, 20 + wheel, -70000 - wheel)
         struct.pack_into("<h", payload, 64 + 2 * wheel, -500 * wheel)
+        struct.pack_into("<H", payload, 100 + 2 * wheel, 65535 - wheel)
     struct.pack_into("<H", payload, 62, 0x0FFF)
     payload[73] = 0x0F
     report = from_frame(Frame(0x82, 0, bytes(payload)))
@@ -195,9 +215,30 @@ def test_wheel_values_have_their_own_places() -> None:
         assert wheel.current_amperes == (20 + number) / 1000
         assert wheel.position_counts == -70000 - number
         assert wheel.tension_volts == -0.5 * number
+        assert wheel.rejected_edges == 65535 - number
 
 
-def test_counters_are_the_last_eleven_numbers() -> None:
+def test_each_bit_of_a_condition_is_of_one_wheel_or_one_end() -> None:
+    for bit in range(4):
+        cut_off = report_with(cut_offs=1 << bit).wheels
+        assert [number for number, wheel in enumerate(cut_off) if wheel.cut_off] == [bit]
+        assert not any(wheel.blind for wheel in cut_off)
+        blind = report_with(blind=1 << bit).wheels
+        assert [number for number, wheel in enumerate(blind) if wheel.blind] == [bit]
+        assert not any(wheel.cut_off for wheel in blind)
+    for ends in range(4):
+        report = report_with(ends=ends)
+        assert (report.left_end, report.right_end) == (bool(ends & 1), bool(ends & 2))
+
+
+def test_every_steering_state_of_the_protocol_has_its_word() -> None:
+    page = (EXAMPLES.parent / "protocol.rst").read_text()
+    (told,) = re.findall(r"- steering state\n     - (.+?): see", page)
+    words = [report_with(steering_state=number).steering_state for number in range(4)]
+    assert told == ", ".join(f"{number} {word}" for number, word in enumerate(words))
+
+
+def test_counters_are_eleven_numbers() -> None:
     report = report_with(overruns=3, reports_not_sent=65535)
     assert report.counters["overruns"] == 3
     assert report.counters["reports_not_sent"] == 65535
@@ -249,12 +290,13 @@ def test_an_order_out_of_range_is_refused() -> None:
 @pytest.mark.parametrize(
     ("frame", "reason"),
     [
-        (Frame(0x82, 0, bytes(95)), "95 bytes"),
+        (Frame(0x82, 0, bytes(107)), "107 bytes"),
         (Frame(0x81, 0, bytes(15)), "15 bytes"),
         (Frame(0x83, 0, b""), "0x83"),
-        (Frame(0x82, 0, bytes(8) + b"\4" + bytes(87)), "unknown state"),
-        (Frame(0x82, 0, bytes(10) + b"\2" + bytes(85)), "source"),
-        (Frame(0x82, 0, bytes(16) + b"\3" + bytes(79)), "quantity"),
+        (Frame(0x82, 0, bytes(8) + b"\4" + bytes(99)), "unknown state"),
+        (Frame(0x82, 0, bytes(10) + b"\2" + bytes(97)), "source"),
+        (Frame(0x82, 0, bytes(16) + b"\3" + bytes(91)), "quantity"),
+        (Frame(0x82, 0, bytes(96) + b"\4" + bytes(11)), "steering"),
     ],
 )
 def test_a_frame_that_is_no_message_is_refused(frame: Frame, reason: str) -> None:

@@ -41,7 +41,7 @@ TEST_F(ControlCycleOfRobotOnHost, FR2_CycleReadsThenControlsThenWrites) {
   robot.cycle();
   EXPECT_FALSE(reportedBeforeControl);
   EXPECT_EQ(robot.report().wheels[0].value, 432);
-  EXPECT_EQ(robot.report().velocity0, 432);
+  EXPECT_EQ(robot.report().velocity[0], 432);
 }
 
 /// @brief A cycle that has not begun when the next clock pulse comes is reported as an overrun, and is

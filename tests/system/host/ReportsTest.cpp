@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
 
 #include "system/host/HostSteppedRobot.hpp"
@@ -22,9 +23,9 @@ TEST_F(ReportsOfRobotOnHost, FR62_ValuesThatExistAreMarkedAsValid) {
   robot.connect();
   EXPECT_EQ(robot.report().measured, 0b1'0000'0000'0101);
   EXPECT_EQ(robot.report().applied, 0b0'0001);
-  EXPECT_EQ(robot.report().position0, -70'000);
+  EXPECT_EQ(robot.report().position[0], -70'000);
   EXPECT_EQ(robot.report().steeringPosition, -150);
-  EXPECT_EQ(robot.report().tension0, -3000);
+  EXPECT_EQ(robot.report().tension[0], -3000);
 }
 
 /// @brief A value that was measured in one cycle and not in the next is missing in the next report.
@@ -37,7 +38,35 @@ TEST_F(ReportsOfRobotOnHost, FR62_ValueOfTheCycleBeforeIsMissing) {
   robot.keepAlive();
   robot.cycle();
   EXPECT_EQ(robot.report().measured, 0);
-  EXPECT_EQ(robot.report().current0, 0);
+  EXPECT_EQ(robot.report().current[0], 0);
+}
+
+/// @brief The report tells the conditions of the steering and of the wheels that the control systems give.
+/// @verifies FR-65
+/// @verifies FR-66
+/// @verifies FR-67
+/// @verifies FR-68
+/// @verifies FR-69
+TEST_F(ReportsOfRobotOnHost, FR65_ConditionsAreToldInTheCycleInWhichTheyAre) {
+  robot.system.measured.steeringState = SteeringState::Fault;
+  robot.system.measured.leftEnd = true;
+  robot.system.measured.wheels[0].cutOff = true;
+  robot.system.measured.wheels[0].blind = true;
+  robot.system.measured.wheels[0].rejectedEdges = 7;
+  robot.connect();
+  EXPECT_EQ(robot.report().steeringState, 3);
+  EXPECT_EQ(robot.report().steeringEnds, 0b01);
+  EXPECT_EQ(robot.report().cutOffs, 0b0001);
+  EXPECT_EQ(robot.report().blindWheels, 0b0001);
+  EXPECT_EQ(robot.report().rejectedEdges, (std::array<std::uint16_t, 4>{7, 0, 0, 0}));
+  robot.system.measured = {};
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_EQ(robot.report().steeringState, 0);
+  EXPECT_EQ(robot.report().steeringEnds, 0);
+  EXPECT_EQ(robot.report().cutOffs, 0);
+  EXPECT_EQ(robot.report().blindWheels, 0);
+  EXPECT_EQ(robot.report().rejectedEdges, (std::array<std::uint16_t, 4>{}));
 }
 
 /// @brief While the line takes nothing, reports are dropped whole and counted, and the cycles go on.
