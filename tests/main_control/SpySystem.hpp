@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,20 +27,26 @@ class SpySystem final : public ControlSystem {
 
   void collect(Measurements& measurements, Outputs& out) const override {
     give(measured.steering, measurements.steering);
+    give(measured.steeringState, measurements.steeringState);
+    give(measured.leftEnd, measurements.leftEnd);
+    give(measured.rightEnd, measurements.rightEnd);
     give(outputs.turn, out.turn);
     for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
       give(measured.wheels[wheel].velocity, measurements.wheels[wheel].velocity);
       give(measured.wheels[wheel].current, measurements.wheels[wheel].current);
       give(measured.wheels[wheel].position, measurements.wheels[wheel].position);
+      give(measured.wheels[wheel].cutOff, measurements.wheels[wheel].cutOff);
+      give(measured.wheels[wheel].blind, measurements.wheels[wheel].blind);
+      give(measured.wheels[wheel].rejectedEdges, measurements.wheels[wheel].rejectedEdges);
       give(outputs.tensions[wheel], out.tensions[wheel]);
     }
   }
 
  private:
-  // Adds a value that exists; one that is missing leaves the target as it is.
+  // Adds a value that exists; one that is missing or never set leaves the target as it is.
   template <class T>
-  static void give(const std::optional<T>& value, std::optional<T>& target) {
-    if (value) {
+  static void give(const T& value, T& target) {
+    if (value != T{}) {
       target = value;
     }
   }
