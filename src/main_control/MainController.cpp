@@ -36,7 +36,7 @@ void MainController::clockPulse() {
 
 void MainController::cycle() {
   data_.beginCycle(pulses_.read()->at);
-  connection_.service();
+  serveSources();
   noteStop();
   read();
   control();
@@ -98,6 +98,12 @@ void MainController::sendReport(OperationStateId state) {
   systems_.collect(data_.measurements(), data_.outputs());
   const ReportMessage report(data_.report(state, mode_.get().id(), connection_.counts()));
   connection_.sendReport(report);
+}
+
+void MainController::serveSources() {
+  for (Mode* mode : modes_) {
+    mode->serve();
+  }
 }
 
 void MainController::noteStop() {

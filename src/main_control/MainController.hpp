@@ -19,7 +19,7 @@ namespace wr {
 
 /// @brief Runs the control cycle: read, control, write.
 ///
-/// @function Runs one cycle for each clock pulse. In each cycle it serves the PC link, lets the present
+/// @function Runs one cycle for each clock pulse. In each cycle it serves every source of orders, lets the present
 /// operation state read one order, control and report, and tells the watchdog that it completed. It
 /// keeps the present state and the present reading mode, and does what the states order: apply
 /// control, hold, send a report.
@@ -43,7 +43,7 @@ class MainController {
     Watchdog& watchdog;            ///< is told of each cycle that completed
     OperationState& initialState;  ///< operation state at start
     Mode& initialMode;             ///< reading mode at start
-    std::span<Mode* const> modes;  ///< every mode that can order a stop
+    std::span<Mode* const> modes;  ///< every mode: it is served, and can order a stop
   };
 
   /// @brief Binds the controller to its parts.
@@ -140,13 +140,16 @@ class MainController {
     MainController& mCtrl_;
   };
 
-  /// @brief Runs one control cycle: serve the link, note stops, read, control, write. At its end the
+  /// @brief Runs one control cycle: serve the sources of orders, note stops, read, control, write. At its end the
   /// watchdog is refreshed, if the cycle completed.
   /// @satisfies FR-2
   /// @satisfies FR-35
   /// @satisfies FR-37
   /// @satisfies FR-74
   void cycle();
+  /// @brief Has every source of orders take in what came.
+  /// @satisfies FR-35
+  void serveSources();
   /// @brief Saves whether any source ordered a stop.
   /// @satisfies FR-21
   void noteStop();

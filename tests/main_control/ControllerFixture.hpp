@@ -31,7 +31,9 @@ class FakeMode final : public Mode {
   int reads = 0;
   int changes = 0;
   Mode* next = this;
+  std::function<void()> onServe = [] {};
 
+  void serve() override { onServe(); }
   [[nodiscard]] bool newMessage() const override { return message; }
   void read(MainController& mCtrl) override {
     ++reads;
@@ -79,7 +81,10 @@ class FakeState final : public OperationState {
 /// A main controller with a link to the PC, one spying control system, and fake modes and states.
 class ControllerFixture : public testing::Test {
  protected:
-  ControllerFixture() { systems.add(system); }
+  ControllerFixture() {
+    systems.add(system);
+    second.onServe = [this] { connection.service(); };
+  }
 
   // Connects the PC over the line. Nothing but the link is served.
   void connect() {

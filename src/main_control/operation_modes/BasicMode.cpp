@@ -7,6 +7,8 @@ namespace wr {
 
 BasicMode::BasicMode(Reader& reader) : Mode(ModeId::None), reader_(reader) {}
 
+void BasicMode::serve() {}
+
 bool BasicMode::newMessage() const {
   return reader_.available();
 }

@@ -19,6 +19,10 @@ class BasicMode final : public Mode {
   /// @param reader where the orders of the source are read
   explicit BasicMode(Reader& reader);
 
+  /// @brief Does nothing: what comes from a source of the basic task is with its reader at once.
+  /// @isr{no}
+  void serve() override;
+
   /// @brief Tells whether the reader holds an order that can be read now.
   /// @return true if the order is the newest of its source, young enough, and was not read before.
   /// @satisfies FR-20

@@ -34,6 +34,11 @@ class Mode {
   Mode(const Mode&) = delete;
   Mode& operator=(const Mode&) = delete;
 
+  /// @brief Takes in what came from the source. It is called once in each cycle, whichever mode the
+  /// system is in.
+  /// @isr{no}
+  virtual void serve() = 0;
+
   /// @brief Tells whether an order can be read now.
   /// @return true if the source holds a fresh and complete order that was not read before.
   /// @isr{no}

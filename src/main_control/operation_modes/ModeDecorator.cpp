@@ -4,6 +4,10 @@ namespace wr {
 
 ModeDecorator::ModeDecorator(ModeId id, Mode& wrapped) : Mode(id), wrapped_(wrapped) {}
 
+void ModeDecorator::serve() {
+  wrapped_.serve();
+}
+
 bool ModeDecorator::newMessage() const {
   return wrapped_.newMessage();
 }

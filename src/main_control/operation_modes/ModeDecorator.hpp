@@ -20,6 +20,7 @@ namespace wr {
 /// is one more decorator around it.
 class ModeDecorator : public Mode {
  public:
+  void serve() override;
   [[nodiscard]] bool newMessage() const override;
   void read(MainController& mCtrl) override;
   [[nodiscard]] bool stopOrdered() const override;

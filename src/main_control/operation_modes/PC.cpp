@@ -4,8 +4,13 @@
 
 namespace wr {
 
-PC::PC(Mode& wrapped, Mode& other, const PcConnection& connection)
+PC::PC(Mode& wrapped, Mode& other, PcConnection& connection)
     : ModeDecorator(ModeId::PC, wrapped), other_(other), connection_(connection) {}
+
+void PC::serve() {
+  connection_.service();
+  ModeDecorator::serve();
+}
 
 bool PC::newMessage() const {
   return connection_.connected() && ModeDecorator::newMessage();

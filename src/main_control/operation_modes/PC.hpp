@@ -21,7 +21,12 @@ class PC final : public ModeDecorator {
   /// @param wrapped basic mode that reads the orders of the PC
   /// @param other mode to change to; only its address is used before the first changeMode()
   /// @param connection link to the PC
-  PC(Mode& wrapped, Mode& other, const PcConnection& connection);
+  PC(Mode& wrapped, Mode& other, PcConnection& connection);
+
+  /// @brief Serves the link to the PC, then the wrapped mode.
+  /// @satisfies FR-35
+  /// @isr{no}
+  void serve() override;
 
   /// @brief Tells whether the PC is connected and has an order that can be read now.
   /// @return true if the PC is connected and the wrapped mode has a message.
@@ -46,7 +51,7 @@ class PC final : public ModeDecorator {
 
  private:
   Mode& other_;
-  const PcConnection& connection_;
+  PcConnection& connection_;
 };
 
 }  // namespace wr

@@ -1,12 +1,14 @@
 #include "main_control/operation_states/Waiting.hpp"
 
 #include "main_control/MainController.hpp"
-#include "services/SystemConstants.hpp"
 
 namespace wr {
 
-Waiting::Waiting(OperationState& working, OperationState& waitingN)
-    : OperationState(OperationStateId::Waiting), working_(working), waitingN_(waitingN) {}
+Waiting::Waiting(OperationState& working, OperationState& next, std::uint8_t failedReads)
+    : OperationState(OperationStateId::Waiting),
+      working_(working),
+      next_(next),
+      limit_(failedReads) {}
 
 void Waiting::actionWithMsg(MainController& mCtrl, Mode& md) {
   md.read(mCtrl);
@@ -15,8 +17,8 @@ void Waiting::actionWithMsg(MainController& mCtrl, Mode& md) {
 
 void Waiting::actionNoMsg(MainController& mCtrl) {
   ++failedReads_;
-  if (failedReads_ >= SystemConstants::instance().waitingCycles()) {
-    leaveFor(mCtrl, waitingN_);
+  if (failedReads_ >= limit_) {
+    leaveFor(mCtrl, next_);
   }
 }
 

@@ -8,10 +8,10 @@ namespace wr {
 
 /// @brief A few reads failed: the system goes on and counts.
 ///
-/// @function Counts failed reads up to N - 1, then hands over to the last waiting state. A message ends
+/// @function Counts failed reads up to a number, then hands over to the state after it. A message ends
 /// the wait. Meanwhile the control systems follow the set-points that were read last.
 ///
-/// @secret How failed reads are counted, and that N - 1 of them end this state.
+/// @secret How failed reads are counted, and when this state ends.
 ///
 /// @role{operation-states, Concrete State}
 /// @role{read-orders, Concrete Class}
@@ -20,8 +20,10 @@ class Waiting final : public OperationState {
  public:
   /// @brief Binds the state to its successors.
   /// @param working state after a message; only its address is used before the first read()
-  /// @param waitingN state after N failed reads; only its address is used before the first read()
-  Waiting(OperationState& working, OperationState& waitingN);
+  /// @param next state after the failed reads; only its address is used before the first read()
+  /// @param failedReads which failed read in a row, counted from the one that led here, sets the next
+  /// state [2 to 255]
+  Waiting(OperationState& working, OperationState& next, std::uint8_t failedReads);
 
  private:
   /// @brief Reads the message and sets the working state.
@@ -30,7 +32,7 @@ class Waiting final : public OperationState {
   /// @satisfies FR-13
   void actionWithMsg(MainController& mCtrl, Mode& md) override;
 
-  /// @brief Counts the failed read, and sets the last waiting state after the N-th.
+  /// @brief Counts the failed read, and sets the next state after the last one.
   /// @param mCtrl controller that reads
   /// @satisfies FR-15
   /// @satisfies FR-16
@@ -38,7 +40,8 @@ class Waiting final : public OperationState {
   void leaveFor(MainController& mCtrl, OperationState& successor);
 
   OperationState& working_;
-  OperationState& waitingN_;
+  OperationState& next_;
+  std::uint8_t limit_;
   std::uint8_t failedReads_ = 1;  // the read that led here is the first
 };
 

@@ -57,7 +57,7 @@ TEST_F(OperationStateTest, FR15_WorkingSetsWaiting) {
 /// @verifies FR-15
 /// @verifies FR-16
 TEST_F(OperationStateTest, FR16_WaitingCountsFailedReads) {
-  Waiting waiting(state, other);
+  Waiting waiting(state, other, SystemConstants::instance().waitingCycles());
   enter(waiting);
   for (int failed = 2; failed < kN; ++failed) {
     read(false);
@@ -71,7 +71,7 @@ TEST_F(OperationStateTest, FR16_WaitingCountsFailedReads) {
 /// @verifies FR-13
 /// @verifies FR-16
 TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterAMessage) {
-  Waiting waiting(state, other);
+  Waiting waiting(state, other, SystemConstants::instance().waitingCycles());
   enter(waiting);
   read(false);
   read(true);
@@ -89,7 +89,7 @@ TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterAMessage) {
 /// @brief Waiting counts anew after it has handed over to WaitingN.
 /// @verifies FR-16
 TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterItsEnd) {
-  Waiting waiting(state, other);
+  Waiting waiting(state, other, SystemConstants::instance().waitingCycles());
   for (int round = 0; round < 2; ++round) {
     enter(waiting);
     for (int failed = 2; failed < kN; ++failed) {
@@ -159,7 +159,7 @@ TEST_F(OperationStateTest, FR18_ReconnectingHolds) {
 /// @verifies FR-14
 TEST_F(OperationStateTest, FR14_WorkingAndWaitingStatesApplyControl) {
   Working working(other);
-  Waiting waiting(state, other);
+  Waiting waiting(state, other, SystemConstants::instance().waitingCycles());
   WaitingN waitingN(state, other);
   data.saveSetPoints({.orderId = 5});
   for (OperationState* each :
@@ -175,7 +175,7 @@ TEST_F(OperationStateTest, FR14_WorkingAndWaitingStatesApplyControl) {
 /// @verifies FR-61
 TEST_F(OperationStateTest, FR61_EachStateReportsItsNumber) {
   Working working(other);
-  Waiting waiting(state, other);
+  Waiting waiting(state, other, SystemConstants::instance().waitingCycles());
   WaitingN waitingN(state, other);
   Reconnecting reconnecting(state);
   connect();

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "bluetooth/BluetoothLink.hpp"
+#include "main_control/operation_modes/ModeDecorator.hpp"
+
+namespace wr {
+
+/// @brief The reading mode in which a Bluetooth device commands the robot.
+///
+/// @function Extends the basic mode: takes in what the device sent, and marks its set-points as given by
+/// Bluetooth. Changes to the other mode on demand.
+///
+/// @secret How set-points are marked as given by a Bluetooth device.
+///
+/// @role{reading-modes, Concrete State}
+/// @role{mode-extensions, Concrete Decorator}
+class Bluetooth final : public ModeDecorator {
+ public:
+  /// @brief Number of the mode, as in reports.
+  static constexpr ModeId kId{2};
+
+  /// @brief Binds the mode to the mode that it extends, to the mode that follows it and to its line.
+  /// @param wrapped basic mode that reads the orders of the device
+  /// @param other mode to change to; only its address is used before the first changeMode()
+  /// @param link line to the device
+  Bluetooth(Mode& wrapped, Mode& other, BluetoothLink& link);
+
+  /// @brief Takes in what the device sent, then serves the wrapped mode.
+  /// @satisfies FR-151
+  /// @isr{no}
+  void serve() override;
+
+  /// @brief Saves the mode id of Bluetooth, then reads as the wrapped mode does.
+  /// @param mCtrl controller whose data takes the set-points and the source
+  /// @pre newMessage() was true in this cycle.
+  /// @post The order is consumed.
+  /// @satisfies FR-150
+  /// @isr{no}
+  void read(MainController& mCtrl) override;
+
+  /// @brief Makes the controller read from the other mode.
+  /// @param mCtrl controller whose mode changes
+  /// @satisfies FR-150
+  /// @isr{no}
+  void changeMode(MainController& mCtrl) override;
+
+ private:
+  Mode& other_;
+  BluetoothLink& link_;
+};
+
+}  // namespace wr

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+
+#include "devices/DigitalOutput.hpp"
+#include "main_control/operation_states/Reconnecting.hpp"
+#include "main_control/operation_states/Waiting.hpp"
+#include "main_control/operation_states/WaitingN.hpp"
+#include "main_control/operation_states/Working.hpp"
+#include "services/SystemConstants.hpp"
+#include "warning/WaitingK.hpp"
+
+namespace wr {
+
+/// @brief The operation states of a robot that warns after N - 1 failed reads, one cycle before the last
+/// waiting state.
+/// @datatype
+struct WarningStates {
+  /// @brief Makes the states and binds each to its successors.
+  /// @param warning what is switched on for a warning
+  explicit WarningStates(DigitalOutput& warning)
+      : waiting(working, waitingK, kFailedReads),
+        working(waiting),
+        waitingK(working, waitingN, warning),
+        waitingN(working, reconnecting),
+        reconnecting(working) {}
+
+  /// @brief Which failed read sets the state that warns.
+  static constexpr std::uint8_t kFailedReads = SystemConstants::instance().waitingCycles() - 1;
+  static_assert(kFailedReads >= 2, "the first failed read sets a waiting state that does not warn");
+
+  Waiting waiting;            ///< counts failed reads
+  Working working;            ///< the first state
+  WaitingK waitingK;          ///< warns
+  WaitingN waitingN;          ///< the last waiting state
+  Reconnecting reconnecting;  ///< looks for another source
+};
+
+}  // namespace wr
