@@ -1,0 +1,195 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "devices/Timebase.hpp"
+#include "services/Pipe.hpp"
+#include "steering_control/algorithms/SteeringAlgorithm.hpp"
+#include "steering_control/commands/SteeringCommand.hpp"
+#include "steering_control/states/DirState.hpp"
+#include "units/Measurements.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief What the steering is ordered to do.
+/// @datatype
+struct DirTarget {
+  Angle angle{};  ///< where it shall be [0.01 degree], -3200 to 3200; without meaning for a hold
+  bool follow = false;  ///< true to go there, false to hold
+
+  /// @brief Tells whether two targets are the same.
+  friend constexpr bool operator==(const DirTarget&, const DirTarget&) = default;
+};
+
+/// @brief What the steering does, as the controller sees it at a tick.
+/// @datatype
+struct DirStatus {
+  SteeringState state = SteeringState::Off;  ///< state of the controller
+  StepRate rate{};                           ///< speed of the motor [steps/s], positive to the left
+  bool leftEnd = false;                      ///< the left end stop is reached
+  bool rightEnd = false;                     ///< the right end stop is reached
+  std::optional<Stamped<Angle>> position{};  ///< newest position, and when it was measured
+};
+
+/// @brief What the motor does at the beginning of a tick.
+/// @datatype
+struct TurnFeedback {
+  StepRate rate{};         ///< speed of the motor [steps/s], positive to the left
+  std::int32_t steps = 0;  ///< steps to the left less steps to the right, since start
+  bool ready = false;      ///< the motor is on and has settled
+  bool leftEnd = false;    ///< the left end stop is reached
+  bool rightEnd = false;   ///< the right end stop is reached
+};
+
+/// @brief Controls the steering: from target and position to the turn.
+///
+/// @function Lets the state of the steering act once in each tick period, on the newest target, the
+/// newest position and what the motor does, and tells what it came to. It orders the motor through
+/// commands, and knows neither who measures nor who acts.
+///
+/// @secret How old a target and a position may be, and how it is found that the steering does not move.
+///
+/// @role{steering-controller-states, Context}
+/// @role{steering-control-algorithm, Context}
+/// @role{steering-commands, Invoker}
+/// @role{steering-timer-interrupt, Receiver}
+class DirController final {
+ public:
+  /// @brief What the controller is made of. Each part lives as long as the controller.
+  /// @datatype
+  struct Parts {
+    Pipe<DirTarget>& target;       ///< what is ordered; the main thread writes it
+    Pipe<Angle>& position;         ///< where the steering is; the same interrupt writes it
+    Pipe<DirStatus>& status;       ///< what the steering does; the main thread reads it
+    const Timebase& timebase;      ///< tells how old a value is
+    SteeringAlgorithm& algorithm;  ///< computes the turn
+    SteeringCommand& enable;       ///< switches the motor on
+    SteeringCommand& disable;      ///< switches the motor off
+    SteeringCommand& setTurn;      ///< sets the speed of the motor
+    DirState& initial;             ///< state at start: off
+  };
+
+  /// @brief Binds the controller to its parts.
+  /// @param parts parts of the controller
+  explicit DirController(const Parts& parts);
+
+  DirController(const DirController&) = delete;
+  DirController& operator=(const DirController&) = delete;
+
+  /// @brief Takes target and position, lets the state act, and writes the status. It is called once in
+  /// each tick period.
+  /// @param motor what the motor does
+  /// @isr{yes}
+  /// @satisfies FR-114
+  /// @satisfies FR-116
+  void tick(const TurnFeedback& motor);
+
+  /// @brief Tells whether there is an order to follow. States call it.
+  /// @return true when the newest target is one to follow, and not older than 300 ms
+  /// @isr{yes}
+  /// @satisfies FR-106
+  [[nodiscard]] bool following() const;
+
+  /// @brief Tells whether nobody orders any more. States call it.
+  /// @return true when there is no target, or the newest one is older than 300 ms
+  /// @isr{yes}
+  /// @satisfies FR-109
+  [[nodiscard]] bool abandoned() const;
+
+  /// @brief Tells whether an order to hold came after the last change of state. States call it.
+  /// @return true when the newest target is one to hold and is younger than the state
+  /// @isr{yes}
+  /// @satisfies FR-112
+  [[nodiscard]] bool released() const;
+
+  /// @brief Tells whether it is unknown where the steering is. States call it.
+  /// @return true when there is no position, or the newest one is older than 20 ms
+  /// @isr{yes}
+  /// @satisfies FR-110
+  [[nodiscard]] bool lost() const;
+
+  /// @brief Begins to watch whether the steering moves with the steps of the motor. States call it.
+  /// @pre The position is not lost.
+  /// @isr{yes}
+  /// @satisfies FR-111
+  void watch();
+
+  /// @brief Tells whether the steering does not move with the steps of the motor. It decides when 300 ms
+  /// have passed and the steps amount to 1.5 degrees, and then begins to watch anew. States call
+  /// it.
+  /// @return true when the steering moved less than half as far as the steps should have turned it
+  /// @pre watch() was called, and the position is not lost.
+  /// @isr{yes}
+  /// @satisfies FR-111
+  [[nodiscard]] bool stalled();
+
+  /// @brief Tells the turn that leads to the target. States call it.
+  /// @return rate of the algorithm [steps/s], -500 to 500; 0 without an order to follow, while the motor is not
+  /// ready, and towards an end stop that is reached
+  /// @pre The position is not lost.
+  /// @isr{yes}
+  /// @satisfies FR-101
+  /// @satisfies FR-105
+  /// @satisfies FR-107
+  /// @satisfies FR-108
+  [[nodiscard]] StepRate demand();
+
+  /// @brief Tells whether the motor makes no steps. States call it.
+  /// @return true when its rate is 0
+  /// @isr{yes}
+  /// @satisfies FR-101
+  [[nodiscard]] bool atRest() const;
+
+  /// @brief Has the motor switched on. States call it.
+  /// @isr{yes}
+  /// @satisfies FR-106
+  void enable();
+
+  /// @brief Has the motor switched off. States call it.
+  /// @isr{yes}
+  /// @satisfies FR-109
+  /// @satisfies FR-110
+  /// @satisfies FR-111
+  void disable();
+
+  /// @brief Sets the speed that the motor shall take on. States call it.
+  /// @param rate speed of the motor [steps/s], -500 to 500, positive to the left
+  /// @isr{yes}
+  /// @satisfies FR-101
+  void turn(StepRate rate);
+
+  /// @brief Sets the state. States call it.
+  /// @param next state from the next tick on
+  /// @isr{yes}
+  void changeState(DirState& next);
+
+ private:
+  /// @brief Writes what the steering does, with the time of this tick.
+  /// @satisfies FR-116
+  void publish();
+
+  Pipe<DirTarget>& targets_;
+  Pipe<Angle>& positions_;
+  Pipe<DirStatus>& status_;
+  const Timebase& timebase_;
+  SteeringAlgorithm& algorithm_;
+  SteeringCommand& enable_;
+  SteeringCommand& disable_;
+  SteeringCommand& setTurn_;
+  std::reference_wrapper<DirState> state_;
+  Instant changedAt_{};  // when the present state began
+  // what is known at this tick
+  Instant now_{};
+  TurnFeedback motor_{};
+  std::optional<Stamped<DirTarget>> target_{};
+  std::optional<Stamped<Angle>> position_{};
+  // where the watch over the motion began
+  Instant watchedSince_{};
+  std::int32_t watchedSteps_ = 0;
+  Angle watchedPosition_{};
+};
+
+}  // namespace wr

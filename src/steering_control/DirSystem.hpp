@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "devices/Timebase.hpp"
+#include "main_control/control_systems/ControlSystem.hpp"
+#include "services/Pipe.hpp"
+#include "steering_control/DirController.hpp"
+#include "units/Measurements.hpp"
+#include "units/SetPoints.hpp"
+
+namespace wr {
+
+/// @brief The steering as a control system.
+///
+/// @function Hands the angle that is ordered, or the order to hold, to the controller of the steering,
+/// which ticks on its own, and tells Main Control what the controller came to.
+///
+/// @secret How the control cycle and the faster tick of the steering exchange orders and values.
+///
+/// @role{control-system-orders, Concrete Class}
+/// @role{steering-system-construction, Product}
+class DirSystem final : public ControlSystem {
+ public:
+  /// @brief What the system is made of. Each part lives as long as the system.
+  /// @datatype
+  struct Parts {
+    Pipe<DirTarget>& target;   ///< takes what is ordered
+    Pipe<DirStatus>& status;   ///< gives what the steering does
+    const Timebase& timebase;  ///< tells when an order was given, and how old a value is
+  };
+
+  /// @brief Binds the system to its parts.
+  /// @param parts parts of the system
+  explicit DirSystem(const Parts& parts);
+
+  /// @brief Tells whether the order of a cycle was given, to a steering that ticks.
+  /// @param cycle number of the control cycle, from 1
+  /// @return true if the last order was given in that cycle, and the steering ticked within the 20 ms
+  /// before.
+  /// @isr{no}
+  /// @satisfies FR-117
+  [[nodiscard]] bool completed(std::uint32_t cycle) const override;
+
+  /// @brief Adds position, state and end stops of the steering, and its turn, as they were measured in this
+  /// cycle.
+  /// @param measurements takes the measured values; a position older than 150 ms is missing
+  /// @param outputs takes the turn, which is missing when the steering does not tick
+  /// @isr{no}
+  /// @satisfies FR-116
+  void collect(Measurements& measurements, Outputs& outputs) const override;
+
+ private:
+  /// @brief Takes the newest status of the steering.
+  /// @satisfies FR-116
+  void measure() override;
+
+  /// @brief Notes the ordered angle.
+  /// @param setPoints what the system shall reach
+  /// @satisfies FR-115
+  void apply(const SetPoints& setPoints) override;
+
+  /// @brief Notes the order to hold.
+  /// @satisfies FR-115
+  void halt() override;
+
+  /// @brief Gives the noted order to the controller of the steering.
+  /// @param cycle number of the control cycle, from 1
+  /// @satisfies FR-115
+  void activate(std::uint32_t cycle) override;
+
+  Pipe<DirTarget>& targets_;
+  Pipe<DirStatus>& statuses_;
+  const Timebase& timebase_;
+  DirTarget target_{};
+  std::optional<DirStatus> status_{};  // as it was measured in this cycle
+  bool ticks_ = false;                 // the status was young when it was measured
+  std::uint32_t cycle_ = 0;
+};
+
+}  // namespace wr

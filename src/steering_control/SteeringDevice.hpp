@@ -1,0 +1,151 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "devices/DigitalOutput.hpp"
+#include "devices/EdgeInput.hpp"
+#include "steering_control/power/SteeringPower.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief The motor of the steering, with its driver and its end stops.
+///
+/// @function Switches the motor on and off, and turns it step by step: with the rate that is demanded, as
+/// fast as the motor can follow, and never further towards an end stop that is reached.
+///
+/// @secret The pulses that make the motor step, and the limits of the motor.
+///
+/// @role{steering-switch, Context}
+/// @role{steering-commands, Receiver}
+class SteeringDevice final {
+ public:
+  /// @brief What the device is made of. Each part lives as long as the device.
+  /// @datatype
+  struct Parts {
+    DigitalOutput& step;        ///< each time it is switched on the motor makes one step
+    DigitalOutput& direction;   ///< on for steps to the left
+    DigitalOutput& enable;      ///< on for a motor with current
+    const EdgeInput& leftEnd;   ///< low when the left end stop is reached
+    const EdgeInput& rightEnd;  ///< low when the right end stop is reached
+    SteeringPower& initial;     ///< power at start: off
+  };
+
+  /// @brief Binds the device to its parts.
+  /// @param parts parts of the device
+  explicit SteeringDevice(const Parts& parts);
+
+  SteeringDevice(const SteeringDevice&) = delete;
+  SteeringDevice& operator=(const SteeringDevice&) = delete;
+
+  /// @brief Switches the motor on, unless it is on. It steps after it has settled.
+  /// @isr{yes}
+  /// @satisfies FR-106
+  void enable();
+
+  /// @brief Switches the motor off, unless it is off. It stops at once.
+  /// @isr{yes}
+  /// @satisfies FR-109
+  /// @satisfies FR-113
+  void disable();
+
+  /// @brief Tells whether the motor can step.
+  /// @return true when it is on and has settled
+  /// @isr{yes}
+  /// @satisfies FR-107
+  [[nodiscard]] bool ready() const;
+
+  /// @brief Sets the rate that the motor shall take on. A motor that is switched on later begins without
+  /// a rate.
+  /// @param demand rate [steps/s], positive to the left; what is beyond -500 to 500 counts as the limit
+  /// @isr{yes}
+  /// @satisfies FR-103
+  void turn(StepRate demand);
+
+  /// @brief Ends the pulse of the tick before, and does what one tick demands of the motor. It is called
+  /// once in each tick period.
+  /// @isr{yes}
+  /// @satisfies FR-103
+  /// @satisfies FR-104
+  void tick();
+
+  /// @brief Tells the present rate of the motor.
+  /// @return rate [steps/s], -500 to 500, positive to the left
+  /// @isr{yes}
+  /// @satisfies FR-103
+  [[nodiscard]] StepRate rate() const;
+
+  /// @brief Tells whether the left end stop is reached.
+  /// @return true when it is
+  /// @isr{yes}
+  /// @satisfies FR-105
+  [[nodiscard]] bool leftEnd() const;
+
+  /// @brief Tells whether the right end stop is reached.
+  /// @return true when it is
+  /// @isr{yes}
+  /// @satisfies FR-105
+  [[nodiscard]] bool rightEnd() const;
+
+  /// @brief Tells how many steps the motor was made to do.
+  /// @return steps to the left less steps to the right, since start
+  /// @isr{yes}
+  /// @satisfies FR-111
+  [[nodiscard]] std::int32_t steps() const;
+
+  /// @brief Sets the power state. Power states call it.
+  /// @param power state from now on
+  /// @isr{yes}
+  void changePower(SteeringPower& power);
+
+  /// @brief Gives the motor its current, and begins the time in which it settles. Power states call it.
+  /// @isr{yes}
+  /// @satisfies FR-106
+  /// @satisfies FR-107
+  void switchOn();
+
+  /// @brief Takes the current and the rate from the motor. Power states call it.
+  /// @isr{yes}
+  /// @satisfies FR-113
+  void switchOff();
+
+  /// @brief Tells whether the time in which the motor settles has passed. Power states call it.
+  /// @return true when it has
+  /// @isr{yes}
+  /// @satisfies FR-107
+  [[nodiscard]] bool settled() const;
+
+  /// @brief Moves the motor on by one tick: lets it settle, or brings its rate nearer to the demand and
+  /// steps when a step is due. Power states call it.
+  /// @isr{yes}
+  /// @satisfies FR-103
+  /// @satisfies FR-105
+  /// @satisfies FR-107
+  void advance();
+
+ private:
+  /// @brief Brings the rate nearer to the demand; towards an end stop that is reached it is 0.
+  /// @satisfies FR-103
+  /// @satisfies FR-105
+  void changeRate();
+
+  /// @brief Adds the rate to the part of a step that was left, and makes the step that is due.
+  /// @satisfies FR-104
+  void stepWhenDue();
+
+  DigitalOutput& step_;
+  DigitalOutput& direction_;
+  DigitalOutput& enable_;
+  const EdgeInput& leftEnd_;
+  const EdgeInput& rightEnd_;
+  std::reference_wrapper<SteeringPower> power_;
+  std::int32_t demand_ = 0;    // steps/s
+  std::int32_t rate_ = 0;      // steps/s
+  std::int32_t part_ = 0;      // part of the next step that is done, in thousandths
+  std::int32_t steps_ = 0;     // steps to the left since start
+  std::int32_t settling_ = 0;  // ticks until the motor has settled
+  bool pulse_ = false;         // the step output is on
+};
+
+}  // namespace wr

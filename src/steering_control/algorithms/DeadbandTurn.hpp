@@ -1,0 +1,42 @@
+#pragma once
+
+#include "steering_control/algorithms/SteeringAlgorithm.hpp"
+
+namespace wr {
+
+/// @brief Turns when the position is out of a dead band, and brakes in time.
+///
+/// @function Starts to turn when the position differs from the target by more than the dead band, at the
+/// full rate; brakes so that the steering is slow when it arrives; stops just before the target. A
+/// position that only trembles starts nothing.
+///
+/// @secret The widths of the dead band, and the curve along which the steering brakes.
+///
+/// @role{steering-control-algorithm, Concrete Strategy}
+class DeadbandTurn final : public SteeringAlgorithm {
+ public:
+  /// @brief Greatest difference at which a steering at rest stays at rest.
+  static constexpr Angle kDeadband{20};
+
+  /// @brief Difference at which a steering that turns towards the target stops. It comes to rest
+  /// about one step later.
+  static constexpr Angle kArrived{10};
+
+  /// @brief Makes the rule. It keeps nothing from one call to the next.
+  DeadbandTurn() = default;
+
+  /// @brief Computes the turn: none within the dead band, none while the motor is too fast to brake
+  /// in time, else the full rate towards the target. The motor follows with its limited
+  /// acceleration, so it keeps to the curve along which it brakes.
+  /// @satisfies FR-101
+  /// @satisfies FR-102
+  /// @satisfies FR-103
+  /// @param target where the steering shall be [0.01 degree], -4000 to 4000
+  /// @param position where it is [0.01 degree], -4000 to 4000
+  /// @param now present speed of the motor [steps/s], -500 to 500
+  /// @return full rate to the left, full rate to the right, or 0 [steps/s]
+  /// @isr{yes}
+  [[nodiscard]] StepRate turn(Angle target, Angle position, StepRate now) override;
+};
+
+}  // namespace wr

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "steering_control/commands/SteeringCommand.hpp"
+
+namespace wr {
+
+class SteeringDevice;
+
+/// @brief The order to switch the steering off.
+/// @function Passes the order to switch off to the steering device.
+/// @secret What must be done on the steering device to switch it off.
+/// @role{steering-commands, Concrete Command}
+class DisableSteering final : public SteeringCommand {
+ public:
+  /// @brief Binds the command to the device.
+  /// @param device steering device that it acts on
+  explicit DisableSteering(SteeringDevice& device);
+
+  /// @brief Switches the steering device off.
+  /// @param rate has no meaning here
+  /// @isr{yes}
+  /// @satisfies FR-109
+  void execute(StepRate rate) override;
+
+ private:
+  SteeringDevice& device_;
+};
+
+}  // namespace wr

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "steering_control/commands/SteeringCommand.hpp"
+
+namespace wr {
+
+class SteeringDevice;
+
+/// @brief The order to switch the steering on.
+/// @function Passes the order to switch on to the steering device.
+/// @secret What must be done on the steering device to switch it on.
+/// @role{steering-commands, Concrete Command}
+class EnableSteering final : public SteeringCommand {
+ public:
+  /// @brief Binds the command to the device.
+  /// @param device steering device that it acts on
+  explicit EnableSteering(SteeringDevice& device);
+
+  /// @brief Switches the steering device on.
+  /// @param rate has no meaning here
+  /// @isr{yes}
+  /// @satisfies FR-106
+  void execute(StepRate rate) override;
+
+ private:
+  SteeringDevice& device_;
+};
+
+}  // namespace wr

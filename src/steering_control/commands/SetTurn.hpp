@@ -1,0 +1,29 @@
+#pragma once
+
+#include "steering_control/commands/SteeringCommand.hpp"
+
+namespace wr {
+
+class SteeringDevice;
+
+/// @brief The order to turn the steering.
+/// @function Passes the speed that the motor shall have to the steering device.
+/// @secret What must be done on the steering device to make it turn.
+/// @role{steering-commands, Concrete Command}
+class SetTurn final : public SteeringCommand {
+ public:
+  /// @brief Binds the command to the device.
+  /// @param device steering device that it acts on
+  explicit SetTurn(SteeringDevice& device);
+
+  /// @brief Sets the speed that the motor shall have.
+  /// @param rate speed of the motor [steps/s], -500 to 500, positive to the left
+  /// @isr{yes}
+  /// @satisfies FR-101
+  void execute(StepRate rate) override;
+
+ private:
+  SteeringDevice& device_;
+};
+
+}  // namespace wr

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "steering_control/power/SteeringPower.hpp"
+
+namespace wr {
+
+/// @brief The motor is on: it holds the steering, or turns it.
+/// @function Lets the motor step at each tick, and switches it off when that is ordered.
+/// @secret What switches the motor off, and what a motor that is on does at a tick.
+/// @role{steering-switch, Concrete State}
+class PoweredOn final : public SteeringPower {
+ public:
+  /// @brief Binds the state to its successor.
+  /// @param off state after the motor was switched off; only its address is used before the first call
+  explicit PoweredOn(SteeringPower& off);
+
+  /// @brief Does nothing: the motor is on.
+  /// @param device device whose motor it is
+  /// @isr{yes}
+  /// @satisfies FR-106
+  void enable(SteeringDevice& device) override;
+
+  /// @brief Switches the motor off.
+  /// @param device device whose motor it is
+  /// @isr{yes}
+  /// @satisfies FR-113
+  void disable(SteeringDevice& device) override;
+
+  /// @brief Lets the motor settle, then move.
+  /// @param device device whose motor it is
+  /// @isr{yes}
+  /// @satisfies FR-107
+  void tick(SteeringDevice& device) override;
+
+  /// @brief Tells whether the motor has settled.
+  /// @param device device whose motor it is
+  /// @return true when it has
+  /// @isr{yes}
+  /// @satisfies FR-107
+  [[nodiscard]] bool ready(const SteeringDevice& device) const override;
+
+ private:
+  SteeringPower& off_;
+};
+
+}  // namespace wr

@@ -1,0 +1,49 @@
+#pragma once
+
+namespace wr {
+
+class SteeringDevice;
+
+/// @brief Whether the motor of the steering is on.
+/// @function Gives the steering device one way to be switched on and off and to tick, whether its motor
+/// is on or off.
+/// @secret What differs between a motor that is on and one that is off.
+/// @role{steering-switch, State}
+///
+/// @patternapp{steering-switch, State, Switch on and switch off the steering device}
+/// @why What it takes to switch the steering on or off, and whether it can step, depends on whether it is
+/// on. Each case is a module, so no operation asks for it.
+/// @changes The actions that switch the motor on or off. Another case, such as a motor that is on with
+/// less current.
+class SteeringPower {
+ public:
+  SteeringPower(const SteeringPower&) = delete;
+  SteeringPower& operator=(const SteeringPower&) = delete;
+
+  /// @brief Switches the motor on, unless it is on.
+  /// @param device device whose motor it is
+  /// @isr{yes}
+  virtual void enable(SteeringDevice& device) = 0;
+
+  /// @brief Switches the motor off, unless it is off.
+  /// @param device device whose motor it is
+  /// @isr{yes}
+  virtual void disable(SteeringDevice& device) = 0;
+
+  /// @brief Does what one tick demands of the motor.
+  /// @param device device whose motor it is
+  /// @isr{yes}
+  virtual void tick(SteeringDevice& device) = 0;
+
+  /// @brief Tells whether the motor can step.
+  /// @param device device whose motor it is
+  /// @return true when it is on and has settled
+  /// @isr{yes}
+  [[nodiscard]] virtual bool ready(const SteeringDevice& device) const = 0;
+
+ protected:
+  SteeringPower() = default;
+  ~SteeringPower() = default;
+};
+
+}  // namespace wr

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "steering_control/states/DirState.hpp"
+
+namespace wr {
+
+/// @brief The steering could not be controlled: its motor stays off.
+/// @function Keeps the motor off, whatever is ordered, until an order to hold shows that somebody
+/// noticed.
+/// @secret What ends a fault.
+/// @role{steering-controller-states, Concrete State}
+class DirFault final : public DirState {
+ public:
+  /// @brief Binds the state to its successor.
+  /// @param off state after the fault; only its address is used before the first tick
+  explicit DirFault(DirState& off);
+
+  /// @brief Ends the fault when an order to hold came after it.
+  /// @param controller controller that ticks
+  /// @isr{yes}
+  /// @satisfies FR-112
+  void tick(DirController& controller) override;
+
+ private:
+  DirState& off_;
+};
+
+}  // namespace wr

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "steering_control/states/DirState.hpp"
+
+namespace wr {
+
+/// @brief The motor is off: nobody orders.
+/// @function Waits with the motor off until an order to follow comes, then switches the motor on.
+/// @secret What switches the steering on.
+/// @role{steering-controller-states, Concrete State}
+class DirOff final : public DirState {
+ public:
+  /// @brief Binds the state to its successor.
+  /// @param holding state after an order to follow; only its address is used before the first tick
+  explicit DirOff(DirState& holding);
+
+  /// @brief Switches the motor on when an order to follow holds.
+  /// @param controller controller that ticks
+  /// @isr{yes}
+  /// @satisfies FR-106
+  void tick(DirController& controller) override;
+
+ private:
+  DirState& holding_;
+};
+
+}  // namespace wr

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "units/Measurements.hpp"
+
+namespace wr {
+
+class DirController;
+
+/// @brief What the steering controller does at a tick: a state of the steering.
+/// @function Gives the steering controller one way to tick, in whatever state the steering is.
+/// @secret What differs between the states of the steering.
+/// @role{steering-controller-states, State}
+///
+/// @patternapp{steering-controller-states, State, Operation states of the steering device controller}
+/// @why What the controller of the steering does at a tick depends on the state of the steering. Each state
+/// is a module, so the rules of one state are read and changed in one place.
+/// @changes The actions of a state, or what leads from it to another. A new state, such as one that
+/// searches the middle after start.
+class DirState {
+ public:
+  DirState(const DirState&) = delete;
+  DirState& operator=(const DirState&) = delete;
+
+  /// @brief Does what one tick demands, and changes the state when that is due.
+  /// @param controller controller that ticks
+  /// @isr{yes}
+  virtual void tick(DirController& controller) = 0;
+
+  /// @brief The name of this state.
+  /// @return state, as in reports
+  /// @isr{yes}
+  /// @satisfies FR-116
+  [[nodiscard]] SteeringState id() const;
+
+ protected:
+  /// @brief Names the state.
+  /// @param id state, as in reports
+  explicit DirState(SteeringState id);
+  ~DirState() = default;
+
+  /// @brief Leaves a state in which the motor is on, when it must be left: to one state without orders,
+  /// to the other when the steering cannot be controlled.
+  /// @param controller controller that ticks
+  /// @param off state after the orders ended
+  /// @param fault state after a fault
+  /// @return true when the state was left
+  static bool leave(DirController& controller, DirState& off, DirState& fault);
+
+ private:
+  SteeringState id_;
+};
+
+}  // namespace wr
