@@ -6,6 +6,7 @@ namespace wr {
 /// @function Lets interrupts and threads start an action without naming the module that acts.
 /// @secret Which module acts when a command is executed.
 /// @role{cycle-timer-interrupt, Command}
+/// @role{steering-timer-interrupt, Command}
 class Command {
  public:
   Command(const Command&) = delete;

@@ -87,6 +87,18 @@ class SystemConstants {
   /// @satisfies FR-101
   [[nodiscard]] constexpr Angle steeringStep() const { return Angle(5); }
 
+  /// @brief Tells how fast the steering motor is driven at most. A step needs two ticks: one with the pulse,
+  /// one without.
+  /// @return greatest rate [steps/s]
+  /// @satisfies FR-103
+  [[nodiscard]] constexpr StepRate steeringRate() const { return StepRate(500); }
+
+  /// @brief Tells how fast the rate of the steering motor changes at most, so that the motor loses no step.
+  /// One step/s in each tick.
+  /// @return greatest change of the rate [steps/s^2]
+  /// @satisfies FR-103
+  [[nodiscard]] constexpr std::int32_t steeringAcceleration() const { return 1000; }
+
   /// @brief Tells how far the steering can be set to each side. The least radius of a turn, 2.5 m,
   /// needs about 32 degrees.
   /// @return greatest angle [0.01 degree]
@@ -120,6 +132,10 @@ inline constexpr SystemConstants SystemConstants::instance_{};
 
 static_assert(SystemConstants::instance().waitingCycles() >= 2,
               "there is at least one waiting state before the last");
+static_assert(SystemConstants::instance().steeringRate().count() *
+                      SystemConstants::instance().tickPeriod().count() * 2 <=
+                  1000000,
+              "a step has one tick with its pulse and one without");
 static_assert(SystemConstants::instance().watchdogTimeout() >
                   SystemConstants::instance().cyclePeriod() * 2,
               "one cycle that does not complete is no reason to reset");
