@@ -75,6 +75,19 @@ class SystemConstants {
   /// @satisfies FR-80
   [[nodiscard]] constexpr Tension supply() const { return Tension(24000); }
 
+  /// @brief Tells the tension that a turning wheel motor makes itself. Assumption: 0.50 V s/rad.
+  /// @return tension at 1000 times 0.1 rpm [mV]
+  /// @satisfies FR-82
+  /// @satisfies FR-85
+  [[nodiscard]] constexpr Tension motorConstant() const { return Tension(5236); }
+
+  /// @brief Tells the velocity below which a wheel counts as standing. Half of what its Hall sensors
+  /// resolve in a cycle: 5 rpm are an edge in two cycles.
+  /// @return velocity at the motor shaft [0.1 rpm]
+  /// @satisfies FR-87
+  /// @satisfies FR-89
+  [[nodiscard]] constexpr Velocity standstill() const { return Velocity(50); }
+
   /// @brief Tells how many edges the two Hall sensors of a wheel give in one turn of the motor shaft.
   /// Assumption: a motor with 15 pairs of poles, two sensors, two edges each.
   /// @return number of edges

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "devices/Timebase.hpp"
+#include "services/Pipe.hpp"
+#include "units/SetPoints.hpp"
+#include "units/quantities.hpp"
+#include "wheel_control/algorithms/WheelAlgorithm.hpp"
+#include "wheel_control/behaviours/WheelBehaviour.hpp"
+#include "wheel_control/commands/WheelCommand.hpp"
+
+namespace wr {
+
+/// @brief Controls one wheel.
+///
+/// @function Takes the measured values of the wheel out of their pipes, has the algorithm of the ordered
+/// quantity calculate a tension, and has a behaviour apply it. It stops a wheel that cannot be
+/// controlled.
+///
+/// @secret Which measured values control needs, and what makes a wheel one that cannot be controlled.
+///
+/// @role{wheel-control-algorithms, Context}
+/// @role{wheel-behaviours, Context}
+/// @role{wheel-commands, Invoker}
+class WheelController final {
+ public:
+  /// @brief What the controller is made of. Each part lives as long as the controller.
+  /// @datatype
+  struct Parts {
+    Pipe<Velocity>& velocity;                   ///< brings the measured velocity
+    Pipe<Current>& current;                     ///< brings the measured current
+    const Timebase& timebase;                   ///< tells how old a measured value is
+    std::array<WheelAlgorithm*, 3> algorithms;  ///< one for each WheelQuantity, in its sequence
+    WheelBehaviour& advance;                    ///< applies what an algorithm demands
+    WheelBehaviour& stop;                       ///< stops the wheel
+    WheelCommand& stopWheel;                    ///< takes all tension from the wheel at once
+  };
+
+  /// @brief Makes the controller of a wheel that stands still.
+  /// @param parts what it is made of
+  explicit WheelController(const Parts& parts);
+
+  WheelController(const WheelController&) = delete;
+  WheelController& operator=(const WheelController&) = delete;
+
+  /// @brief Brings the wheel towards its set-point for one cycle. A wheel whose velocity or current is
+  /// missing, or that is blind, is stopped.
+  /// @param setPoint what the wheel shall reach
+  /// @param position position of the wheel
+  /// @satisfies FR-80
+  /// @satisfies FR-86
+  /// @satisfies FR-90
+  /// @satisfies FR-91
+  /// @isr{no}
+  void control(const WheelSetPoint& setPoint, HallCount position);
+
+  /// @brief Stops the wheel for one cycle. It is no longer blind.
+  /// @satisfies FR-88
+  /// @satisfies FR-91
+  /// @isr{no}
+  void halt();
+
+  /// @brief Takes note that the driver of the wheel is off: nothing is applied, and nothing shall be when
+  /// it is switched on again.
+  /// @satisfies FR-89
+  /// @isr{no}
+  void driverOff();
+
+  /// @brief Tells the measured velocity.
+  /// @return velocity [0.1 rpm]; nothing when it is older than the lifetime of a measurement
+  /// @satisfies FR-90
+  /// @isr{no}
+  [[nodiscard]] std::optional<Velocity> velocity() const;
+
+  /// @brief Tells the measured current.
+  /// @return current [mA]; nothing when it is older than the lifetime of a measurement
+  /// @satisfies FR-90
+  /// @isr{no}
+  [[nodiscard]] std::optional<Current> current() const;
+
+  /// @brief Tells the tension that stands at the wheel.
+  /// @return tension [mV], positive forwards; nothing while none is applied
+  /// @satisfies FR-94
+  /// @isr{no}
+  [[nodiscard]] std::optional<Tension> applied() const;
+
+  /// @brief Tells whether the wheel is blind: it had tension, and its position did not change.
+  /// @return true until the wheel is halted
+  /// @satisfies FR-91
+  /// @isr{no}
+  [[nodiscard]] bool blind() const;
+
+ private:
+  void watch(HallCount position);
+  void follow(const WheelSetPoint& setPoint, const WheelFeedback& feedback);
+  void lower();
+  void resetAlgorithms();
+
+  Pipe<Velocity>& velocity_;
+  Pipe<Current>& current_;
+  const Timebase& timebase_;
+  std::array<WheelAlgorithm*, 3> algorithms_;
+  WheelBehaviour& advance_;
+  WheelBehaviour& stop_;
+  WheelCommand& stopWheel_;
+  WheelQuantity quantity_ = WheelQuantity::Velocity;  // what the last set-point set
+  std::optional<Tension> applied_;
+  HallCount seen_{};              // position when the wheel was last seen to turn
+  std::uint8_t stillCycles_ = 0;  // cycles in a row with tension and without a turn
+  bool blind_ = false;
+};
+
+}  // namespace wr

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+#include "main_control/control_systems/ControlSystem.hpp"
+#include "services/Command.hpp"
+#include "services/ControlThread.hpp"
+#include "wheel_control/orders/WheelOrder.hpp"
+
+namespace wr {
+
+/// @brief The control system of one wheel.
+///
+/// @function Notes the orders of the main controller for its wheel, executes them in its own thread, and
+/// gives what was measured and applied.
+///
+/// @secret How orders of the main controller become orders of a wheel, and that each wheel has a thread.
+/// The thread has a higher priority than the main thread, which therefore never runs while the
+/// wheel's thread is active: each finds the work of the other complete.
+///
+/// @role{control-system-orders, Concrete Class}
+/// @role{wheel-orders, Context}
+/// @role{wheel-system-construction, Product}
+class WheelSystem final : public ControlSystem {
+ public:
+  /// @brief What the system is made of. Each part lives as long as the system.
+  /// @datatype
+  struct Parts {
+    std::size_t wheel;             ///< number of the wheel, 0 to 3
+    ControlThread& thread;         ///< executes the orders
+    WheelOrder& registerPosition;  ///< the first order of a cycle
+    WheelOrder& readVelocity;      ///< the second one
+    WheelOrder& readCurrent;       ///< the third one
+    WheelOrder& applyControl;      ///< the last one when the wheel follows its set-point
+    WheelOrder& haltWheel;         ///< the last one when the wheel stands still
+  };
+
+  /// @brief Makes the system. It does no work before start().
+  /// @param parts what it is made of
+  explicit WheelSystem(const Parts& parts);
+
+  /// @brief Gives the thread its body.
+  /// @pre It was not called before.
+  /// @errors Assertion ThreadStartedTwice at the second call.
+  /// @satisfies FR-92
+  /// @isr{no}
+  void start();
+
+  /// @brief Tells whether the orders of a cycle were executed.
+  /// @param cycle number of the control cycle, from 1
+  /// @return true if the last orders that were executed are those of that cycle
+  /// @satisfies FR-92
+  /// @isr{no}
+  [[nodiscard]] bool completed(std::uint32_t cycle) const override;
+
+  /// @brief Adds what was measured and applied at this wheel.
+  /// @param measurements takes the measured values; values of other systems stay
+  /// @param outputs takes the applied tension; values of other systems stay
+  /// @satisfies FR-93
+  /// @satisfies FR-94
+  /// @isr{no}
+  void collect(Measurements& measurements, Outputs& outputs) const override;
+
+ private:
+  /// What an activation of the thread does.
+  class Body final : public Command {
+   public:
+    explicit Body(WheelSystem& system);
+    void execute() override;
+
+   private:
+    WheelSystem& system_;
+  };
+
+  void measure() override;
+  void apply(const SetPoints& setPoints) override;
+  void halt() override;
+  void activate(std::uint32_t cycle) override;
+  void note(WheelOrder& order);
+  void work();
+
+  Body body_;
+  Parts parts_;
+  std::array<WheelOrder*, 4> orders_{};  // the main thread notes them, the wheel's thread executes
+  std::size_t count_ = 0;                // orders noted
+  WheelWork work_;                       // the wheel's thread fills it, the main thread collects
+  std::uint32_t cycle_ = 0;              // cycle of the orders noted
+  std::atomic<std::uint32_t> completed_{0};  // last cycle whose orders were executed
+};
+
+}  // namespace wr

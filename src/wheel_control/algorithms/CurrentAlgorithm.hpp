@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+
+#include "wheel_control/algorithms/PiRegulator.hpp"
+#include "wheel_control/algorithms/WheelAlgorithm.hpp"
+
+namespace wr {
+
+/// @brief Brings the current of a wheel to its set-point: a set torque.
+///
+/// @function Gives the wheel the tension that drives the current through the winding, plus the tension
+/// that the turning motor opposes to it, and regulates what the model misses.
+///
+/// @secret The model of the motor's winding, and how its velocity is foreseen.
+///
+/// @role{wheel-control-algorithms, Concrete Strategy}
+class CurrentAlgorithm final : public WheelAlgorithm {
+ public:
+  /// @brief Makes the algorithm.
+  CurrentAlgorithm();
+
+  /// @brief Calculates the tension. All quotients are rounded towards zero.
+  /// @param setPoint current [mA], -10000 to 10000
+  /// @param feedback its velocity and its current are used
+  /// @return tension [mV], positive forwards
+  /// @satisfies FR-85
+  /// @isr{no}
+  Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
+
+  /// @brief Learns what was applied.
+  /// @param tension tension that stands at the wheel [mV], positive forwards
+  /// @satisfies FR-86
+  /// @isr{no}
+  void applied(Tension tension) override;
+
+  /// @brief Forgets the velocity of the cycle before and the errors.
+  /// @isr{no}
+  void reset() override;
+
+ private:
+  PiRegulator regulator_;
+  std::optional<Velocity> before_;  // velocity of the cycle before
+  Tension calculated_{};            // result of the last calculation
+};
+
+}  // namespace wr

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief How strongly a regulator acts.
+/// @datatype
+struct PiGains {
+  std::int32_t proportional = 0;  ///< tension of the present error [uV per unit of the error]
+  std::int32_t integral = 0;      ///< tension that each cycle of the error adds [uV per unit]
+};
+
+/// @brief Takes an error to zero.
+///
+/// @function Adds a share of the present error and a share of each error before it to one tension. It
+/// withdraws what the last error added when the wheel could not follow.
+///
+/// @secret How an integral is kept from winding up while the tension is limited, and how fractions of a
+/// millivolt are kept.
+class PiRegulator final {
+ public:
+  /// @brief Makes a regulator without memory.
+  /// @param gains how strongly it acts
+  explicit PiRegulator(const PiGains& gains);
+
+  PiRegulator(const PiRegulator&) = delete;
+  PiRegulator& operator=(const PiRegulator&) = delete;
+
+  /// @brief Takes the error of a cycle.
+  /// @param error set-point less measured value, in the unit of the gains, -65535 to 65535
+  /// @return tension that works against the error [mV], rounded towards zero
+  /// @post The part of the integral is at most the supply.
+  /// @satisfies FR-83
+  /// @satisfies FR-85
+  /// @isr{no}
+  Tension regulate(std::int32_t error);
+
+  /// @brief Learns by how much the last tension was missed. When the wheel got less than the error asked
+  /// for, the integral goes back to what it was before.
+  /// @param shortfall applied less calculated tension [mV]
+  /// @satisfies FR-86
+  /// @isr{no}
+  void missed(Tension shortfall);
+
+  /// @brief Forgets all errors.
+  /// @isr{no}
+  void reset();
+
+ private:
+  PiGains gains_;
+  std::int64_t integral_ = 0;  // [uV]
+  std::int64_t before_ = 0;    // [uV] integral before the last error
+  std::int32_t error_ = 0;     // the last error
+};
+
+}  // namespace wr

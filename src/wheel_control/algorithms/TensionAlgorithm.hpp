@@ -1,0 +1,37 @@
+#pragma once
+
+#include "wheel_control/algorithms/WheelAlgorithm.hpp"
+
+namespace wr {
+
+/// @brief Gives a wheel the tension of its set-point.
+///
+/// @function Passes the set-point on as tension.
+///
+/// @secret That a tension order needs no measurement.
+///
+/// @role{wheel-control-algorithms, Concrete Strategy}
+class TensionAlgorithm final : public WheelAlgorithm {
+ public:
+  /// @brief Makes the algorithm. It has no state.
+  TensionAlgorithm() = default;
+
+  /// @brief Calculates the tension of the set-point.
+  /// @param setPoint tension [mV]
+  /// @param feedback is not used
+  /// @return the set-point [mV]
+  /// @satisfies FR-80
+  /// @isr{no}
+  Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
+
+  /// @brief Needs nothing to learn.
+  /// @param tension is not used
+  /// @isr{no}
+  void applied(Tension tension) override;
+
+  /// @brief Has nothing to forget.
+  /// @isr{no}
+  void reset() override;
+};
+
+}  // namespace wr

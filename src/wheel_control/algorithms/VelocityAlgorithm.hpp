@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+
+#include "wheel_control/algorithms/PiRegulator.hpp"
+#include "wheel_control/algorithms/WheelAlgorithm.hpp"
+
+namespace wr {
+
+/// @brief Brings a wheel to a velocity, and keeps it there.
+///
+/// @function Gives the wheel the tension that it needs at the set-point when nothing loads it, and
+/// regulates what a load changes.
+///
+/// @secret The model of a wheel that follows its set-point, and the gains that take away what differs
+/// from it.
+///
+/// @role{wheel-control-algorithms, Concrete Strategy}
+class VelocityAlgorithm final : public WheelAlgorithm {
+ public:
+  /// @brief Makes the algorithm for a wheel at rest.
+  VelocityAlgorithm();
+
+  /// @brief Calculates the tension. All quotients are rounded towards zero.
+  /// @param setPoint velocity [0.1 rpm], -3000 to 3000
+  /// @param feedback its velocity is used
+  /// @return tension [mV], positive forwards
+  /// @satisfies FR-82
+  /// @satisfies FR-83
+  /// @satisfies FR-84
+  /// @isr{no}
+  Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
+
+  /// @brief Learns what was applied. After another tension than the calculated one the model goes on from
+  /// the measured velocity.
+  /// @param tension tension that stands at the wheel [mV], positive forwards
+  /// @satisfies FR-86
+  /// @isr{no}
+  void applied(Tension tension) override;
+
+  /// @brief Forgets load and model. The model begins at the next measured velocity.
+  /// @isr{no}
+  void reset() override;
+
+ private:
+  PiRegulator regulator_;
+  std::int64_t model_ =
+      0;                  // [0.001 of 0.1 rpm] velocity that the model has at the end of the cycle
+  Velocity measured_{};   // velocity of the last calculation
+  Tension calculated_{};  // result of the last calculation
+  std::int16_t setPoint_ = 0;  // set-point of the last calculation
+  bool fresh_ = true;          // nothing was calculated since the start or the last reset
+};
+
+}  // namespace wr

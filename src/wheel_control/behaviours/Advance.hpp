@@ -1,0 +1,39 @@
+#pragma once
+
+#include "wheel_control/behaviours/WheelBehaviour.hpp"
+#include "wheel_control/commands/WheelCommand.hpp"
+
+namespace wr {
+
+/// @brief Lets a wheel advance.
+///
+/// @function Applies what is demanded, at once.
+///
+/// @secret That nothing stands between demand and wheel.
+///
+/// @role{wheel-behaviours, Concrete Strategy}
+/// @role{behaviour-extensions, Concrete Component}
+class Advance final : public WheelBehaviour {
+ public:
+  /// @brief Binds the behaviour to a command.
+  /// @param setTension sets the tension of the wheel
+  explicit Advance(WheelCommand& setTension);
+
+  /// @brief Sets the tension that is demanded.
+  /// @param demand tension [mV], in the present orientation of the wheel
+  /// @param velocity is not used
+  /// @return the demand
+  /// @satisfies FR-80
+  /// @isr{no}
+  Tension apply(Tension demand, Velocity velocity) override;
+
+  /// @brief Needs no note: what was applied before does not count.
+  /// @param applied is not used
+  /// @isr{no}
+  void resume(Tension applied) override;
+
+ private:
+  WheelCommand& setTension_;
+};
+
+}  // namespace wr

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "wheel_control/behaviours/WheelBehaviour.hpp"
+
+namespace wr {
+
+/// @brief A behaviour that extends another behaviour.
+///
+/// @function Forwards what a behaviour does not extend to the behaviour that it wraps.
+///
+/// @secret Which operations of the wrapped behaviour are passed on as they are.
+///
+/// @role{behaviour-extensions, Decorator}
+///
+/// @patternapp{behaviour-extensions, Decorator, Algorithm extensions to establish the wheels' behaviour}
+/// @why Some movements of a wheel combine or extend simpler ones: to reverse is to stop and then to
+/// advance in the other orientation.
+/// @changes An extension may change, or a new one may be needed, without change to what it extends.
+class BehaviourDecorator : public WheelBehaviour {
+ public:
+  Tension apply(Tension demand, Velocity velocity) override;
+  void resume(Tension applied) override;
+
+ protected:
+  /// @brief Binds the decorator to the behaviour that it extends.
+  /// @param wrapped the extended behaviour
+  explicit BehaviourDecorator(WheelBehaviour& wrapped);
+  ~BehaviourDecorator() = default;
+
+ private:
+  WheelBehaviour& wrapped_;
+};
+
+}  // namespace wr

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+
+#include "wheel_control/behaviours/BehaviourDecorator.hpp"
+#include "wheel_control/commands/WheelCommand.hpp"
+
+namespace wr {
+
+/// @brief Lets a wheel turn the other way, once it has come to rest.
+///
+/// @function Extends a behaviour: when the demand opposes the present orientation the wheel is stopped,
+/// then its orientation changes, and then the extended behaviour goes on.
+///
+/// @secret When a wheel counts as being at rest, and what must happen before its orientation changes.
+///
+/// @role{wheel-behaviours, Concrete Strategy}
+/// @role{behaviour-extensions, Concrete Decorator}
+class Reverse final : public BehaviourDecorator {
+ public:
+  /// @brief Binds the behaviour to what it combines. The wheel is oriented forwards.
+  /// @param wrapped behaviour within one orientation
+  /// @param stop stops the wheel
+  /// @param setOrientation changes the orientation
+  Reverse(WheelBehaviour& wrapped, WheelBehaviour& stop, WheelCommand& setOrientation);
+
+  /// @brief Has the demand applied when it agrees with the orientation. Otherwise the wheel is stopped
+  /// until its velocity was below the standstill velocity in two cycles in a row and no tension is
+  /// left; then the orientation changes. A demand of 0 agrees with both orientations.
+  /// @param demand tension that is demanded [mV], -24000 to 24000, positive forwards
+  /// @param velocity measured velocity [0.1 rpm]
+  /// @return tension that was applied [mV], positive forwards
+  /// @satisfies FR-87
+  /// @isr{no}
+  Tension apply(Tension demand, Velocity velocity) override;
+
+  /// @brief Takes note of a tension that must be taken away before the orientation changes.
+  /// @param applied tension that stands at the wheel [mV], positive forwards
+  /// @satisfies FR-87
+  /// @isr{no}
+  void resume(Tension applied) override;
+
+ private:
+  [[nodiscard]] bool opposes(Tension demand) const;
+  [[nodiscard]] bool rests() const;
+
+  WheelBehaviour& stop_;
+  WheelCommand& setOrientation_;
+  bool backwards_ = false;
+  Tension applied_{};
+  std::uint8_t slowCycles_ = 0;  // cycles in a row below the standstill velocity, while stopped
+};
+
+}  // namespace wr

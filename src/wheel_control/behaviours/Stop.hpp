@@ -1,0 +1,42 @@
+#pragma once
+
+#include "wheel_control/behaviours/WheelBehaviour.hpp"
+#include "wheel_control/commands/WheelCommand.hpp"
+
+namespace wr {
+
+/// @brief Stops a wheel without a jerk.
+///
+/// @function Lowers the tension cycle by cycle, then stops the wheel.
+///
+/// @secret How fast the tension falls when a wheel is stopped.
+///
+/// @role{wheel-behaviours, Concrete Strategy}
+/// @role{behaviour-extensions, Concrete Component}
+class Stop final : public WheelBehaviour {
+ public:
+  /// @brief Binds the behaviour to its commands.
+  /// @param setTension sets the tension of the wheel
+  /// @param stopWheel stops the wheel
+  Stop(WheelCommand& setTension, WheelCommand& stopWheel);
+
+  /// @brief Lowers the magnitude of the tension by at most 2.4 V, and stops the wheel when nothing is
+  /// left.
+  /// @param applied tension that stands at the wheel [mV], positive forwards
+  /// @param velocity is not used
+  /// @return tension that stands at the wheel now [mV]
+  /// @satisfies FR-88
+  /// @isr{no}
+  Tension apply(Tension applied, Velocity velocity) override;
+
+  /// @brief Needs no note: each call tells what stands at the wheel.
+  /// @param applied is not used
+  /// @isr{no}
+  void resume(Tension applied) override;
+
+ private:
+  WheelCommand& setTension_;
+  WheelCommand& stopWheel_;
+};
+
+}  // namespace wr

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief How a demanded tension is applied to a wheel.
+///
+/// @function Applies a tension in each cycle through commands of the wheel, and tells what it applied.
+///
+/// @secret What is done in a cycle so that a wheel moves as demanded.
+///
+/// @role{wheel-behaviours, Strategy}
+/// @role{behaviour-extensions, Component}
+///
+/// @patternapp{wheel-behaviours, Strategy, Algorithms for wheel behaviour}
+/// @why Controlled movements of a wheel, such as to advance, to stop and to reverse, need different
+/// algorithms. The controller uses each of them in the same way.
+/// @changes One of the algorithms may change, or a new movement may be needed.
+class WheelBehaviour {
+ public:
+  WheelBehaviour(const WheelBehaviour&) = delete;
+  WheelBehaviour& operator=(const WheelBehaviour&) = delete;
+
+  /// @brief Applies a tension for one cycle.
+  /// @param demand tension that is demanded [mV], -24000 to 24000, positive forwards
+  /// @param velocity measured velocity [0.1 rpm]
+  /// @return tension that was applied [mV], positive forwards
+  /// @isr{no}
+  virtual Tension apply(Tension demand, Velocity velocity) = 0;
+
+  /// @brief Takes note of a tension that another behaviour applied, to go on from it.
+  /// @param applied tension that stands at the wheel [mV], positive forwards
+  /// @isr{no}
+  virtual void resume(Tension applied) = 0;
+
+ protected:
+  WheelBehaviour() = default;
+  ~WheelBehaviour() = default;
+};
+
+}  // namespace wr

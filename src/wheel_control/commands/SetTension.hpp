@@ -1,0 +1,31 @@
+#pragma once
+
+#include "wheel_control/Wheel.hpp"
+#include "wheel_control/commands/WheelCommand.hpp"
+
+namespace wr {
+
+/// @brief Sets the tension of a wheel.
+///
+/// @function Gives the wheel the magnitude of a tension; its orientation stays.
+///
+/// @secret That the tension of a wheel has no sign.
+///
+/// @role{wheel-commands, Concrete Command}
+class SetTension final : public WheelCommand {
+ public:
+  /// @brief Binds the command to the wheel.
+  /// @param wheel wheel whose tension is set
+  explicit SetTension(Wheel& wheel);
+
+  /// @brief Sets the magnitude of the tension.
+  /// @param tension tension [mV], -24000 to 24000
+  /// @satisfies FR-80
+  /// @isr{no}
+  void execute(Tension tension) override;
+
+ private:
+  Wheel& wheel_;
+};
+
+}  // namespace wr

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "wheel_control/Wheel.hpp"
+#include "wheel_control/commands/WheelCommand.hpp"
+
+namespace wr {
+
+/// @brief Stops a wheel.
+///
+/// @function Takes all tension from the wheel, whatever tension it is given.
+///
+/// @secret What it takes to stop a wheel.
+///
+/// @role{wheel-commands, Concrete Command}
+class StopWheel final : public WheelCommand {
+ public:
+  /// @brief Binds the command to the wheel.
+  /// @param wheel wheel that is stopped
+  explicit StopWheel(Wheel& wheel);
+
+  /// @brief Stops the wheel.
+  /// @param tension is not used
+  /// @satisfies FR-88
+  /// @isr{no}
+  void execute(Tension tension) override;
+
+ private:
+  Wheel& wheel_;
+};
+
+}  // namespace wr

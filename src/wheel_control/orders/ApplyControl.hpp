@@ -1,0 +1,37 @@
+#pragma once
+
+#include "wheel_control/Wheel.hpp"
+#include "wheel_control/WheelController.hpp"
+#include "wheel_control/orders/WheelOrder.hpp"
+
+namespace wr {
+
+/// @brief The order to follow the set-point.
+///
+/// @function Has the controller control the wheel, unless its driver is cut off, and takes what was
+/// applied into the work of the cycle.
+///
+/// @secret What control does at a wheel whose driver is cut off.
+///
+/// @role{wheel-orders, Concrete Strategy}
+class ApplyControl final : public WheelOrder {
+ public:
+  /// @brief Binds the order to controller and wheel.
+  /// @param controller controls the wheel
+  /// @param wheel knows whether its driver is cut off
+  ApplyControl(WheelController& controller, Wheel& wheel);
+
+  /// @brief Controls the wheel. A position that is missing counts as one that does not change.
+  /// @param work gives set-point and position; takes tension and state of the wheel
+  /// @satisfies FR-80
+  /// @satisfies FR-89
+  /// @satisfies FR-94
+  /// @isr{no}
+  void execute(WheelWork& work) override;
+
+ private:
+  WheelController& controller_;
+  Wheel& wheel_;
+};
+
+}  // namespace wr

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "sensing/current/CntSensor.hpp"
+#include "wheel_control/WheelController.hpp"
+#include "wheel_control/orders/WheelOrder.hpp"
+
+namespace wr {
+
+/// @brief The order to read the current of a wheel.
+///
+/// @function Has the current measured, and takes what the controller then knows into the work of the
+/// cycle.
+///
+/// @secret Who measures a current, and that the report tells the value that control uses.
+///
+/// @role{wheel-orders, Concrete Strategy}
+class ReadCurrent final : public WheelOrder {
+ public:
+  /// @brief Binds the order to sensor and controller.
+  /// @param sensor measures the current
+  /// @param controller knows the value that it uses
+  ReadCurrent(CntSensor& sensor, WheelController& controller);
+
+  /// @brief Reads the current.
+  /// @param work takes the current; nothing when it is missing
+  /// @satisfies FR-93
+  /// @isr{no}
+  void execute(WheelWork& work) override;
+
+ private:
+  CntSensor& sensor_;
+  WheelController& controller_;
+};
+
+}  // namespace wr

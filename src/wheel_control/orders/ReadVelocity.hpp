@@ -1,0 +1,35 @@
+#pragma once
+
+#include "sensing/velocity/VelSensor.hpp"
+#include "wheel_control/WheelController.hpp"
+#include "wheel_control/orders/WheelOrder.hpp"
+
+namespace wr {
+
+/// @brief The order to read the velocity of a wheel.
+///
+/// @function Has the velocity measured, and takes what the controller then knows into the work of the
+/// cycle.
+///
+/// @secret Who measures a velocity, and that the report tells the value that control uses.
+///
+/// @role{wheel-orders, Concrete Strategy}
+class ReadVelocity final : public WheelOrder {
+ public:
+  /// @brief Binds the order to sensor and controller.
+  /// @param sensor measures the velocity
+  /// @param controller knows the value that it uses
+  ReadVelocity(VelSensor& sensor, WheelController& controller);
+
+  /// @brief Reads the velocity.
+  /// @param work takes the velocity; nothing when it is missing
+  /// @satisfies FR-93
+  /// @isr{no}
+  void execute(WheelWork& work) override;
+
+ private:
+  VelSensor& sensor_;
+  WheelController& controller_;
+};
+
+}  // namespace wr

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "sensing/velocity/VelSensor.hpp"
+#include "wheel_control/orders/WheelOrder.hpp"
+
+namespace wr {
+
+/// @brief The order to register the position of a wheel.
+///
+/// @function Takes the position of the wheel, and how many edges its sensor rejected, into the work of
+/// the cycle.
+///
+/// @secret Which sensor knows the position of a wheel.
+///
+/// @role{wheel-orders, Concrete Strategy}
+class RegisterPosition final : public WheelOrder {
+ public:
+  /// @brief Binds the order to a sensor.
+  /// @param sensor sensor of the wheel's velocity and position
+  explicit RegisterPosition(VelSensor& sensor);
+
+  /// @brief Registers the position.
+  /// @param work takes position and rejected edges
+  /// @satisfies FR-93
+  /// @isr{no}
+  void execute(WheelWork& work) override;
+
+ private:
+  VelSensor& sensor_;
+};
+
+}  // namespace wr

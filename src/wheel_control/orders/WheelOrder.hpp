@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+
+#include "units/Measurements.hpp"
+#include "units/SetPoints.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief The work of one wheel in one cycle: what is ordered, what was measured, what was applied.
+/// @datatype
+struct WheelWork {
+  WheelSetPoint setPoint{};        ///< what the wheel shall reach
+  WheelMeasurements measured{};    ///< what was measured at the wheel
+  std::optional<Tension> applied;  ///< tension of the wheel; nothing while none is applied
+};
+
+/// @brief One thing that a wheel system can be ordered to do.
+///
+/// @function Carries out an order of the main controller at one wheel.
+///
+/// @secret How an order is carried out.
+///
+/// @role{wheel-orders, Strategy}
+///
+/// @patternapp{wheel-orders, Strategy, Orders for wheel control system}
+/// @why The main controller orders a wheel system to register the position of the wheel, to read what a
+/// sensor measured, to control or to halt. The system executes each order in the same way.
+/// @changes The way in which an order is carried out may change, or a new order may be needed.
+class WheelOrder {
+ public:
+  WheelOrder(const WheelOrder&) = delete;
+  WheelOrder& operator=(const WheelOrder&) = delete;
+
+  /// @brief Carries out the order.
+  /// @param work work of this cycle; what the order contributes is filled in
+  /// @isr{no}
+  virtual void execute(WheelWork& work) = 0;
+
+ protected:
+  WheelOrder() = default;
+  ~WheelOrder() = default;
+};
+
+}  // namespace wr
