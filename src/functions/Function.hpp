@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "functions/arguments/Arguments.hpp"
+
+namespace wr {
+
+/// @brief A calculation.
+/// @function Calculates one value from its arguments, in integers: the host and the microcontroller
+/// give equal numbers.
+/// @secret Which formula is calculated.
+/// @role{functions, Strategy}
+///
+/// @patternapp{functions, Strategy, Functions}
+/// @why What sensors and the remote control give must be turned into physical values, each by its
+/// own formula. A sensor is given a function and does not know which.
+/// @changes A formula may change with the sensor. A new calculation is a new heir of this class.
+class Function {
+ public:
+  Function(const Function&) = delete;
+  Function& operator=(const Function&) = delete;
+
+  /// @brief Calculates the value.
+  /// @param arguments what it is calculated from
+  /// @return the value, in the unit that the function says; nothing when an argument is missing,
+  /// out of its range, or when the value would be
+  /// @isr{yes}
+  [[nodiscard]] virtual std::optional<std::int32_t> calculate(const Arguments& arguments) const = 0;
+
+ protected:
+  Function() = default;
+  ~Function() = default;
+};
+
+}  // namespace wr

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "functions/Function.hpp"
+
+namespace wr {
+
+/// @brief The steering angle that a pulse of the remote control means.
+/// @function Calculates the steering angle from the width of a pulse. Around the middle it is 0.
+/// @secret Which width of a pulse means which steering angle, and how wide the middle is.
+/// @role{functions, Concrete Strategy}
+class RcDirection final : public Function {
+ public:
+  /// @brief Makes the function.
+  RcDirection() = default;
+
+  /// @brief Calculates the steering angle, rounded to the nearest number. Up to 20 us from the
+  /// middle it is 0: the robot shall go straight when its lever is let go.
+  /// @param arguments Raw [width, us], Offset [middle, us], Divisor [full deflection, us] and Scale
+  /// [steering angle at full deflection, 0.01 degree]; Lowest and Highest bound the width [us]
+  /// @return steering angle [0.01 degree], positive to the left; beyond full deflection that of
+  /// full deflection; nothing when an argument is missing or the width is out of bounds
+  /// @isr{yes}
+  /// @satisfies FR-52
+  /// @satisfies FR-53
+  /// @satisfies FR-54
+  [[nodiscard]] std::optional<std::int32_t> calculate(const Arguments& arguments) const override;
+};
+
+}  // namespace wr

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "functions/Function.hpp"
+
+namespace wr {
+
+/// @brief The velocity that a pulse of the remote control means.
+/// @function Calculates the velocity from the width of a pulse. Around the middle it is 0.
+/// @secret Which width of a pulse means which velocity, and how wide the middle is.
+/// @role{functions, Concrete Strategy}
+class RcVelocity final : public Function {
+ public:
+  /// @brief Makes the function.
+  RcVelocity() = default;
+
+  /// @brief Calculates the velocity, rounded to the nearest number. Up to 20 us from the middle it
+  /// is 0: the robot shall stand when its lever is let go.
+  /// @param arguments Raw [width, us], Offset [middle, us], Divisor [full deflection, us] and Scale
+  /// [velocity at full deflection, 0.1 rpm]; Lowest and Highest bound the width [us]
+  /// @return velocity [0.1 rpm], positive forwards; beyond full deflection that of full deflection;
+  /// nothing when an argument is missing or the width is out of bounds
+  /// @isr{yes}
+  /// @satisfies FR-52
+  /// @satisfies FR-53
+  /// @satisfies FR-54
+  [[nodiscard]] std::optional<std::int32_t> calculate(const Arguments& arguments) const override;
+};
+
+}  // namespace wr

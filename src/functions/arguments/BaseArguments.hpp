@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "functions/arguments/Arguments.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief The arguments that all functions have.
+/// @function Holds a raw value and the time that belongs to it.
+/// @secret That every calculation begins with one raw value and one time.
+/// @role{function-arguments, Concrete Component}
+class BaseArguments final : public Arguments {
+ public:
+  /// @brief Makes arguments of a raw value and a time.
+  /// @param raw raw value, in the unit that the function says
+  /// @param elapsed time that belongs to it [us]; beyond 2147483647 it counts as that, below 0 as 0
+  BaseArguments(std::int32_t raw, Microseconds elapsed);
+
+  /// @brief Tells Raw and Elapsed.
+  /// @param id name of the argument
+  /// @return its value; nothing for any other name
+  /// @isr{yes}
+  /// @satisfies FR-120
+  [[nodiscard]] std::optional<std::int32_t> value(ArgumentId id) const override;
+
+ private:
+  std::int32_t raw_;
+  std::int32_t elapsed_;
+};
+
+}  // namespace wr

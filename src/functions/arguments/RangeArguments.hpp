@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "functions/arguments/ArgumentsDecorator.hpp"
+
+namespace wr {
+
+/// @brief Adds a range of accepted values.
+/// @function Holds the least and the greatest value that a function accepts.
+/// @secret The form in which a range is given.
+/// @role{function-arguments, Concrete Decorator}
+class RangeArguments final : public ArgumentsDecorator {
+ public:
+  /// @brief Extends arguments by a range.
+  /// @param wrapped the extended arguments
+  /// @param lowest least accepted value, in the unit that the function says
+  /// @param highest greatest accepted value, in the same unit
+  RangeArguments(const Arguments& wrapped, std::int32_t lowest, std::int32_t highest);
+
+  /// @brief Tells Lowest and Highest, and what the wrapped arguments tell.
+  /// @param id name of the argument
+  /// @return its value; nothing when it was not given
+  /// @isr{yes}
+  /// @satisfies FR-124
+  [[nodiscard]] std::optional<std::int32_t> value(ArgumentId id) const override;
+
+ private:
+  std::int32_t lowest_;
+  std::int32_t highest_;
+};
+
+}  // namespace wr

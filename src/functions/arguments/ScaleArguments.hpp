@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "functions/arguments/ArgumentsDecorator.hpp"
+
+namespace wr {
+
+/// @brief Adds the scale of a sensor.
+/// @function Holds the line that leads from a raw value to a physical one: factor, divisor and
+/// zero.
+/// @secret The form in which a linear scale is given.
+/// @role{function-arguments, Concrete Decorator}
+class ScaleArguments final : public ArgumentsDecorator {
+ public:
+  /// @brief Extends arguments by a scale.
+  /// @param wrapped the extended arguments
+  /// @param scale factor
+  /// @param divisor divisor; with 0 no function gives a result
+  /// @param offset raw value that stands for zero
+  ScaleArguments(const Arguments& wrapped, std::int32_t scale, std::int32_t divisor,
+                 std::int32_t offset);
+
+  /// @brief Tells Scale, Divisor and Offset, and what the wrapped arguments tell.
+  /// @param id name of the argument
+  /// @return its value; nothing when it was not given
+  /// @isr{yes}
+  /// @satisfies FR-120
+  [[nodiscard]] std::optional<std::int32_t> value(ArgumentId id) const override;
+
+ private:
+  std::int32_t scale_;
+  std::int32_t divisor_;
+  std::int32_t offset_;
+};
+
+}  // namespace wr

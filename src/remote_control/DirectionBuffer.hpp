@@ -1,0 +1,35 @@
+#pragma once
+
+#include "remote_control/RcBuffer.hpp"
+#include "services/Pipe.hpp"
+
+namespace wr {
+
+/// @brief Buffer of the direction signal of the remote control.
+/// @function Gives the angle of each pulse to who reads orders.
+/// @secret What a full deflection of the direction lever means, and where its value goes.
+/// @role{rc-buffers, Concrete Class}
+class DirectionBuffer final : public RcBuffer {
+ public:
+  /// @brief Binds the buffer.
+  /// @param instants tells period and width of the pulses
+  /// @param function calculates the angle of a pulse
+  /// @param direction takes the angle of each pulse, with the time at which it ended
+  DirectionBuffer(InstantCollector& instants, const Function& function, Pipe<Angle>& direction);
+
+ private:
+  /// @brief The greatest angle that can be ordered.
+  /// @return angle [0.01 degree]
+  /// @satisfies FR-52
+  [[nodiscard]] std::int32_t fullDeflection() const override;
+
+  /// @brief Writes the angle to the pipe.
+  /// @param value angle [0.01 degree]
+  /// @param at end of the pulse
+  /// @satisfies FR-52
+  void keep(std::int32_t value, Instant at) override;
+
+  Pipe<Angle>& pipe_;
+};
+
+}  // namespace wr

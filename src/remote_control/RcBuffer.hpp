@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+
+#include "functions/Function.hpp"
+#include "sensing/instants/InstantCollector.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief Buffer of one signal of the remote control.
+/// @function Registers the edges of a signal, and interprets each pulse in the same steps. Heirs
+/// say what a full deflection means, and keep the value.
+/// @secret The steps from an edge to a value, and when a pulse is a pulse of the remote control.
+/// @role{rc-buffers, Abstract Class}
+/// @role{functions, Context}
+/// @role{rc-pin-interrupt, Receiver}
+///
+/// @patternapp{rc-buffers, Template Method, RC Buffers}
+/// @why The remote control gives a velocity signal and a direction signal, each at a pin of its
+/// own. Both are registered and interpreted in the same steps. Only what a signal means, and where
+/// its value goes, differ.
+/// @changes The meaning of a signal may change with a new remote control. A new signal is a new
+/// heir of this class.
+class RcBuffer {
+ public:
+  RcBuffer(const RcBuffer&) = delete;
+  RcBuffer& operator=(const RcBuffer&) = delete;
+
+  /// @brief Takes an edge. A falling one ends a pulse: when its period is 15 to 30 ms and the
+  /// function accepts its width, the value is kept.
+  /// @param rising the level is high after the edge
+  /// @param at time of the edge
+  /// @isr{yes}
+  /// @satisfies FR-52
+  /// @satisfies FR-54
+  /// @satisfies FR-55
+  void signal(bool rising, Instant at);
+
+ protected:
+  /// @brief Binds the buffer.
+  /// @param instants tells period and width of the pulses
+  /// @param function calculates the value of a pulse; it refuses a width that cannot be
+  RcBuffer(InstantCollector& instants, const Function& function);
+  ~RcBuffer() = default;
+
+ private:
+  /// @brief Tells what a full deflection of the lever means.
+  /// @return value of a pulse of 2000 us, in the unit of the signal
+  [[nodiscard]] virtual std::int32_t fullDeflection() const = 0;
+
+  /// @brief Keeps the value of a pulse.
+  /// @param value the value, in the unit of the signal
+  /// @param at end of the pulse
+  virtual void keep(std::int32_t value, Instant at) = 0;
+
+  InstantCollector& instants_;
+  const Function& function_;
+};
+
+}  // namespace wr

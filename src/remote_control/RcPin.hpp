@@ -1,0 +1,45 @@
+#pragma once
+
+#include "devices/EdgeInput.hpp"
+#include "services/Command.hpp"
+
+namespace wr {
+
+/// @brief A pin at which pulses of the remote control come.
+/// @function Interrupts at each edge of the pin, executes the command that it was given, and tells
+/// the present level.
+/// @secret The hardware at which a signal of the remote control comes in.
+/// @role{rc-pin-interrupt, Invoker}
+class RcPin final {
+ public:
+  /// @brief Binds the input and the command.
+  /// @param input the pin
+  /// @param command is executed at each edge
+  RcPin(EdgeInput& input, Command& command);
+
+  RcPin(const RcPin&) = delete;
+  RcPin& operator=(const RcPin&) = delete;
+
+  /// @brief Makes the edges of the pin interrupt from now on.
+  /// @isr{no}
+  /// @satisfies FR-52
+  void start();
+
+  /// @brief Serves an interrupt: if the pin had an edge, acknowledges it and executes the command.
+  /// The vector of the port calls it.
+  /// @isr{yes}
+  /// @satisfies FR-52
+  void serve();
+
+  /// @brief Tells the present level.
+  /// @return true for high
+  /// @isr{yes}
+  /// @satisfies FR-52
+  [[nodiscard]] bool level() const;
+
+ private:
+  EdgeInput& input_;
+  Command& command_;
+};
+
+}  // namespace wr

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "devices/AnalogInput.hpp"
+#include "devices/Timebase.hpp"
+#include "sensing/current/ValueCollector.hpp"
+#include "services/Command.hpp"
+
+namespace wr {
+
+/// @brief What a tick does for the current of a wheel: it samples.
+/// @function Takes the sample that was asked for at the tick before, gives it to the collector, and
+/// asks for the next.
+/// @secret How sampling is spread over two ticks, so that no interrupt waits for a conversion.
+/// @role{wheel-timer-interrupt, Concrete Command}
+///
+/// @patternapp{wheel-timer-interrupt, Command, Process timer interruptions for the wheel control
+/// system}
+/// @why The current of a wheel is sampled at each interrupt of a timer. The timer executes a
+/// command object, so it names no module of the wheels.
+/// @changes The actions at a tick, or the modules that they affect, may change without change to
+/// the timer.
+class ReadCnt final : public Command {
+ public:
+  /// @brief Binds the command.
+  /// @param input converts the voltage of the sensor
+  /// @param collector takes the samples
+  /// @param timebase tells the time of a sample
+  ReadCnt(AnalogInput& input, ValueCollector& collector, const Timebase& timebase);
+
+  /// @brief Passes a sample on, if one is ready, and asks for the next.
+  /// @isr{yes}
+  /// @satisfies FR-100
+  /// @satisfies FR-125
+  void execute() override;
+
+ private:
+  AnalogInput& input_;
+  ValueCollector& collector_;
+  const Timebase& timebase_;
+};
+
+}  // namespace wr

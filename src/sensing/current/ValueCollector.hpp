@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+
+#include "services/Command.hpp"
+#include "services/Pipe.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief What is known of the samples of a current. Sum and number count from start: who wants
+/// those of a time takes the difference.
+/// @datatype
+struct CurrentRecord {
+  std::int64_t sum =
+      0;  ///< sum of the samples, each less the zero of the sensor [1/4096 of the range]
+  std::int64_t number = 0;  ///< number of samples in the sum
+  Instant at{};             ///< time of the newest sample
+};
+
+/// @brief Collects the samples of the current of a wheel.
+/// @function Learns the zero of the sensor at start, adds up the samples for the thread of the
+/// wheel, and executes a command as soon as the current is too high.
+/// @secret What a sample means as a current: the zero of the sensor, and the limit beyond which the
+/// motor must be switched off.
+/// @role{wheel-timer-interrupt, Receiver}
+class ValueCollector final {
+ public:
+  /// @brief Number of samples from which the zero is taken.
+  static constexpr std::int32_t kZeroSamples = 64;
+
+  /// @brief Binds the command that ends an overcurrent.
+  /// @param overcurrent is executed, in the interrupt, at each sample from the fifth in a row that
+  /// is too high
+  explicit ValueCollector(Command& overcurrent);
+
+  ValueCollector(const ValueCollector&) = delete;
+  ValueCollector& operator=(const ValueCollector&) = delete;
+
+  /// @brief Takes a sample. The mean of the first 64 is the zero of the sensor; when it lies more
+  /// than 5 % of the range off the middle, no sample counts ever after. Later samples are added to
+  /// the record. A sample beyond 15 A, or at an end of the range, is too high.
+  /// @param raw sample [1/4096 of the range, 0 to 4095]
+  /// @param at time of the sample
+  /// @pre The motor has no current until the zero is taken.
+  /// @isr{yes}
+  /// @satisfies FR-125
+  /// @satisfies FR-126
+  /// @satisfies FR-128
+  void collect(std::uint16_t raw, Instant at);
+
+  /// @brief Tells all that is known of the samples, as of the last one.
+  /// @return the record; empty before the first sample after the zero
+  /// @pre No other call of record() is under way: only the thread of the wheel calls it.
+  /// @isr{no}
+  /// @satisfies FR-125
+  [[nodiscard]] CurrentRecord record();
+
+ private:
+  void learnZero(std::int32_t raw);
+  void guard(std::int32_t raw, std::int32_t deviation);
+
+  Command& overcurrent_;
+  std::int32_t learned_ = 0;  // samples in zero_ while it is learned
+  std::int32_t zero_ = 0;     // sum of samples while it is learned, then the zero
+  bool plausible_ = false;    // the zero is learned and can be
+  std::uint8_t tooHigh_ = 0;  // samples in a row
+  CurrentRecord sums_;
+  Pipe<CurrentRecord> record_;
+};
+
+}  // namespace wr

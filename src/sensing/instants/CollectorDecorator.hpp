@@ -1,0 +1,27 @@
+#pragma once
+
+#include "sensing/instants/InstantCollector.hpp"
+
+namespace wr {
+
+/// @brief A collector that extends another collector.
+/// @function Forwards edges and questions to the collector that it wraps. Heirs add a value of
+/// their own.
+/// @secret Which operations of the wrapped collector are passed on as they are.
+/// @role{instant-collectors, Decorator}
+class CollectorDecorator : public InstantCollector {
+ public:
+  void collect(const Edge& edge) override;
+  void fill(Instants& instants) const override;
+
+ protected:
+  /// @brief Binds the decorator to the collector that it extends.
+  /// @param wrapped the extended collector
+  explicit CollectorDecorator(InstantCollector& wrapped);
+  ~CollectorDecorator() = default;
+
+ private:
+  InstantCollector& wrapped_;
+};
+
+}  // namespace wr

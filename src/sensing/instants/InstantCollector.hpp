@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief One edge of a signal.
+/// @datatype
+struct Edge {
+  Instant at{};               ///< when it came
+  bool rising = false;        ///< the level is high after it
+  std::int8_t direction = 0;  ///< 1 forwards, -1 backwards, 0 when the signal has no direction
+};
+
+/// @brief What collectors know of the edges of a signal. What is absent was not collected.
+/// @datatype
+struct Instants {
+  std::optional<Instant> last;         ///< when the last edge came
+  std::optional<Microseconds> period;  ///< time between the two last rising edges
+  std::optional<Microseconds> width;   ///< length of the last pulse, from rising to falling edge
+  std::int32_t count = 0;              ///< edges forwards less edges backwards
+};
+
+/// @brief Collects instants of the edges of a signal.
+/// @function Takes each edge of a signal, and tells what follows from all of them.
+/// @secret Which instants are kept of the edges, and what is calculated from them.
+/// @role{instant-collectors, Component}
+///
+/// @patternapp{instant-collectors, Decorator, Collectors of time instants}
+/// @why The signals of the remote control and of the Hall sensors are measured by the instants of
+/// their edges. Each signal needs other values of them, and all extend a basic one.
+/// @changes A value that is calculated may change. A new value is one more decorator, and only the
+/// signals that need it are wrapped in it.
+class InstantCollector {
+ public:
+  InstantCollector(const InstantCollector&) = delete;
+  InstantCollector& operator=(const InstantCollector&) = delete;
+
+  /// @brief Takes an edge.
+  /// @param edge the edge; none of them is earlier than the one before
+  /// @isr{yes}
+  virtual void collect(const Edge& edge) = 0;
+
+  /// @brief Tells what is known; leaves alone what this collector does not know.
+  /// @param instants where it is put
+  /// @isr{yes}
+  virtual void fill(Instants& instants) const = 0;
+
+ protected:
+  InstantCollector() = default;
+  ~InstantCollector() = default;
+};
+
+}  // namespace wr

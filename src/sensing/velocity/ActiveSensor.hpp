@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+
+#include "devices/EdgeInput.hpp"
+#include "services/Command.hpp"
+
+namespace wr {
+
+/// @brief The two Hall sensors of a wheel.
+/// @function Interrupts at each edge of either sensor, executes the command that it was given, and
+/// tells the present levels of both.
+/// @secret The hardware that senses the turning of a wheel.
+/// @role{hall-interrupt, Invoker}
+class ActiveSensor final {
+ public:
+  /// @brief Binds the inputs of both sensors and the command.
+  /// @param a first sensor
+  /// @param b second sensor, a quarter of a period behind the first when the wheel turns forwards
+  /// @param command is executed at each edge
+  ActiveSensor(EdgeInput& a, EdgeInput& b, Command& command);
+
+  ActiveSensor(const ActiveSensor&) = delete;
+  ActiveSensor& operator=(const ActiveSensor&) = delete;
+
+  /// @brief Makes the edges of both sensors interrupt from now on.
+  /// @isr{no}
+  /// @satisfies FR-120
+  void start();
+
+  /// @brief Serves an interrupt: acknowledges each sensor that had an edge, and executes the
+  /// command once if any had. The vector of the port calls it.
+  /// @isr{yes}
+  /// @satisfies FR-120
+  void serve();
+
+  /// @brief Tells the present levels.
+  /// @return bit 0 is set when the first sensor is high, bit 1 when the second is [0 to 3]
+  /// @isr{yes}
+  /// @satisfies FR-120
+  [[nodiscard]] std::uint8_t phase() const;
+
+ private:
+  EdgeInput& a_;
+  EdgeInput& b_;
+  Command& command_;
+};
+
+}  // namespace wr

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "devices/Timebase.hpp"
+#include "functions/Function.hpp"
+#include "sensing/velocity/SensorCollector.hpp"
+#include "services/Pipe.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief Sensor for velocity and position of a wheel.
+/// @function Measures the velocity once a cycle from the edges since the last time and writes it to
+/// a pipe; tells position and rejected edges.
+/// @secret Over which time the velocity is taken, and what it is while edges stay away.
+/// @role{functions, Context}
+class VelSensor final {
+ public:
+  /// @brief Binds the sensor.
+  /// @param collector tells the edges
+  /// @param function calculates the velocity; it refuses one that cannot be
+  /// @param timebase tells the time
+  /// @param velocity takes the velocity, with the time of the measurement
+  VelSensor(SensorCollector& collector, const Function& function, const Timebase& timebase,
+            Pipe<Velocity>& velocity);
+
+  VelSensor(const VelSensor&) = delete;
+  VelSensor& operator=(const VelSensor&) = delete;
+
+  /// @brief Measures the velocity and writes it to the pipe. With new edges it is their number,
+  /// less those backwards, over the time from the edge before them to the newest; after a
+  /// standstill, over the time since the measurement before. Without new edges it is the velocity
+  /// before, but at most one edge in the time since the last one, and 0 once that is 500 ms.
+  /// @errors A velocity that the function refuses is not written: the value in the pipe grows old.
+  /// @isr{no}
+  /// @satisfies FR-120
+  /// @satisfies FR-122
+  /// @satisfies FR-124
+  void measure();
+
+  /// @brief Tells the position of the wheel.
+  /// @return Hall edges since start, rising forwards
+  /// @isr{no}
+  /// @satisfies FR-121
+  [[nodiscard]] HallCount position();
+
+  /// @brief Tells how many edges were rejected.
+  /// @return number since start, at most 65535
+  /// @isr{no}
+  /// @satisfies FR-123
+  [[nodiscard]] std::uint16_t rejectedEdges();
+
+ private:
+  /// @brief Velocity of a number of edges in a time, if the function gives one.
+  [[nodiscard]] std::optional<Velocity> velocity(std::int32_t edges, Microseconds elapsed) const;
+
+  /// @brief Velocity when no edge came since the measurement before.
+  [[nodiscard]] std::optional<Velocity> withoutEdges(Instant now);
+
+  SensorCollector& collector_;
+  const Function& function_;
+  const Timebase& timebase_;
+  Pipe<Velocity>& pipe_;
+  bool standing_ = true;         // no edge for so long that the wheel counts as standing
+  Instant measuredAt_{};         // time of the measurement before
+  std::optional<Instant> edge_;  // newest edge at the measurement before
+  std::int32_t count_ = 0;       // count of edges then
+  Velocity velocity_{};          // velocity of the measurement before
+};
+
+}  // namespace wr
