@@ -17,7 +17,7 @@ from pathlib import Path
 
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import Order, Quantity, Report, Welcome
-from weeding_robot_client.monitor import as_line, status
+from weeding_robot_client.monitor import as_line, faults, status
 from weeding_robot_client.options import add_link, open_link
 from weeding_robot_client.recording import Recording
 from weeding_robot_client.script import HELP, Script, ScriptError, Wish, load
@@ -158,6 +158,7 @@ def by_keyboard(link: Link, recording: Recording) -> int:
     ids = order_ids()
     wish: Wish | None = None
     told: Welcome | None = None
+    known: list[str] = []
     next_order = time.monotonic()
     with raw_keys(keyboard):
         try:
@@ -177,6 +178,7 @@ def by_keyboard(link: Link, recording: Recording) -> int:
                     recording.add(report)
                     wish = wish or Wish(stop=report.stop)
                     told = tell_fault(link, told)
+                    known = tell_changes(report, known)
                     show(wish, report)
                 if not link.connected:
                     wish = None
@@ -193,6 +195,18 @@ def tell_fault(link: Link, told: Welcome | None) -> Welcome | None:
     if welcome and welcome is not told and welcome.start.faulted:
         print(f"\r\x1b[Klast reset: {welcome.start}", flush=True)
     return welcome
+
+
+def tell_changes(report: Report, known: list[str]) -> list[str]:
+    """Shows each fault of the robot once when it begins and when it ended; returns all of now."""
+    now = faults(report)
+    for fault in now:
+        if fault not in known:
+            print(f"\r\x1b[K{fault}", flush=True)
+    for fault in known:
+        if fault not in now:
+            print(f"\r\x1b[Kno longer: {fault}", flush=True)
+    return now
 
 
 def show(wish: Wish, report: Report) -> None:

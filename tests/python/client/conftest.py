@@ -16,13 +16,13 @@ from weeding_robot_client.messages import Report
 CYCLE_S = 0.02
 
 
-def report_payload(cycle: int, order_id: int, stop: int) -> bytes:
+def report_payload(cycle: int, order_id: int, stop: int, conditions: tuple[int, ...]) -> bytes:
     """A report of a robot that measures nothing."""
     wheels = [0] * 8
     measures = [0] * 12
     return Report.form.pack(
         *(cycle, cycle * 100, 0, 1, 1, stop, order_id, 0, *wheels, 0, *measures, 0),
-        *(0, 0, 0, 0, 0, 0, *[0] * 11, *[0] * 8),
+        *(0, 0, 0, 0, 0, 0, *[0] * 11, *conditions),
     )
 
 
@@ -41,6 +41,7 @@ class FakeMcu:
         self.noise = b""
         self.stop = 0
         self.start = (1, 0, 0, 0)
+        self.conditions = (0,) * 8
         self._ended = threading.Event()
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
@@ -71,7 +72,7 @@ class FakeMcu:
                     self.received.append(frame)
                     order_id = self._answer(frame, order_id)
             if self.connected and not self.silent:
-                self._send(0x82, cycle, report_payload(cycle, order_id, self.stop))
+                self._send(0x82, cycle, report_payload(cycle, order_id, self.stop, self.conditions))
 
     def _answer(self, frame: Frame, order_id: int) -> int:
         if self.silent:

@@ -182,6 +182,63 @@ def test_the_monitor_shows_a_table(mcu: Any) -> None:
         table = monitor.as_table(report, link)
     assert "rear right" in table
     assert "counters: all 0" in table
+    assert "no fault" in table
+
+
+CUT_OFF = "front left wheel is cut off: its current was too high"
+BLIND = "rear right wheel has tension but gives no Hall edge"
+
+
+@pytest.mark.parametrize(
+    ("conditions", "words"),
+    [
+        ((0, 0, 0, 0, 0, 0, 0, 0), []),
+        ((2, 0, 0, 0, 9, 9, 9, 9), []),
+        ((1, 0, 0b0001, 0b1000, 0, 0, 0, 0), [CUT_OFF, BLIND]),
+        ((2, 0b01, 0, 0, 0, 0, 0, 0), ["steering is at its left end stop"]),
+        ((2, 0b10, 0, 0, 0, 0, 0, 0), ["steering is at its right end stop"]),
+        (
+            (3, 0, 0, 0, 0, 0, 0, 0),
+            ["steering is in fault: it did not move as ordered, or its position is missing"],
+        ),
+    ],
+)
+def test_the_monitor_tells_faults_in_words(
+    mcu: Any, conditions: tuple[int, ...], words: list[str]
+) -> None:
+    mcu.conditions = conditions
+    with Link(mcu.path) as link:
+        report = next(link.reports(5.0))
+        table = monitor.as_table(report, link)
+    assert monitor.faults(report) == words
+    assert monitor.as_line(report).split("; ")[1:] == words
+    assert all(word in table.splitlines() for word in words)
+
+
+def test_the_monitor_tells_rejected_edges_of_each_wheel(mcu: Any) -> None:
+    mcu.conditions = (1, 0, 0, 0, 10, 20, 30, 65535)
+    with Link(mcu.path) as link:
+        table = monitor.as_table(next(link.reports(5.0)), link)
+    rows = [line for line in table.splitlines() if line.startswith(("front", "rear"))]
+    assert [row.split()[-1] for row in rows] == ["10", "20", "30", "65535"]
+
+
+def test_driving_by_keyboard_tells_when_a_fault_begins_and_ends(
+    mcu: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    mcu.conditions = (1, 0, 0b0001, 0, 0, 0, 0, 0)
+    with Link(mcu.path) as link:
+        reports = link.reports(5.0)
+        known = drive.tell_changes(next(reports), [])
+        known = drive.tell_changes(next(reports), known)
+        assert capsys.readouterr().out.count(CUT_OFF) == 1
+        mcu.conditions = (1, 0, 0, 0b1000, 0, 0, 0, 0)
+        while monitor.faults(report := next(reports)) == known:
+            pass
+        assert drive.tell_changes(report, known) == [BLIND]
+    shown = capsys.readouterr().out
+    assert shown.count(f"no longer: {CUT_OFF}") == 1
+    assert shown.count(BLIND) == 1
 
 
 def read_until(terminal: int, text: bytes, seconds: float = 10.0) -> bytes:
