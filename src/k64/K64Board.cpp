@@ -106,21 +106,22 @@ ResetCause resetCause() {
   return (first & rcm::SRS0_PIN).any() ? ResetCause::Pin : ResetCause::Unknown;
 }
 
-void connect(const Pin& pin) {
+void connect(const Pin& pin, Mux to) {
   const auto control = port::PCR.at(static_cast<std::uint32_t>(pin.port) * port::kPortDistance +
                                     pin.number * port::kPinDistance);
-  const auto mux = port::PCR.field(static_cast<std::uint32_t>(pin.mux), port::kMuxLowest);
+  const auto mux = port::PCR.field(static_cast<std::uint32_t>(to), port::kMuxLowest);
   control.write(pin.role == Role::Input ? mux | port::PCR_PE | port::PCR_PS : mux);
 }
 
 }  // namespace
 
 void K64Board::makeOutputsSafe() {
-  sim::SCGC5.set(sim::SCGC5_PORTA | sim::SCGC5_PORTB | sim::SCGC5_PORTC | sim::SCGC5_PORTE);
+  sim::SCGC5.set(sim::SCGC5_PORTA | sim::SCGC5_PORTB | sim::SCGC5_PORTC | sim::SCGC5_PORTD |
+                 sim::SCGC5_PORTE);
   for (const Pin& pin : kPins) {
     if (pin.isOutput()) {
       K64Gpio::makeSafe(pin);
-      connect(pin);
+      connect(pin, Mux::Gpio);
     }
   }
 }
@@ -128,7 +129,15 @@ void K64Board::makeOutputsSafe() {
 void K64Board::connectInputs() {
   for (const Pin& pin : kPins) {
     if (!pin.isOutput()) {
-      connect(pin);
+      connect(pin, pin.mux);
+    }
+  }
+}
+
+void K64Board::connectLateOutputs() {
+  for (const Pin& pin : kPins) {
+    if (pin.role == Role::LateOutput) {
+      connect(pin, pin.mux);
     }
   }
 }
@@ -160,8 +169,10 @@ std::uint16_t K64Board::startClock() {
 }
 
 void K64Board::openGates() {
+  sim::SCGC1.set(sim::SCGC1_UART4);
+  sim::SCGC3.set(sim::SCGC3_ADC1);
   sim::SCGC4.set(sim::SCGC4_UART0);
-  sim::SCGC6.set(sim::SCGC6_PIT);
+  sim::SCGC6.set(sim::SCGC6_PIT | sim::SCGC6_FTM0 | sim::SCGC6_ADC0);
 }
 
 StartRecord K64Board::takeStartRecord() {

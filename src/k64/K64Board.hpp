@@ -26,6 +26,12 @@ class K64Board {
   /// @satisfies FR-71
   static void makeOutputsSafe();
 
+  /// @brief Connects the outputs of peripherals, which were low until now, to their peripherals.
+  /// @pre Each of the peripherals runs and holds its outputs low.
+  /// @isr{no}
+  /// @satisfies FR-141
+  static void connectLateOutputs();
+
   /// @brief Connects all pins that are no outputs. Touches no memory.
   /// @pre makeOutputsSafe() was called.
   /// @isr{no}
@@ -44,7 +50,7 @@ class K64Board {
   /// @satisfies FR-72
   [[nodiscard]] static std::uint16_t startClock();
 
-  /// @brief Lets the clock into the timers and into the serial port.
+  /// @brief Lets the clock into the timers, the converters and the serial ports.
   /// @isr{no}
   static void openGates();
 

@@ -10,34 +10,46 @@ namespace wr {
 
 namespace {
 
-// The baud rate is the core clock divided by 16 (divider + fine / 32).
-constexpr std::uint32_t kThirtySeconds =
-    (2 * K64Board::kCoreClock + K64Uart::kBaud / 2) / K64Uart::kBaud;
-constexpr std::uint32_t kDivider = kThirtySeconds / 32;
-constexpr std::uint32_t kFine = kThirtySeconds % 32;
-constexpr std::uint32_t kMostError = 1000;  // one part in so many
-static_assert(kDivider == 65 && kFine == 3);
-static_assert(2 * K64Board::kCoreClock / kThirtySeconds <
-              K64Uart::kBaud + K64Uart::kBaud / kMostError);
-static_assert(2 * K64Board::kCoreClock / kThirtySeconds >
-              K64Uart::kBaud - K64Uart::kBaud / kMostError);
+// The baud rate is the clock of the port divided by 16 (divider + fine / 32).
+struct Divisor {
+  std::uint32_t divider;
+  std::uint32_t fine;
+};
 
-constexpr auto kReceiving = uart0::C2_TE | uart0::C2_RE | uart0::C2_RIE;
-constexpr auto kSending = kReceiving | uart0::C2_TIE;
-constexpr auto kDamaged = uart0::S1_FE | uart0::S1_NF;
+consteval Divisor divisorOf(std::uint32_t clock) {
+  const std::uint32_t thirtySeconds = (2 * clock + K64Uart::kBaud / 2) / K64Uart::kBaud;
+  return {thirtySeconds / 32, thirtySeconds % 32};
+}
+
+consteval bool isExact(std::uint32_t clock, const Divisor& divisor) {
+  constexpr std::uint32_t kMostError = 1000;  // one part in so many
+  const std::uint32_t baud = 2 * clock / (32 * divisor.divider + divisor.fine);
+  const std::uint32_t error = baud > K64Uart::kBaud ? baud - K64Uart::kBaud : K64Uart::kBaud - baud;
+  return error * kMostError < K64Uart::kBaud;
+}
+
+// Port 0 has the clock of the core, port 4 that of the bus.
+constexpr Divisor kByCore = divisorOf(K64Board::kCoreClock);
+constexpr Divisor kByBus = divisorOf(K64Board::kBusClock);
+static_assert(isExact(K64Board::kCoreClock, kByCore) && isExact(K64Board::kBusClock, kByBus));
+
+constexpr auto kReceiving = uart::C2_TE | uart::C2_RE | uart::C2_RIE;
+constexpr auto kSending = kReceiving | uart::C2_TIE;
+constexpr auto kDamaged = uart::S1_FE | uart::S1_NF;
 
 }  // namespace
 
 // Not in the header: an object that the compiler initialises would put its empty storage in flash.
-K64Uart::K64Uart() = default;
+K64Uart::K64Uart(Port port) : port_(port) {}
 
 void K64Uart::start() {
-  uart0::C2.write({0});
-  uart0::BDH.write({static_cast<std::uint8_t>(kDivider >> 8U)});
-  uart0::BDL.write({static_cast<std::uint8_t>(kDivider)});
-  uart0::C4.write({static_cast<std::uint8_t>(kFine)});
-  uart0::C3.write(uart0::C3_ORIE);
-  uart0::C2.write(kReceiving);
+  uart::C2.at(offset()).write({0});
+  const Divisor& divisor = port_ == Port::Uart0 ? kByCore : kByBus;
+  uart::BDH.at(offset()).write({static_cast<std::uint8_t>(divisor.divider >> 8U)});
+  uart::BDL.at(offset()).write({static_cast<std::uint8_t>(divisor.divider)});
+  uart::C4.at(offset()).write({static_cast<std::uint8_t>(divisor.fine)});
+  uart::C3.at(offset()).write(uart::C3_ORIE);
+  uart::C2.at(offset()).write(kReceiving);
 }
 
 void K64Uart::serve() {
@@ -46,15 +58,15 @@ void K64Uart::serve() {
 }
 
 void K64Uart::receive() {
-  const auto status = uart0::S1.read();
-  if (!(status & (uart0::S1_RDRF | uart0::S1_OR)).any()) {
+  const auto status = uart::S1.at(offset()).read();
+  if (!(status & (uart::S1_RDRF | uart::S1_OR)).any()) {
     return;
   }
   // Reading the byte after the status clears the errors. After an overrun nothing is received until
   // that is done, even when the byte itself was taken before.
-  const std::uint8_t byte = uart0::D.read().value;
-  std::uint32_t lost = (status & uart0::S1_OR).any() ? 1 : 0;
-  if ((status & uart0::S1_RDRF).any()) {
+  const std::uint8_t byte = uart::D.at(offset()).read().value;
+  std::uint32_t lost = (status & uart::S1_OR).any() ? 1 : 0;
+  if ((status & uart::S1_RDRF).any()) {
     if ((status & kDamaged).any() || received_.free() == 0) {
       ++lost;
     } else {
@@ -65,14 +77,15 @@ void K64Uart::receive() {
 }
 
 void K64Uart::send() {
-  if (!(uart0::C2.read() & uart0::C2_TIE).any() || !(uart0::S1.read() & uart0::S1_TDRE).any()) {
+  if (!(uart::C2.at(offset()).read() & uart::C2_TIE).any() ||
+      !(uart::S1.at(offset()).read() & uart::S1_TDRE).any()) {
     return;
   }
   if (toSend_.count() != 0) {
-    uart0::D.write({toSend_.take()});
+    uart::D.at(offset()).write({toSend_.take()});
   }
   if (toSend_.count() == 0) {
-    uart0::C2.write(kReceiving);
+    uart::C2.at(offset()).write(kReceiving);
   }
 }
 
@@ -98,8 +111,12 @@ bool K64Uart::write(std::span<const std::uint8_t> bytes) {
   for (const std::uint8_t byte : bytes) {
     toSend_.put(byte);
   }
-  uart0::C2.write(kSending);
+  uart::C2.at(offset()).write(kSending);
   return true;
+}
+
+std::uint32_t K64Uart::offset() const {
+  return port_ == Port::Uart0 ? 0 : uart::kPort4Distance;
 }
 
 std::uint16_t K64Uart::lostBytes() const {

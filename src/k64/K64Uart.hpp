@@ -9,7 +9,7 @@
 
 namespace wr {
 
-/// @brief Serial port 0 of the K64, which is the USB debug port of the board.
+/// @brief A serial port of the K64. Port 0 is the USB debug port of the board.
 /// @function Receives and sends bytes in the background: 115200 baud, 8 bits, no parity, 1 stop bit.
 /// @secret How bytes go between the registers of the port and the storage, and what the errors of the
 /// line demand.
@@ -18,8 +18,12 @@ class K64Uart final : public SerialPort {
   /// @brief Speed of the line [baud].
   static constexpr std::uint32_t kBaud = 115'200;
 
+  /// @brief A port of the part that is in use.
+  enum class Port : std::uint8_t { Uart0, Uart4 };
+
   /// @brief Makes a port that is switched off.
-  K64Uart();
+  /// @param port which one it is; nothing else uses it
+  explicit K64Uart(Port port);
 
   /// @brief Switches the port on.
   /// @pre The core runs at its full clock, and the clock of the port runs.
@@ -66,6 +70,9 @@ class K64Uart final : public SerialPort {
   void receive();
   void send();
 
+  [[nodiscard]] std::uint32_t offset() const;
+
+  Port port_;
   // 115200 baud bring 1152 bytes in one cycle.
   Ring<2048> received_;
   Ring<512> toSend_;

@@ -13,6 +13,9 @@ inline constexpr Priority kInterruptPriority = 2;
 /// @brief Priority of the thread of the main controller.
 inline constexpr Priority kMainThreadPriority = 12;
 
+/// @brief Priority of the threads of the wheels: above that of the main controller.
+inline constexpr Priority kWheelThreadPriority = 8;
+
 /// @brief Waits until all stores have reached memory and the registers.
 inline void finishStores() {
   asm volatile("dsb" ::: "memory");

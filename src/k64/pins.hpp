@@ -16,26 +16,27 @@ enum class Port : std::uint8_t { A = 0, B = 1, C = 2, D = 3, E = 4 };
 enum class Role : std::uint8_t {
   LowOutput,   ///< output, safe when low
   HighOutput,  ///< output, safe when high
+  LateOutput,  ///< output, safe when low; belongs to a peripheral once that runs
   Input,       ///< input, pulled up
   Peripheral   ///< belongs to a peripheral
 };
 
 /// @brief What a pin is connected to: the number of its alternative.
 /// @datatype
-enum class Mux : std::uint8_t { Alt0 = 0, Gpio = 1, Alt3 = 3 };
+enum class Mux : std::uint8_t { Alt0 = 0, Gpio = 1, Alt3 = 3, Alt4 = 4 };
 
 /// @brief A pin of the microcontroller.
 /// @datatype
 struct Pin {
   Port port;            ///< its port
   std::uint8_t number;  ///< its number in the port, 0 to 31
-  Mux mux;              ///< what it is connected to
+  Mux mux;              ///< what it is connected to when all runs
   Role role;            ///< what it is for
 
   /// @brief Tells whether the firmware drives the pin.
   /// @return true for an output
   [[nodiscard]] constexpr bool isOutput() const {
-    return role == Role::LowOutput || role == Role::HighOutput;
+    return role == Role::LowOutput || role == Role::HighOutput || role == Role::LateOutput;
   }
 };
 
@@ -48,23 +49,23 @@ struct PinRow {
   std::string_view text;    ///< what it does
 };
 
-// The pins that the firmware uses, one on a line. Left for inputs to come: the Hall sensors
-// PTD0-PTD7 (J2 and J6), the currents of the wheels PTB2, PTB3, PTB10, PTB11 and the steering angle
-// PTC10 (J4), the end stops PTA1 (J1) and PTC18 (J6), the remote control PTB18 and PTB19 (J1), a
-// second serial port PTC14 and PTC15 (J199). Left alone: J2-2, which is PTC12 from revision E of
-// the board on only; before, it is PTA0, a pin of the debugger.
+// The pins that the firmware uses, one on a line. A signal of a peripheral has the name that the
+// part gives it. Left alone: J2-2, which is PTC12 from revision E of the board on only; before, it
+// is PTA0, a pin of the debugger.
 // clang-format off
 inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3", "After reset it is the NMI; as an input it is none."},
     {{Port::A, 18, Mux::Alt0, Role::Peripheral}, "EXTAL0", "50 MHz of the Ethernet chip", "Clock of the microcontroller."},
     {{Port::B, 16, Mux::Alt3, Role::Peripheral}, "UART0_RX", "USB debug port", "Bytes from the PC."},
     {{Port::B, 17, Mux::Alt3, Role::Peripheral}, "UART0_TX", "USB debug port", "Bytes to the PC."},
+    {{Port::C, 14, Mux::Alt3, Role::Peripheral}, "UART4_RX", "J199, Bluetooth", "Bytes from the remote client."},
+    {{Port::C, 15, Mux::Alt3, Role::Peripheral}, "UART4_TX", "J199, Bluetooth", "Bytes to the remote client."},
     {{Port::B, 22, Mux::Gpio, Role::LowOutput}, "light_red", "D12 red", "Low lights it: no control cycles run."},
     {{Port::E, 26, Mux::Gpio, Role::HighOutput}, "light_green", "D12 green", "Low lights it: control cycles run."},
-    {{Port::C, 1, Mux::Gpio, Role::LowOutput}, "wheel_fl_pwm", "J1-5", "Tension of the front left wheel, FTM0_CH0."},
-    {{Port::C, 2, Mux::Gpio, Role::LowOutput}, "wheel_fr_pwm", "J1-14", "Tension of the front right wheel, FTM0_CH1."},
-    {{Port::C, 3, Mux::Gpio, Role::LowOutput}, "wheel_rl_pwm", "J1-16", "Tension of the rear left wheel, FTM0_CH2."},
-    {{Port::C, 4, Mux::Gpio, Role::LowOutput}, "wheel_rr_pwm", "J2-4", "Tension of the rear right wheel, FTM0_CH3."},
+    {{Port::C, 1, Mux::Alt4, Role::LateOutput}, "FTM0_CH0", "J1-5", "Tension of the front left wheel."},
+    {{Port::C, 2, Mux::Alt4, Role::LateOutput}, "FTM0_CH1", "J1-14", "Tension of the front right wheel."},
+    {{Port::C, 3, Mux::Alt4, Role::LateOutput}, "FTM0_CH2", "J1-16", "Tension of the rear left wheel."},
+    {{Port::C, 4, Mux::Alt4, Role::LateOutput}, "FTM0_CH3", "J2-4", "Tension of the rear right wheel."},
     {{Port::C, 16, Mux::Gpio, Role::LowOutput}, "wheel_fl_orientation", "J1-2", "High turns the front left wheel backwards."},
     {{Port::C, 17, Mux::Gpio, Role::LowOutput}, "wheel_fr_orientation", "J1-4", "High turns the front right wheel backwards."},
     {{Port::B, 9, Mux::Gpio, Role::LowOutput}, "wheel_rl_orientation", "J1-6", "High turns the rear left wheel backwards."},
@@ -73,9 +74,26 @@ inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::C, 7, Mux::Gpio, Role::LowOutput}, "wheel_fr_enable", "J1-13", "High lets current into the front right wheel."},
     {{Port::C, 11, Mux::Gpio, Role::LowOutput}, "wheel_rl_enable", "J4-10", "High lets current into the rear left wheel."},
     {{Port::B, 20, Mux::Gpio, Role::LowOutput}, "wheel_rr_enable", "J4-9", "High lets current into the rear right wheel."},
-    {{Port::C, 8, Mux::Gpio, Role::LowOutput}, "steering_step", "J1-7", "Each pulse turns the steering by one step, FTM3_CH4."},
+    {{Port::C, 8, Mux::Gpio, Role::LowOutput}, "steering_step", "J1-7", "Each pulse turns the steering by one step."},
     {{Port::C, 9, Mux::Gpio, Role::LowOutput}, "steering_direction", "J1-9", "High turns the steering to the left."},
     {{Port::C, 0, Mux::Gpio, Role::LowOutput}, "steering_enable", "J1-11", "High switches the steering motor on."},
+    {{Port::D, 0, Mux::Gpio, Role::Input}, "wheel_fl_hall_a", "J2-6", "First Hall sensor of the front left wheel."},
+    {{Port::D, 1, Mux::Gpio, Role::Input}, "wheel_fl_hall_b", "J2-12", "Second Hall sensor of the front left wheel."},
+    {{Port::D, 2, Mux::Gpio, Role::Input}, "wheel_fr_hall_a", "J2-8", "First Hall sensor of the front right wheel."},
+    {{Port::D, 3, Mux::Gpio, Role::Input}, "wheel_fr_hall_b", "J2-10", "Second Hall sensor of the front right wheel."},
+    {{Port::D, 4, Mux::Gpio, Role::Input}, "wheel_rl_hall_a", "J6-4", "First Hall sensor of the rear left wheel."},
+    {{Port::D, 5, Mux::Gpio, Role::Input}, "wheel_rl_hall_b", "J6-5", "Second Hall sensor of the rear left wheel."},
+    {{Port::D, 6, Mux::Gpio, Role::Input}, "wheel_rr_hall_a", "J6-6", "First Hall sensor of the rear right wheel."},
+    {{Port::D, 7, Mux::Gpio, Role::Input}, "wheel_rr_hall_b", "J6-7", "Second Hall sensor of the rear right wheel."},
+    {{Port::B, 2, Mux::Alt0, Role::Peripheral}, "ADC0_SE12", "J4-2", "Current of the front left wheel."},
+    {{Port::B, 3, Mux::Alt0, Role::Peripheral}, "ADC0_SE13", "J4-4", "Current of the front right wheel."},
+    {{Port::B, 10, Mux::Alt0, Role::Peripheral}, "ADC1_SE14", "J4-6", "Current of the rear left wheel."},
+    {{Port::B, 11, Mux::Alt0, Role::Peripheral}, "ADC1_SE15", "J4-8", "Current of the rear right wheel."},
+    {{Port::C, 10, Mux::Alt0, Role::Peripheral}, "ADC1_SE6b", "J4-12", "Angle of the steering."},
+    {{Port::A, 1, Mux::Gpio, Role::Input}, "steering_left_end", "J1-8", "Low at the left end stop."},
+    {{Port::C, 18, Mux::Gpio, Role::Input}, "steering_right_end", "J6-8", "Low at the right end stop."},
+    {{Port::B, 18, Mux::Gpio, Role::Input}, "rc_velocity", "J1-1", "Pulses of the remote control: velocity."},
+    {{Port::B, 19, Mux::Gpio, Role::Input}, "rc_direction", "J1-3", "Pulses of the remote control: direction."},
 });
 // clang-format on
 
@@ -131,12 +149,23 @@ consteval bool allMuxed() {
   };
   constexpr auto kFunctions = std::to_array<Function>({
       {Port::A, 18, Mux::Alt0, "EXTAL0"},
+      {Port::B, 2, Mux::Alt0, "ADC0_SE12"},
+      {Port::B, 3, Mux::Alt0, "ADC0_SE13"},
+      {Port::B, 10, Mux::Alt0, "ADC1_SE14"},
+      {Port::B, 11, Mux::Alt0, "ADC1_SE15"},
       {Port::B, 16, Mux::Alt3, "UART0_RX"},
       {Port::B, 17, Mux::Alt3, "UART0_TX"},
+      {Port::C, 1, Mux::Alt4, "FTM0_CH0"},
+      {Port::C, 2, Mux::Alt4, "FTM0_CH1"},
+      {Port::C, 3, Mux::Alt4, "FTM0_CH2"},
+      {Port::C, 4, Mux::Alt4, "FTM0_CH3"},
+      {Port::C, 10, Mux::Alt0, "ADC1_SE6b"},
+      {Port::C, 14, Mux::Alt3, "UART4_RX"},
+      {Port::C, 15, Mux::Alt3, "UART4_TX"},
   });
   return std::all_of(kPinTable.begin(), kPinTable.end(), [&](const PinRow& row) {
     const Pin& pin = row.pin;
-    if (pin.role != Role::Peripheral) {
+    if (pin.role != Role::Peripheral && pin.role != Role::LateOutput) {
       return pin.mux == Mux::Gpio;
     }
     return std::any_of(kFunctions.begin(), kFunctions.end(), [&](const Function& function) {

@@ -46,15 +46,22 @@ inline constexpr auto S_LOCK0 = S.bit(6);
 
 /// @brief System integration module: the gates of the clocks, and their dividers.
 namespace sim {
+inline constexpr Register<std::uint32_t, 0x40048028> SCGC1;
+inline constexpr auto SCGC1_UART4 = SCGC1.bit(10);
+inline constexpr Register<std::uint32_t, 0x40048030> SCGC3;
+inline constexpr auto SCGC3_ADC1 = SCGC3.bit(27);
 inline constexpr Register<std::uint32_t, 0x40048034> SCGC4;
 inline constexpr auto SCGC4_UART0 = SCGC4.bit(10);
 inline constexpr Register<std::uint32_t, 0x40048038> SCGC5;
 inline constexpr auto SCGC5_PORTA = SCGC5.bit(9);
 inline constexpr auto SCGC5_PORTB = SCGC5.bit(10);
 inline constexpr auto SCGC5_PORTC = SCGC5.bit(11);
+inline constexpr auto SCGC5_PORTD = SCGC5.bit(12);
 inline constexpr auto SCGC5_PORTE = SCGC5.bit(13);
 inline constexpr Register<std::uint32_t, 0x4004803C> SCGC6;
 inline constexpr auto SCGC6_PIT = SCGC6.bit(23);
+inline constexpr auto SCGC6_FTM0 = SCGC6.bit(24);
+inline constexpr auto SCGC6_ADC0 = SCGC6.bit(27);
 inline constexpr Register<std::uint32_t, 0x40048044> CLKDIV1;
 }  // namespace sim
 
@@ -74,7 +81,7 @@ inline constexpr auto SRS1_SW = SRS1.bit(2);
 inline constexpr auto SRS1_MDM_AP = SRS1.bit(3);
 }  // namespace rcm
 
-/// @brief Port control: what each pin is connected to.
+/// @brief Port control: what each pin is connected to, and which of its edges interrupt.
 namespace port {
 inline constexpr std::uint32_t kPortDistance = 0x1000;  // from one port to the next [byte]
 inline constexpr std::uint32_t kPinDistance = 4;        // from one pin to the next [byte]
@@ -82,6 +89,8 @@ inline constexpr Register<std::uint32_t, 0x40049000, Access::Flags> PCR;
 inline constexpr auto PCR_PS = PCR.bit(0);
 inline constexpr auto PCR_PE = PCR.bit(1);
 inline constexpr unsigned kMuxLowest = 8;
+inline constexpr auto PCR_IRQC_BOTH_EDGES = PCR.field(11, 16);
+inline constexpr Register<std::uint32_t, 0x400490A0, Access::Flags> ISFR;
 }  // namespace port
 
 /// @brief General purpose input and output.
@@ -89,6 +98,7 @@ namespace gpio {
 inline constexpr std::uint32_t kPortDistance = 0x40;  // from one port to the next [byte]
 inline constexpr Register<std::uint32_t, 0x400FF004, Access::Write> PSOR;
 inline constexpr Register<std::uint32_t, 0x400FF008, Access::Write> PCOR;
+inline constexpr Register<std::uint32_t, 0x400FF010, Access::Read> PDIR;
 inline constexpr Register<std::uint32_t, 0x400FF014> PDDR;
 }  // namespace gpio
 
@@ -105,8 +115,57 @@ inline constexpr Register<std::uint32_t, 0x4003710C, Access::Flags> TFLG;
 inline constexpr auto TFLG_TIF = TFLG.bit(0);
 }  // namespace pit
 
-/// @brief Serial port 0.
-namespace uart0 {
+/// @brief Flexible timer 0.
+namespace ftm0 {
+inline constexpr Register<std::uint32_t, 0x40038000> SC;
+inline constexpr auto SC_CLKS_BUS = SC.field(1, 3);
+inline constexpr Register<std::uint32_t, 0x40038004> CNT;
+inline constexpr Register<std::uint32_t, 0x40038008> MOD;
+inline constexpr std::uint32_t kChannelDistance = 8;  // from one channel to the next [byte]
+inline constexpr Register<std::uint32_t, 0x4003800C> CnSC;
+inline constexpr auto CnSC_ELSB = CnSC.bit(3);
+inline constexpr auto CnSC_MSB = CnSC.bit(5);
+inline constexpr Register<std::uint32_t, 0x40038010> CnV;
+inline constexpr Register<std::uint32_t, 0x4003804C> CNTIN;
+inline constexpr Register<std::uint32_t, 0x40038054> MODE;
+inline constexpr auto MODE_WPDIS = MODE.bit(2);
+inline constexpr Register<std::uint32_t, 0x40038084> CONF;
+inline constexpr auto CONF_BDMMODE_SAFE = CONF.field(1, 6);
+}  // namespace ftm0
+
+/// @brief Converters; the first one is converter 0.
+namespace adc {
+inline constexpr std::uint32_t kConverterDistance = 0x80000;  // from converter 0 to 1 [byte]
+inline constexpr Register<std::uint32_t, 0x4003B000, Access::Flags> SC1A;
+inline constexpr auto SC1A_ADCH_NONE = SC1A.field(0x1F, 0);
+inline constexpr auto SC1A_AIEN = SC1A.bit(6);
+inline constexpr auto SC1A_COCO = SC1A.bit(7);
+inline constexpr Register<std::uint32_t, 0x4003B008> CFG1;
+inline constexpr auto CFG1_ADICLK_HALF_BUS = CFG1.field(1, 0);
+inline constexpr auto CFG1_MODE_12_BITS = CFG1.field(1, 2);
+inline constexpr auto CFG1_ADLSMP = CFG1.bit(4);
+inline constexpr auto CFG1_ADIV_8 = CFG1.field(3, 5);
+inline constexpr Register<std::uint32_t, 0x4003B00C> CFG2;
+inline constexpr auto CFG2_MUXSEL_B = CFG2.bit(4);
+inline constexpr Register<std::uint32_t, 0x4003B010, Access::Read> RA;
+inline constexpr Register<std::uint32_t, 0x4003B020> SC2;
+inline constexpr Register<std::uint32_t, 0x4003B024, Access::Flags> SC3;
+inline constexpr auto SC3_AVGS_4 = SC3.field(0, 0);
+inline constexpr auto SC3_AVGS_32 = SC3.field(3, 0);
+inline constexpr auto SC3_AVGE = SC3.bit(2);
+inline constexpr auto SC3_CALF = SC3.bit(6);
+inline constexpr auto SC3_CAL = SC3.bit(7);
+inline constexpr Register<std::uint32_t, 0x4003B02C> PG;
+inline constexpr Register<std::uint32_t, 0x4003B030> MG;
+inline constexpr std::uint32_t kResults = 6;         // of a calibration, in a row, for each side
+inline constexpr std::uint32_t kResultDistance = 4;  // from one result to the next [byte]
+inline constexpr Register<std::uint32_t, 0x4003B038, Access::Read> CLPS;  // then CLP4 to CLP0
+inline constexpr Register<std::uint32_t, 0x4003B058, Access::Read> CLMS;  // then CLM4 to CLM0
+}  // namespace adc
+
+/// @brief Serial ports; the first one is port 0.
+namespace uart {
+inline constexpr std::uint32_t kPort4Distance = 0x80000;  // from port 0 to port 4 [byte]
 inline constexpr Register<std::uint8_t, 0x4006A000> BDH;
 inline constexpr Register<std::uint8_t, 0x4006A001> BDL;
 inline constexpr Register<std::uint8_t, 0x4006A003> C2;
@@ -124,7 +183,7 @@ inline constexpr Register<std::uint8_t, 0x4006A006> C3;
 inline constexpr auto C3_ORIE = C3.bit(3);
 inline constexpr Register<std::uint8_t, 0x4006A007, Access::Flags> D;
 inline constexpr Register<std::uint8_t, 0x4006A00A> C4;
-}  // namespace uart0
+}  // namespace uart
 
 /// @brief Interrupt controller of the core.
 namespace nvic {

@@ -13,25 +13,66 @@ extern "C" {
 /// @brief Ends the firmware: for each fault, and for each interrupt that nothing handles.
 void unexpected();
 
-/// @brief A period of the cycle timer has passed.
-void cycleTimerInterrupt();
-
 /// @brief The serial port of the PC has a byte, room for one, or lost one.
 void pcPortInterrupt();
 
+/// @brief Converter 0 has a result.
+void firstConverterInterrupt();
+
+/// @brief Converter 1 has a result.
+void secondConverterInterrupt();
+
 /// @brief The thread of the main controller is pended.
 void mainThreadInterrupt();
+
+/// @brief The thread of the front left wheel is pended.
+void frontLeftThreadInterrupt();
+
+/// @brief The thread of the front right wheel is pended.
+void frontRightThreadInterrupt();
+
+/// @brief The thread of the rear left wheel is pended.
+void rearLeftThreadInterrupt();
+
+/// @brief The thread of the rear right wheel is pended.
+void rearRightThreadInterrupt();
+
+// What the composition of a product handles. An interrupt that it does not handle is unexpected.
+
+/// @brief A period of the cycle timer has passed.
+void cycleTimerInterrupt();
+
+/// @brief A period of the tick timer has passed.
+void tickTimerInterrupt();
+
+/// @brief A Hall sensor has an edge.
+void hallSensorInterrupt();
+
+/// @brief A signal of the remote control has an edge.
+void remoteControlInterrupt();
+
+/// @brief The second serial port has a byte, room for one, or lost one.
+void secondPortInterrupt();
 }
 
 namespace wr {
 
-/// @brief Makes the robot, starts its control cycles, and sleeps between the interrupts.
+/// @brief Makes the robot, starts its control cycles, and sleeps between the interrupts. Each product
+/// has its own.
 [[noreturn]] void runRobot();
 
 // Interrupt lines.
-inline constexpr std::uint8_t kPcPortLine = 31;       // UART0 receive and transmit
-inline constexpr std::uint8_t kPcPortErrorLine = 32;  // UART0 error
-inline constexpr std::uint8_t kCycleTimerLine = 48;   // PIT channel 0
-inline constexpr std::uint8_t kMainThreadLine = 64;   // software interrupt: no device has it
+inline constexpr std::uint8_t kPcPortLine = 31;            // UART0 receive and transmit
+inline constexpr std::uint8_t kPcPortErrorLine = 32;       // UART0 error
+inline constexpr std::uint8_t kFirstConverterLine = 39;    // ADC0
+inline constexpr std::uint8_t kCycleTimerLine = 48;        // PIT channel 0
+inline constexpr std::uint8_t kTickTimerLine = 49;         // PIT channel 1
+inline constexpr std::uint8_t kRemoteControlLine = 60;     // PORTB
+inline constexpr std::uint8_t kHallSensorLine = 62;        // PORTD
+inline constexpr std::uint8_t kMainThreadLine = 64;        // software interrupt: no device has it
+inline constexpr std::uint8_t kSecondPortLine = 66;        // UART4 receive and transmit
+inline constexpr std::uint8_t kSecondPortErrorLine = 67;   // UART4 error
+inline constexpr std::uint8_t kSecondConverterLine = 73;   // ADC1
+inline constexpr std::uint8_t kFirstWheelThreadLine = 75;  // CAN0, which is not used: 75 to 78
 
 }  // namespace wr

@@ -29,8 +29,19 @@ consteval std::array<Handler, kExceptions - 1 + kLines> handlers() {
   Handler* const lines = table.data() + kExceptions - 1;
   lines[kPcPortLine] = pcPortInterrupt;
   lines[kPcPortErrorLine] = pcPortInterrupt;
+  lines[kFirstConverterLine] = firstConverterInterrupt;
   lines[kCycleTimerLine] = cycleTimerInterrupt;
+  lines[kTickTimerLine] = tickTimerInterrupt;
+  lines[kRemoteControlLine] = remoteControlInterrupt;
+  lines[kHallSensorLine] = hallSensorInterrupt;
   lines[kMainThreadLine] = mainThreadInterrupt;
+  lines[kSecondPortLine] = secondPortInterrupt;
+  lines[kSecondPortErrorLine] = secondPortInterrupt;
+  lines[kSecondConverterLine] = secondConverterInterrupt;
+  lines[kFirstWheelThreadLine] = frontLeftThreadInterrupt;
+  lines[kFirstWheelThreadLine + 1] = frontRightThreadInterrupt;
+  lines[kFirstWheelThreadLine + 2] = rearLeftThreadInterrupt;
+  lines[kFirstWheelThreadLine + 3] = rearRightThreadInterrupt;
   return table;
 }
 

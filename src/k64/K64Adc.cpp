@@ -1,0 +1,108 @@
+#include "k64/K64Adc.hpp"
+
+#include "k64/K64Board.hpp"
+#include "k64/core.hpp"
+#include "k64/registers.hpp"
+
+namespace wr {
+
+namespace {
+
+// The clock of the converters: slow enough for the calibration, and fast enough for all
+// conversions.
+constexpr std::uint32_t kClock = K64Board::kBusClock / 2 / 8;  // [Hz]
+static_assert(kClock >= 1'000'000 && kClock <= 4'000'000, "limits of the calibration");
+
+// A sample takes 20 clocks, and 20 more so that the voltage of the pin is reached. With four
+// samples for a mean, and some bus clocks, one conversion takes less than 50 us: three of them in a
+// tick are easy.
+constexpr auto kConfiguration =
+    adc::CFG1_ADICLK_HALF_BUS | adc::CFG1_MODE_12_BITS | adc::CFG1_ADLSMP | adc::CFG1_ADIV_8;
+
+// Looks at the register before a calibration is given up. It takes up to 14000 clocks of the
+// converter, which are 3.8 ms. A look takes at least 6 and less than 30 clocks of the core.
+constexpr std::uint32_t kLooks = 200'000;
+
+}  // namespace
+
+void K64Adc::Converter::beginCalibration() {
+  adc::SC1A.at(offset()).write(adc::SC1A_ADCH_NONE);
+  adc::CFG1.at(offset()).write(kConfiguration);
+  adc::CFG2.at(offset()).write(adc::CFG2_MUXSEL_B);
+  adc::SC2.at(offset()).write({0});
+  adc::SC3.at(offset()).write(adc::SC3_CALF);
+  adc::SC3.at(offset()).write(adc::SC3_CAL | adc::SC3_AVGE | adc::SC3_AVGS_32);
+}
+
+void K64Adc::Converter::endCalibration() {
+  auto status = adc::SC3.at(offset()).read();
+  for (std::uint32_t look = 0; look < kLooks && (status & adc::SC3_CAL).any(); ++look) {
+    status = adc::SC3.at(offset()).read();
+  }
+  if ((status & (adc::SC3_CAL | adc::SC3_CALF)).any()) {
+    return;
+  }
+  // The gain of each side is half the sum of its results, with the highest bit set.
+  constexpr std::uint32_t kHighest = 0x8000;
+  std::uint32_t plus = 0;
+  std::uint32_t minus = 0;
+  for (std::uint32_t result = 0; result < adc::kResults; ++result) {
+    plus += adc::CLPS.at(offset() + result * adc::kResultDistance).read().value;
+    minus += adc::CLMS.at(offset() + result * adc::kResultDistance).read().value;
+  }
+  adc::PG.at(offset()).write({(plus / 2) | kHighest});
+  adc::MG.at(offset()).write({(minus / 2) | kHighest});
+  adc::SC3.at(offset()).write(adc::SC3_AVGE | adc::SC3_AVGS_4);
+  calibrated_ = true;
+}
+
+void K64Adc::Converter::serve() {
+  if (first_ == nullptr || !(adc::SC1A.at(offset()).read() & adc::SC1A_COCO).any()) {
+    return;
+  }
+  K64Adc& done = *first_;
+  done.result_.store(adc::RA.at(offset()).read().value);  // reading it ends the interrupt
+  done.asked_ = false;
+  first_ = done.next_;
+  if (first_ != nullptr) {
+    begin();
+  }
+}
+
+void K64Adc::Converter::ask(K64Adc& input) {
+  const InterruptLock lock;
+  if (!calibrated_ || input.asked_) {
+    return;
+  }
+  input.asked_ = true;
+  input.next_ = nullptr;
+  if (first_ == nullptr) {
+    first_ = &input;
+    begin();
+  } else {
+    last_->next_ = &input;
+  }
+  last_ = &input;
+}
+
+void K64Adc::Converter::begin() const {
+  adc::SC1A.at(offset()).write(adc::SC1A_AIEN | adc::SC1A.field(first_->number_, 0));
+}
+
+std::uint32_t K64Adc::Converter::offset() const {
+  return number_ * adc::kConverterDistance;
+}
+
+void K64Adc::convert() {
+  converter_.ask(*this);
+}
+
+std::optional<std::uint16_t> K64Adc::take() {
+  const std::uint32_t result = result_.exchange(kNone);
+  if (result == kNone) {
+    return std::nullopt;
+  }
+  return static_cast<std::uint16_t>(result);
+}
+
+}  // namespace wr

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "devices/AnalogInput.hpp"
+#include "k64/pins.hpp"
+
+namespace wr {
+
+/// @brief An input of the two converters of the K64.
+/// @function Converts the voltage of one pin to 12 bits, each time as the mean of four samples.
+/// @secret How a converter is calibrated and started, and how the inputs that share it take turns.
+class K64Adc final : public AnalogInput {
+ public:
+  /// @brief Number of converters.
+  static constexpr std::size_t kConverterCount = 2;
+
+  /// @brief An input of a converter.
+  /// @datatype
+  struct Channel {
+    std::uint8_t converter;  ///< 0 or 1
+    std::uint8_t number;     ///< of the input
+  };
+
+  /// @brief Finds the channel of a signal; a signal that no pin has does not compile.
+  /// @param signal name that the part gives it, such as ADC0_SE12
+  /// @return its channel
+  static consteval Channel channelOf(std::string_view signal) {
+    static_cast<void>(pinOf(signal));
+    std::uint8_t number = 0;
+    for (const char digit : signal.substr(kNumberAt)) {
+      if (digit >= '0' && digit <= '9') {
+        number = static_cast<std::uint8_t>(number * 10 + (digit - '0'));
+      }
+    }
+    return {static_cast<std::uint8_t>(signal[kConverterAt] - '0'), number};
+  }
+
+  /// @brief One converter: it converts for one input at a time.
+  class Converter {
+   public:
+    /// @brief Makes a converter that converts nothing yet.
+    /// @param number 0 or 1
+    explicit constexpr Converter(std::uint8_t number) : number_(number) {}
+
+    Converter(const Converter&) = delete;
+    Converter& operator=(const Converter&) = delete;
+
+    /// @brief Sets the converter up and begins its calibration.
+    /// @pre The clock of the converter runs.
+    /// @isr{no}
+    /// @satisfies FR-143
+    void beginCalibration();
+
+    /// @brief Ends the calibration. The wait for it is bounded: less than 60 ms.
+    /// @pre The calibration was begun, and the interrupt of the converter is not enabled yet.
+    /// @post After a calibration that failed or did not end, the converter never converts.
+    /// @isr{no}
+    /// @satisfies FR-143
+    void endCalibration();
+
+    /// @brief Stores a result and begins the next conversion that was asked for. The vector of the
+    /// converter's interrupt calls it.
+    /// @isr{yes}
+    /// @satisfies FR-142
+    void serve();
+
+   private:
+    friend class K64Adc;
+
+    void ask(K64Adc& input);
+    void begin() const;
+    [[nodiscard]] std::uint32_t offset() const;
+
+    std::uint8_t number_;
+    bool calibrated_ = false;
+    K64Adc* first_ = nullptr;  // it is being converted; the inputs that wait follow
+    K64Adc* last_ = nullptr;
+  };
+
+  /// @brief The converters.
+  using Converters = std::array<Converter, kConverterCount>;
+
+  /// @brief Binds an input to its converter.
+  /// @param converters the converters; they live as long as the input
+  /// @param channel the channel; nothing else uses it
+  constexpr K64Adc(Converters& converters, Channel channel)
+      : converter_(converters[channel.converter]), number_(channel.number) {}
+
+  /// @isr{yes}
+  /// @satisfies FR-142
+  void convert() override;
+  [[nodiscard]] std::optional<std::uint16_t> take() override;
+
+ private:
+  static constexpr std::size_t kConverterAt = 3;  // in the name of a signal
+  static constexpr std::size_t kNumberAt = 7;
+  static constexpr std::uint32_t kNone = 0xFFFF'FFFF;
+
+  Converter& converter_;
+  std::uint8_t number_;
+  bool asked_ = false;
+  K64Adc* next_ = nullptr;
+  std::atomic<std::uint32_t> result_{kNone};
+};
+
+}  // namespace wr

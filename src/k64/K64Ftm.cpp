@@ -1,0 +1,51 @@
+#include "k64/K64Ftm.hpp"
+
+#include <algorithm>
+
+#include "k64/K64Board.hpp"
+#include "k64/registers.hpp"
+
+namespace wr {
+
+namespace {
+
+constexpr std::uint32_t kPeriod = K64Board::kBusClock / K64Ftm::kFrequency;  // [bus clocks]
+static_assert(kPeriod == 3000 && kPeriod <= 0xFFFF, "a width of the whole period fits too");
+
+constexpr DutyCycle kWhole(10'000);  // all of a period
+constexpr std::uint32_t kChannelCount = 4;
+
+constexpr std::uint32_t widthOf(DutyCycle dutyCycle) {
+  const auto share =
+      static_cast<std::uint32_t>(std::clamp(dutyCycle, DutyCycle(0), kWhole).count());
+  constexpr auto kParts = static_cast<std::uint32_t>(kWhole.count());
+  return (share * kPeriod + kParts / 2) / kParts;
+}
+static_assert(widthOf(DutyCycle(0)) == 0 && widthOf(kWhole) == kPeriod);
+
+}  // namespace
+
+void K64Ftm::start() {
+  // The registers are written while the timer stands: then each value holds at once.
+  ftm0::MODE.write(ftm0::MODE_WPDIS);
+  ftm0::SC.write({0});
+  ftm0::CONF.write(ftm0::CONF_BDMMODE_SAFE);
+  ftm0::CNTIN.write({0});
+  ftm0::CNT.write({0});
+  ftm0::MOD.write({kPeriod - 1});
+  for (std::uint32_t channel = 0; channel < kChannelCount; ++channel) {
+    // High from the beginning of the period to the width. A width greater than MOD is never
+    // reached: the output stays high.
+    ftm0::CnSC.at(channel * ftm0::kChannelDistance).write(ftm0::CnSC_MSB | ftm0::CnSC_ELSB);
+    ftm0::CnV.at(channel * ftm0::kChannelDistance).write({0});
+  }
+  ftm0::SC.write(ftm0::SC_CLKS_BUS);
+}
+
+void K64Ftm::set(DutyCycle dutyCycle) {
+  // With the timer running the register takes a value over when the counter goes from MOD to 0.
+  const std::uint32_t offset = static_cast<std::uint32_t>(channel_) * ftm0::kChannelDistance;
+  ftm0::CnV.at(offset).write({widthOf(dutyCycle)});
+}
+
+}  // namespace wr

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+
+#include "devices/PwmOutput.hpp"
+
+namespace wr {
+
+/// @brief A channel of flexible timer 0.
+/// @function Makes a pulse of 50 us period on the pin of the channel, high for a share of it.
+/// @secret How the timer makes pulses, and how their width changes without a false pulse.
+class K64Ftm final : public PwmOutput {
+ public:
+  /// @brief A channel of the timer.
+  enum class Channel : std::uint8_t { First = 0, Second = 1, Third = 2, Fourth = 3 };
+
+  /// @brief Frequency of the pulses [Hz].
+  static constexpr std::uint32_t kFrequency = 20'000;
+
+  /// @brief Binds an output to a channel.
+  /// @param channel the channel; nothing else uses it
+  explicit constexpr K64Ftm(Channel channel) : channel_(channel) {}
+
+  /// @brief Starts the timer. All its channels are low until they are set. While a debugger halts
+  /// the core they are low too.
+  /// @pre The clock of the timer runs. The pins are not connected to the timer yet.
+  /// @isr{no}
+  /// @satisfies FR-140
+  static void start();
+
+  /// @param dutyCycle share [0.01 %], 0 to 10000; what is beyond counts as the limit. It becomes a
+  /// width of 0 to 3000 bus clocks, rounded to the nearest.
+  /// @post The width holds from the next period on.
+  /// @isr{yes}
+  /// @satisfies FR-140
+  /// @satisfies FR-141
+  void set(DutyCycle dutyCycle) override;
+
+ private:
+  Channel channel_;
+};
+
+}  // namespace wr

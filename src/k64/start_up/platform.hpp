@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "k64/K64Adc.hpp"
+#include "k64/K64Ftm.hpp"
+#include "k64/K64Gpio.hpp"
+#include "k64/K64Pit.hpp"
+#include "k64/K64Port.hpp"
+#include "k64/K64Thread.hpp"
+#include "k64/K64Timebase.hpp"
+#include "k64/K64Uart.hpp"
+#include "k64/K64Watchdog.hpp"
+#include "services/StartRecord.hpp"
+#include "units/SetPoints.hpp"
+
+namespace wr::platform {
+
+// The devices of the board: all products have them. What a product makes of them is in its own
+// composition.
+
+/// @brief Devices of one wheel.
+/// @datatype
+struct WheelDevices {
+  K64Ftm pwm;           ///< tension
+  K64Gpio orientation;  ///< on: backwards
+  K64Gpio enable;       ///< on: current may flow
+  K64Port hallA;        ///< first Hall sensor
+  K64Port hallB;        ///< second Hall sensor
+  K64Adc current;       ///< current sensor
+  K64Thread thread;     ///< runs the control of the wheel
+};
+
+extern K64Watchdog watchdog;
+extern K64Timebase timebase;
+extern K64Pit cycleTimer;
+extern K64Pit tickTimer;
+extern K64Uart pcPort;
+extern K64Thread mainThread;
+extern std::array<WheelDevices, kWheelCount> wheels;
+extern K64Gpio steeringStep;
+extern K64Gpio steeringDirection;
+extern K64Gpio steeringEnable;
+extern K64Port leftEnd;
+extern K64Port rightEnd;
+extern K64Adc steeringAngle;
+extern K64Port rcVelocityPin;
+extern K64Port rcDirectionPin;
+
+/// @brief Why the firmware started.
+extern StartRecord startRecord;
+
+/// @brief Starts the devices. The outputs for the tension leave their safe level for the timer, which
+/// holds them low.
+/// @isr{no}
+void startDevices();
+
+/// @brief Lets the interrupts of the devices and the threads through.
+/// @pre All that their handlers call is made.
+/// @isr{no}
+void enableInterrupts();
+
+/// @brief Shows that control cycles run, and sleeps between the interrupts.
+/// @isr{no}
+[[noreturn]] void sleepForever();
+
+}  // namespace wr::platform
