@@ -1,19 +1,27 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
+#include "construction/ControlSystemBuilder.hpp"
+#include "devices/PeriodicTimer.hpp"
+#include "devices/SecondTimer.hpp"
 #include "main_control/control_systems/ControlSystemPool.hpp"
 
 namespace wr {
 
 /// @brief Makes the pool of control systems.
 ///
-/// @function Makes the pool in its own storage and hands it out.
+/// @function Has each control system made, puts all of them into the pool, and gives the command of each
+/// to the second timer.
 ///
-/// @secret Which control systems are in the pool, and where they are stored.
+/// @secret In which sequence the control systems are made and put into the pool, and where the pool is
+/// stored.
 ///
 /// @role{pool-construction, Builder}
 /// @role{pool-construction, Concrete Builder}
+/// @role{wheel-system-construction, Director}
+/// @role{steering-system-construction, Director}
 ///
 /// @patternapp{pool-construction, Builder, Building a control system pool}
 /// @why The pool that the main controller orders holds several control systems. Whoever uses the pool
@@ -21,15 +29,42 @@ namespace wr {
 /// @changes New control systems may have to be added to the pool, without change to the main controller.
 class ControlSystemPoolBuilder {
  public:
-  /// @brief Makes a builder that has built nothing.
-  ControlSystemPoolBuilder() = default;
+  /// @brief Binds the builder to those of the control systems. It has built nothing.
+  /// @param tickTimer makes the beat of the second timer
+  /// @param builders make the control systems, in the sequence of the pool; they live as long as this
+  /// builder
+  ControlSystemPoolBuilder(PeriodicTimer& tickTimer,
+                           std::span<ControlSystemBuilder* const> builders);
   ControlSystemPoolBuilder(const ControlSystemPoolBuilder&) = delete;
   ControlSystemPoolBuilder& operator=(const ControlSystemPoolBuilder&) = delete;
 
-  /// @brief Makes the pool.
+  /// @brief Has each control system made.
+  /// @errors What is made twice ends the program with the assertion PartDouble.
+  /// @isr{no}
+  void buildSystems();
+
+  /// @brief Makes the pool and puts all control systems into it.
+  /// @pre The control systems are made.
   /// @post pool() can be called.
+  /// @errors A missing system ends the program with the assertion PartMissing, a second pool with
+  /// PartDouble.
   /// @isr{no}
   void buildPool();
+
+  /// @brief Makes the second timer and gives it the command of each control system.
+  /// @pre The control systems are made.
+  /// @errors A missing system ends the program with the assertion PartMissing, a second timer with
+  /// PartDouble.
+  /// @satisfies FR-100
+  /// @isr{no}
+  void buildTimer();
+
+  /// @brief Starts the control systems, then the second timer.
+  /// @pre The control systems and the timer are made.
+  /// @errors A missing part ends the program with the assertion PartMissing.
+  /// @satisfies FR-100
+  /// @isr{no}
+  void start();
 
   /// @brief The pool that was made.
   /// @return the pool; it lives as long as the builder.
@@ -38,8 +73,18 @@ class ControlSystemPoolBuilder {
   /// @isr{no}
   [[nodiscard]] ControlSystemPool& pool();
 
+  /// @brief The second timer that was made.
+  /// @return the timer; it lives as long as the builder.
+  /// @pre buildTimer() was called.
+  /// @errors Without a timer the program ends with the assertion PartMissing.
+  /// @isr{no}
+  [[nodiscard]] SecondTimer& timer();
+
  private:
+  PeriodicTimer& tickTimer_;
+  std::span<ControlSystemBuilder* const> builders_;
   std::optional<ControlSystemPool> pool_;
+  std::optional<SecondTimer> timer_;
 };
 
 }  // namespace wr

@@ -1,27 +1,43 @@
 #include "construction/MainControllerBuilder.hpp"
 
+#include "services/SystemConstants.hpp"
 #include "services/assertion.hpp"
 
 namespace wr {
 
-MainControllerBuilder::Readers::Readers(const Devices& devices)
-    : pc(devices.timebase), rc(devices.rcVelocity, devices.rcDirection, devices.timebase) {}
-
-MainControllerBuilder::Link::Link(const Devices& devices, SerialReader& reader)
-    : handshaking(connected, disconnected),
+MainControllerBuilder::Link::Link(const Devices& devices)
+    : reader(devices.timebase),
+      handshaking(connected, disconnected),
       disconnected(handshaking),
       connected(handshaking, disconnected),
       connection(devices.pcPort, devices.timebase, reader, disconnected, devices.start) {}
 
-MainControllerBuilder::Modes::Modes(Readers& readers, const PcConnection& connection)
-    : basicPc(readers.pc),
-      basicRc(readers.rc),
+MainControllerBuilder::RemoteControl::RemoteControl(const RemoteControlDevices& devices,
+                                                    const Timebase& timebase)
+    : velocityPeriod(velocityInstants),
+      velocityWidth(velocityPeriod),
+      velocityBuffer(velocityWidth, rcVelocity, devices.velocity),
+      velocityPin(devices.velocityPin, readVelocityPin),
+      readVelocityPin(velocityBuffer, velocityPin, timebase),
+      directionPeriod(directionInstants),
+      directionWidth(directionPeriod),
+      directionBuffer(directionWidth, rcDirection, devices.direction),
+      directionPin(devices.directionPin, readDirectionPin),
+      readDirectionPin(directionBuffer, directionPin, timebase),
+      reader(devices.velocity, devices.direction, timebase) {}
+
+MainControllerBuilder::Modes::Modes(Reader& pcReader, Reader& rcReader, PcConnection& connection)
+    : basicPc(pcReader),
+      basicRc(rcReader),
       pc(basicPc, rc, connection),
       rc(basicRc, pc),
       all{&rc, &pc} {}
 
+MainControllerBuilder::PcMode::PcMode(Reader& pcReader, PcConnection& connection)
+    : basicPc(pcReader), pc(basicPc, pc, connection), all{&pc} {}
+
 MainControllerBuilder::States::States()
-    : waiting(working, waitingN),
+    : waiting(working, waitingN, SystemConstants::instance().waitingCycles()),
       working(waiting),
       waitingN(working, reconnecting),
       reconnecting(working) {}
@@ -31,41 +47,69 @@ MainControllerBuilder::Clock::Clock(PeriodicTimer& timer, MainController& contro
 
 MainControllerBuilder::MainControllerBuilder(const Devices& devices) : devices_(devices) {}
 
-void MainControllerBuilder::buildReaders() {
-  readers_.emplace(devices_);
+void MainControllerBuilder::buildConnection() {
+  require(!link_, AssertId::PartDouble);
+  link_.emplace(devices_);
 }
 
-void MainControllerBuilder::buildConnection() {
-  require(readers_.has_value(), AssertId::PartMissing);
-  link_.emplace(devices_, readers_->pc);
+void MainControllerBuilder::buildRemoteControl() {
+  require(devices_.remoteControl.has_value(), AssertId::PartMissing);
+  require(!remoteControl_, AssertId::PartDouble);
+  remoteControl_.emplace(*devices_.remoteControl, devices_.timebase);
+  remoteControl_->velocityPin.start();
+  remoteControl_->directionPin.start();
 }
 
 void MainControllerBuilder::buildModes() {
-  require(readers_.has_value(), AssertId::PartMissing);
   require(link_.has_value(), AssertId::PartMissing);
-  modes_.emplace(*readers_, link_->connection);
+  require(remoteControl_.has_value(), AssertId::PartMissing);
+  require(firstMode_ == nullptr, AssertId::PartDouble);
+  modes_.emplace(link_->reader, remoteControl_->reader, link_->connection);
+  useModes(modes_->rc, modes_->all);
+}
+
+void MainControllerBuilder::buildPcMode() {
+  require(link_.has_value(), AssertId::PartMissing);
+  require(firstMode_ == nullptr, AssertId::PartDouble);
+  pcMode_.emplace(link_->reader, link_->connection);
+  useModes(pcMode_->pc, pcMode_->all);
+}
+
+void MainControllerBuilder::useModes(Mode& first, std::span<Mode* const> all) {
+  require(firstMode_ == nullptr, AssertId::PartDouble);
+  firstMode_ = &first;
+  allModes_ = all;
 }
 
 void MainControllerBuilder::buildStates() {
+  require(firstState_ == nullptr, AssertId::PartDouble);
   states_.emplace();
+  useStates(states_->working);
+}
+
+void MainControllerBuilder::useStates(OperationState& first) {
+  require(firstState_ == nullptr, AssertId::PartDouble);
+  firstState_ = &first;
 }
 
 void MainControllerBuilder::buildController(ControlSystemPool& systems) {
   require(link_.has_value(), AssertId::PartMissing);
-  require(modes_.has_value(), AssertId::PartMissing);
-  require(states_.has_value(), AssertId::PartMissing);
+  require(firstMode_ != nullptr, AssertId::PartMissing);
+  require(firstState_ != nullptr, AssertId::PartMissing);
+  require(!controller_, AssertId::PartDouble);
   controller_.emplace(MainController::Parts{.thread = devices_.thread,
                                             .timebase = devices_.timebase,
                                             .data = data_,
                                             .systems = systems,
                                             .connection = link_->connection,
                                             .watchdog = devices_.watchdog,
-                                            .initialState = states_->working,
-                                            .initialMode = modes_->rc,
-                                            .modes = modes_->all});
+                                            .initialState = *firstState_,
+                                            .initialMode = *firstMode_,
+                                            .modes = allModes_});
 }
 
 void MainControllerBuilder::buildClock() {
+  require(!clock_, AssertId::PartDouble);
   clock_.emplace(devices_.cycleTimer, controller());
 }
 
@@ -82,6 +126,26 @@ MainController& MainControllerBuilder::controller() {
 FirstTimer& MainControllerBuilder::clock() {
   require(clock_.has_value(), AssertId::PartMissing);
   return clock_->firstTimer;
+}
+
+Reader& MainControllerBuilder::pcReader() {
+  require(link_.has_value(), AssertId::PartMissing);
+  return link_->reader;
+}
+
+PcConnection& MainControllerBuilder::connection() {
+  require(link_.has_value(), AssertId::PartMissing);
+  return link_->connection;
+}
+
+RcPin& MainControllerBuilder::velocityPin() {
+  require(remoteControl_.has_value(), AssertId::PartMissing);
+  return remoteControl_->velocityPin;
+}
+
+RcPin& MainControllerBuilder::directionPin() {
+  require(remoteControl_.has_value(), AssertId::PartMissing);
+  return remoteControl_->directionPin;
 }
 
 }  // namespace wr

@@ -2,29 +2,43 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "communication/pc_connection/Connected.hpp"
 #include "communication/pc_connection/Disconnected.hpp"
 #include "communication/pc_connection/Handshaking.hpp"
 #include "communication/pc_connection/PcConnection.hpp"
 #include "communication/serialization/BufferReader.hpp"
+#include "communication/serialization/Reader.hpp"
 #include "communication/serialization/SerialReader.hpp"
+#include "devices/EdgeInput.hpp"
 #include "devices/FirstTimer.hpp"
 #include "devices/PeriodicTimer.hpp"
 #include "devices/SerialPort.hpp"
 #include "devices/Timebase.hpp"
 #include "devices/Watchdog.hpp"
+#include "functions/RcDirection.hpp"
+#include "functions/RcVelocity.hpp"
 #include "main_control/ControlData.hpp"
 #include "main_control/ControllerTimeOut.hpp"
 #include "main_control/MainController.hpp"
 #include "main_control/control_systems/ControlSystemPool.hpp"
 #include "main_control/operation_modes/BasicMode.hpp"
+#include "main_control/operation_modes/Mode.hpp"
 #include "main_control/operation_modes/PC.hpp"
 #include "main_control/operation_modes/RC.hpp"
+#include "main_control/operation_states/OperationState.hpp"
 #include "main_control/operation_states/Reconnecting.hpp"
 #include "main_control/operation_states/Waiting.hpp"
 #include "main_control/operation_states/WaitingN.hpp"
 #include "main_control/operation_states/Working.hpp"
+#include "remote_control/DirectionBuffer.hpp"
+#include "remote_control/RcPin.hpp"
+#include "remote_control/ReadRcPin.hpp"
+#include "remote_control/VelocityBuffer.hpp"
+#include "sensing/instants/BasicCollector.hpp"
+#include "sensing/instants/PeriodCollector.hpp"
+#include "sensing/instants/WidthCollector.hpp"
 #include "services/ControlThread.hpp"
 #include "services/Pipe.hpp"
 #include "services/StartRecord.hpp"
@@ -34,9 +48,10 @@ namespace wr {
 
 /// @brief Makes the main controller and all its parts.
 ///
-/// @function Makes the sources of orders, the link to the PC, the reading modes, the operation states, the
+/// @function Makes the link to the PC, the remote control, the reading modes, the operation states, the
 /// controller and its clock, one step each, and binds them. The sequence of the steps is that of
-/// their declarations.
+/// their declarations. A product without a part leaves out its step; modes and states can come from
+/// elsewhere.
 ///
 /// @secret Which parts the main controller has, how they are bound to each other, and where they are
 /// stored.
@@ -44,6 +59,7 @@ namespace wr {
 /// @role{main-controller-construction, Builder}
 /// @role{main-controller-construction, Concrete Builder}
 /// @role{cycle-timer-interrupt, Client}
+/// @role{rc-pin-interrupt, Client}
 ///
 /// @patternapp{main-controller-construction, Builder, Building a main controller}
 /// @why The main controller is made of many parts that refer to each other. Whoever starts the robot
@@ -52,17 +68,25 @@ namespace wr {
 /// the controller must get.
 class MainControllerBuilder {
  public:
+  /// @brief What the platform gives to the remote control. Each device lives as long as the builder.
+  /// @datatype
+  struct RemoteControlDevices {
+    EdgeInput& velocityPin;    ///< pulses of the velocity lever
+    EdgeInput& directionPin;   ///< pulses of the direction lever
+    Pipe<Velocity>& velocity;  ///< velocity that the pulses mean
+    Pipe<Angle>& direction;    ///< direction that the pulses mean
+  };
+
   /// @brief What the platform gives to the main controller. Each device lives as long as the builder.
   /// @datatype
   struct Devices {
-    ControlThread& thread;       ///< runs the control cycles
-    PeriodicTimer& cycleTimer;   ///< gives the clock pulses
-    const Timebase& timebase;    ///< gives the time
-    SerialPort& pcPort;          ///< line to the PC
-    Pipe<Velocity>& rcVelocity;  ///< velocity signal of the remote control
-    Pipe<Angle>& rcDirection;    ///< direction signal of the remote control
-    Watchdog& watchdog;          ///< resets the system when cycles no longer complete
-    const StartRecord& start;    ///< why the firmware started
+    ControlThread& thread;      ///< runs the control cycles
+    PeriodicTimer& cycleTimer;  ///< gives the clock pulses
+    const Timebase& timebase;   ///< gives the time
+    SerialPort& pcPort;         ///< line to the PC
+    Watchdog& watchdog;         ///< resets the system when cycles no longer complete
+    const StartRecord& start;   ///< why the firmware started
+    std::optional<RemoteControlDevices> remoteControl{};  ///< nothing in a product without one
   };
 
   /// @brief Binds the builder to the devices.
@@ -71,39 +95,67 @@ class MainControllerBuilder {
   MainControllerBuilder(const MainControllerBuilder&) = delete;
   MainControllerBuilder& operator=(const MainControllerBuilder&) = delete;
 
-  /// @brief Makes the readers of both sources of orders.
-  /// @satisfies FR-51
-  /// @isr{no}
-  void buildReaders();
-
-  /// @brief Makes the link to the PC and its states; it begins disconnected.
-  /// @pre The readers are made.
-  /// @errors A missing part ends the program with the assertion PartMissing.
+  /// @brief Makes the reader of the PC's orders, and the link to the PC with its states; it begins
+  /// disconnected.
+  /// @errors A link that is made twice ends the program with the assertion PartDouble.
   /// @isr{no}
   void buildConnection();
 
-  /// @brief Makes the reading modes; each is the successor of the other.
-  /// @pre The readers and the link are made.
-  /// @errors A missing part ends the program with the assertion PartMissing.
+  /// @brief Makes the remote control: its pins with what their edges do, and the reader of its orders.
+  /// The pins interrupt from now on.
+  /// @pre The platform gave the devices of the remote control.
+  /// @errors Without devices the program ends with the assertion PartMissing, a second time with
+  /// PartDouble.
+  /// @satisfies FR-51
+  /// @isr{no}
+  void buildRemoteControl();
+
+  /// @brief Makes the reading modes PC and RC; each is the successor of the other. RC is the first.
+  /// @pre The link and the remote control are made.
+  /// @errors A missing part ends the program with the assertion PartMissing, modes that are there with
+  /// PartDouble.
   /// @satisfies FR-17
   /// @isr{no}
   void buildModes();
 
-  /// @brief Makes the operation states and binds each to its successors.
+  /// @brief Makes the reading mode PC for a product without other modes: it succeeds itself.
+  /// @pre The link is made.
+  /// @errors A missing part ends the program with the assertion PartMissing, modes that are there with
+  /// PartDouble.
+  /// @isr{no}
+  void buildPcMode();
+
+  /// @brief Takes reading modes that were made elsewhere.
+  /// @param first mode at start
+  /// @param all every mode; storage and modes live as long as the builder
+  /// @errors Modes that are there end the program with the assertion PartDouble.
+  /// @isr{no}
+  void useModes(Mode& first, std::span<Mode* const> all);
+
+  /// @brief Makes the operation states and binds each to its successors. Working is the first.
+  /// @errors States that are there end the program with the assertion PartDouble.
   /// @isr{no}
   void buildStates();
 
-  /// @brief Makes the controller; it begins in the state Working and the mode RC.
+  /// @brief Takes operation states that were made elsewhere.
+  /// @param first state at start; it lives as long as the builder
+  /// @errors States that are there end the program with the assertion PartDouble.
+  /// @isr{no}
+  void useStates(OperationState& first);
+
+  /// @brief Makes the controller; it begins in the first state and the first mode.
   /// @param systems what the controller controls
   /// @pre The link, the modes and the states are made.
-  /// @errors A missing part ends the program with the assertion PartMissing.
+  /// @errors A missing part ends the program with the assertion PartMissing, a second controller with
+  /// PartDouble.
   /// @satisfies FR-10
   /// @isr{no}
   void buildController(ControlSystemPool& systems);
 
   /// @brief Makes the timer that begins the control cycles, and its command.
   /// @pre The controller is made.
-  /// @errors A missing part ends the program with the assertion PartMissing.
+  /// @errors A missing part ends the program with the assertion PartMissing, a second timer with
+  /// PartDouble.
   /// @satisfies FR-1
   /// @isr{no}
   void buildClock();
@@ -129,26 +181,74 @@ class MainControllerBuilder {
   /// @isr{no}
   [[nodiscard]] FirstTimer& clock();
 
+  /// @brief The reader of the PC's orders.
+  /// @return the reader; it lives as long as the builder.
+  /// @pre buildConnection() was called.
+  /// @errors Without a reader the program ends with the assertion PartMissing.
+  /// @isr{no}
+  [[nodiscard]] Reader& pcReader();
+
+  /// @brief The link to the PC.
+  /// @return the link; it lives as long as the builder.
+  /// @pre buildConnection() was called.
+  /// @errors Without a link the program ends with the assertion PartMissing.
+  /// @isr{no}
+  [[nodiscard]] PcConnection& connection();
+
+  /// @brief What serves the interrupts of the velocity pin.
+  /// @return the pin; it lives as long as the builder.
+  /// @pre buildRemoteControl() was called.
+  /// @errors Without a remote control the program ends with the assertion PartMissing.
+  /// @isr{no}
+  [[nodiscard]] RcPin& velocityPin();
+
+  /// @brief What serves the interrupts of the direction pin.
+  /// @return the pin; it lives as long as the builder.
+  /// @pre buildRemoteControl() was called.
+  /// @errors Without a remote control the program ends with the assertion PartMissing.
+  /// @isr{no}
+  [[nodiscard]] RcPin& directionPin();
+
  private:
-  struct Readers {
-    explicit Readers(const Devices& devices);
-    SerialReader pc;
-    BufferReader rc;
-  };
   struct Link {
-    Link(const Devices& devices, SerialReader& reader);
+    explicit Link(const Devices& devices);
+    SerialReader reader;
     Handshaking handshaking;
     Disconnected disconnected;
     Connected connected;
     PcConnection connection;
   };
+  struct RemoteControl {
+    RemoteControl(const RemoteControlDevices& devices, const Timebase& timebase);
+    BasicCollector velocityInstants;
+    PeriodCollector velocityPeriod;
+    WidthCollector velocityWidth;
+    RcVelocity rcVelocity;
+    VelocityBuffer velocityBuffer;
+    RcPin velocityPin;
+    ReadRcPin readVelocityPin;
+    BasicCollector directionInstants;
+    PeriodCollector directionPeriod;
+    WidthCollector directionWidth;
+    RcDirection rcDirection;
+    DirectionBuffer directionBuffer;
+    RcPin directionPin;
+    ReadRcPin readDirectionPin;
+    BufferReader reader;
+  };
   struct Modes {
-    Modes(Readers& readers, const PcConnection& connection);
+    Modes(Reader& pcReader, Reader& rcReader, PcConnection& connection);
     BasicMode basicPc;
     BasicMode basicRc;
     PC pc;
     RC rc;
     std::array<Mode*, 2> all;
+  };
+  struct PcMode {
+    PcMode(Reader& pcReader, PcConnection& connection);
+    BasicMode basicPc;
+    PC pc;
+    std::array<Mode*, 1> all;
   };
   struct States {
     States();
@@ -165,10 +265,14 @@ class MainControllerBuilder {
 
   Devices devices_;
   ControlData data_;
-  std::optional<Readers> readers_;
   std::optional<Link> link_;
+  std::optional<RemoteControl> remoteControl_;
   std::optional<Modes> modes_;
+  std::optional<PcMode> pcMode_;
+  Mode* firstMode_ = nullptr;
+  std::span<Mode* const> allModes_;
   std::optional<States> states_;
+  OperationState* firstState_ = nullptr;
   std::optional<MainController> controller_;
   std::optional<Clock> clock_;
 };

@@ -7,8 +7,8 @@ namespace wr {
 
 /// @brief Has the whole robot made, and starts it.
 ///
-/// @function Calls the steps of the builders in the right sequence, then starts the controller and its
-/// clock.
+/// @function Calls the steps of the builders in the right sequence, then starts the control systems, the
+/// controller and the clocks.
 ///
 /// @secret The sequence in which the parts of the robot are made and started.
 ///
@@ -21,10 +21,15 @@ class RobotDirector {
   /// @param controllerBuilder makes the main controller
   RobotDirector(ControlSystemPoolBuilder& poolBuilder, MainControllerBuilder& controllerBuilder);
 
-  /// @brief Makes all parts of the robot.
+  /// @brief Makes all parts of a robot that the PC and the remote control command.
   /// @post start() can be called.
   /// @isr{no}
   void construct();
+
+  /// @brief Makes all parts of a robot that only the PC commands.
+  /// @post start() can be called.
+  /// @isr{no}
+  void constructForPc();
 
   /// @brief Starts the control cycles.
   /// @pre construct() was called.
@@ -35,6 +40,9 @@ class RobotDirector {
   void start();
 
  private:
+  void constructSystems();
+  void constructController();
+
   ControlSystemPoolBuilder& poolBuilder_;
   MainControllerBuilder& controllerBuilder_;
 };

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "main_control/control_systems/ControlSystem.hpp"
+#include "services/Command.hpp"
+
+namespace wr {
+
+/// @brief Makes one control system.
+///
+/// @function Gives every control system the same steps of construction: what it senses with, what it
+/// moves, what controls it, and the system itself.
+///
+/// @secret Which parts a control system has, and how they are bound to each other.
+///
+/// @role{wheel-system-construction, Builder}
+/// @role{steering-system-construction, Builder}
+class ControlSystemBuilder {
+ public:
+  ControlSystemBuilder(const ControlSystemBuilder&) = delete;
+  ControlSystemBuilder& operator=(const ControlSystemBuilder&) = delete;
+
+  /// @brief Makes what is moved, with the commands that move it.
+  /// @errors A part that is made twice ends the program with the assertion PartDouble.
+  /// @isr{no}
+  virtual void buildActuator() = 0;
+
+  /// @brief Makes what is sensed with.
+  /// @pre The actuator is made.
+  /// @errors A missing part ends the program with the assertion PartMissing, one that is made twice with
+  /// PartDouble.
+  /// @isr{no}
+  virtual void buildSensors() = 0;
+
+  /// @brief Makes what controls.
+  /// @pre The actuator and the sensors are made.
+  /// @errors A missing part ends the program with the assertion PartMissing, one that is made twice with
+  /// PartDouble.
+  /// @isr{no}
+  virtual void buildController() = 0;
+
+  /// @brief Makes the system.
+  /// @pre All its parts are made.
+  /// @errors A missing part ends the program with the assertion PartMissing, one that is made twice with
+  /// PartDouble.
+  /// @isr{no}
+  virtual void buildSystem() = 0;
+
+  /// @brief Lets the interrupts and the thread of the system begin.
+  /// @pre The system is made.
+  /// @errors A missing part ends the program with the assertion PartMissing.
+  /// @isr{no}
+  virtual void start() = 0;
+
+  /// @brief The system that was made.
+  /// @return the system; it lives as long as the builder
+  /// @pre buildSystem() was called.
+  /// @errors Without a system the program ends with the assertion PartMissing.
+  /// @isr{no}
+  [[nodiscard]] virtual ControlSystem& system() = 0;
+
+  /// @brief What the system does at each beat of the second timer.
+  /// @return the command; it lives as long as the builder
+  /// @pre All parts are made.
+  /// @errors A missing part ends the program with the assertion PartMissing.
+  /// @isr{no}
+  [[nodiscard]] virtual Command& tickCommand() = 0;
+
+ protected:
+  ControlSystemBuilder() = default;
+  ~ControlSystemBuilder() = default;
+};
+
+}  // namespace wr

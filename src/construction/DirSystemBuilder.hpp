@@ -1,0 +1,116 @@
+#pragma once
+
+#include <optional>
+
+#include "construction/ControlSystemBuilder.hpp"
+#include "devices/AnalogInput.hpp"
+#include "devices/DigitalOutput.hpp"
+#include "devices/EdgeInput.hpp"
+#include "devices/Timebase.hpp"
+#include "functions/SampledAngle.hpp"
+#include "sensing/position/DirSensor.hpp"
+#include "services/Pipe.hpp"
+#include "steering_control/DirController.hpp"
+#include "steering_control/DirCtrlTimeOut.hpp"
+#include "steering_control/DirSystem.hpp"
+#include "steering_control/SteeringDevice.hpp"
+#include "steering_control/algorithms/DeadbandTurn.hpp"
+#include "steering_control/commands/DisableSteering.hpp"
+#include "steering_control/commands/EnableSteering.hpp"
+#include "steering_control/commands/SetTurn.hpp"
+#include "steering_control/power/PoweredOff.hpp"
+#include "steering_control/power/PoweredOn.hpp"
+#include "steering_control/states/DirFault.hpp"
+#include "steering_control/states/DirHolding.hpp"
+#include "steering_control/states/DirOff.hpp"
+#include "steering_control/states/DirTurning.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief Makes the control system of the steering.
+///
+/// @function Makes the steering device with its power states and commands, the sensor of its position,
+/// the controller with its states and its algorithm, and the system, one step each.
+///
+/// @secret Which parts the control system of the steering has, how they are bound to each other, and
+/// where they are stored.
+///
+/// @role{steering-system-construction, Concrete Builder}
+/// @role{steering-commands, Client}
+/// @role{steering-timer-interrupt, Client}
+///
+/// @patternapp{steering-system-construction, Builder, Building a steering device control system}
+/// @why The control system of the steering is made of many parts that refer to each other. Whoever
+/// gathers the control systems needs to know none of them.
+/// @changes The parts of the system and the relations among them may change, such as one more state or
+/// another sensor.
+class DirSystemBuilder final : public ControlSystemBuilder {
+ public:
+  /// @brief What the platform gives to the steering. Each device lives as long as the builder.
+  /// @datatype
+  struct Devices {
+    DigitalOutput& step;        ///< each time it is switched on the motor makes one step
+    DigitalOutput& direction;   ///< on: steps go to the left
+    DigitalOutput& enable;      ///< on: the motor has current
+    const EdgeInput& leftEnd;   ///< low: the left end stop is reached
+    const EdgeInput& rightEnd;  ///< low: the right end stop is reached
+    AnalogInput& angle;         ///< position of the steering
+    const Timebase& timebase;   ///< gives the time
+  };
+
+  /// @brief Binds the builder to the devices of the steering.
+  /// @param devices devices of the platform
+  explicit DirSystemBuilder(const Devices& devices);
+
+  void buildActuator() override;
+  void buildSensors() override;
+  void buildController() override;
+  void buildSystem() override;
+  void start() override;
+  [[nodiscard]] ControlSystem& system() override;
+  [[nodiscard]] Command& tickCommand() override;
+
+ private:
+  struct Actuator {
+    explicit Actuator(const Devices& devices);
+    PoweredOff poweredOff;
+    PoweredOn poweredOn;
+    SteeringDevice device;
+    EnableSteering enable;
+    DisableSteering disable;
+    SetTurn setTurn;
+  };
+  struct Sensors {
+    Sensors(const Devices& devices, Pipe<Angle>& positions);
+    SampledAngle sampledAngle;
+    DirSensor sensor;
+  };
+  struct Control {
+    Control(const Devices& devices, Actuator& actuator, Pipe<DirTarget>& targets,
+            Pipe<Angle>& positions, Pipe<DirStatus>& statuses);
+    DeadbandTurn algorithm;
+    DirHolding holding;
+    DirOff off;
+    DirTurning turning;
+    DirFault fault;
+    DirController controller;
+  };
+  struct System {
+    System(const Devices& devices, Actuator& actuator, Sensors& sensors, Control& control,
+           Pipe<DirTarget>& targets, Pipe<DirStatus>& statuses);
+    DirCtrlTimeOut timeOut;
+    DirSystem system;
+  };
+
+  Devices devices_;
+  Pipe<DirTarget> targets_;
+  Pipe<Angle> positions_;
+  Pipe<DirStatus> statuses_;
+  std::optional<Actuator> actuator_;
+  std::optional<Sensors> sensors_;
+  std::optional<Control> control_;
+  std::optional<System> system_;
+};
+
+}  // namespace wr

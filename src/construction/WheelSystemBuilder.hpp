@@ -1,0 +1,156 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "construction/ControlSystemBuilder.hpp"
+#include "devices/AnalogInput.hpp"
+#include "devices/DigitalOutput.hpp"
+#include "devices/EdgeInput.hpp"
+#include "devices/PwmOutput.hpp"
+#include "devices/Timebase.hpp"
+#include "functions/HallVelocity.hpp"
+#include "functions/SampledCurrent.hpp"
+#include "sensing/current/CntSensor.hpp"
+#include "sensing/current/ReadCnt.hpp"
+#include "sensing/current/ValueCollector.hpp"
+#include "sensing/instants/BasicCollector.hpp"
+#include "sensing/instants/CountCollector.hpp"
+#include "sensing/instants/PeriodCollector.hpp"
+#include "sensing/velocity/ActiveSensor.hpp"
+#include "sensing/velocity/CountSignal.hpp"
+#include "sensing/velocity/SensorCollector.hpp"
+#include "sensing/velocity/VelSensor.hpp"
+#include "services/ControlThread.hpp"
+#include "services/Pipe.hpp"
+#include "units/quantities.hpp"
+#include "wheel_control/Wheel.hpp"
+#include "wheel_control/WheelController.hpp"
+#include "wheel_control/WheelSystem.hpp"
+#include "wheel_control/algorithms/CurrentAlgorithm.hpp"
+#include "wheel_control/algorithms/TensionAlgorithm.hpp"
+#include "wheel_control/algorithms/VelocityAlgorithm.hpp"
+#include "wheel_control/behaviours/Advance.hpp"
+#include "wheel_control/behaviours/Reverse.hpp"
+#include "wheel_control/behaviours/SoftStart.hpp"
+#include "wheel_control/behaviours/Stop.hpp"
+#include "wheel_control/commands/SetOrientation.hpp"
+#include "wheel_control/commands/SetTension.hpp"
+#include "wheel_control/commands/StopWheel.hpp"
+#include "wheel_control/orders/ApplyControl.hpp"
+#include "wheel_control/orders/HaltWheel.hpp"
+#include "wheel_control/orders/ReadCurrent.hpp"
+#include "wheel_control/orders/ReadVelocity.hpp"
+#include "wheel_control/orders/RegisterPosition.hpp"
+
+namespace wr {
+
+/// @brief Makes the control system of one wheel.
+///
+/// @function Makes the wheel with its commands, the sensors of its velocity and its current, the
+/// controller with its algorithms and behaviours, and the system with its orders, one step each.
+///
+/// @secret Which parts the control system of a wheel has, how they are bound to each other, and where
+/// they are stored.
+///
+/// @role{wheel-system-construction, Concrete Builder}
+/// @role{wheel-commands, Client}
+/// @role{hall-interrupt, Client}
+/// @role{wheel-timer-interrupt, Client}
+///
+/// @patternapp{wheel-system-construction, Builder, Building a wheel control system}
+/// @why The control system of a wheel is made of many parts that refer to each other. Whoever gathers
+/// the control systems needs to know none of them.
+/// @changes The parts of the system and the relations among them may change, such as a filter around a
+/// sensor or one more algorithm.
+class WheelSystemBuilder final : public ControlSystemBuilder {
+ public:
+  /// @brief What the platform gives to a wheel. Each device lives as long as the builder.
+  /// @datatype
+  struct Devices {
+    PwmOutput& pwm;              ///< tension of the wheel
+    DigitalOutput& orientation;  ///< on: the wheel turns backwards
+    DigitalOutput& enable;       ///< on: the driver of the motor works
+    EdgeInput& hallA;            ///< first Hall sensor
+    EdgeInput& hallB;            ///< second Hall sensor
+    AnalogInput& current;        ///< current of the motor
+    ControlThread& thread;       ///< runs the control system
+    const Timebase& timebase;    ///< gives the time
+    std::size_t wheel;           ///< number of the wheel, 0 to 3
+  };
+
+  /// @brief Binds the builder to the devices of its wheel.
+  /// @param devices devices of the platform
+  explicit WheelSystemBuilder(const Devices& devices);
+
+  void buildActuator() override;
+  void buildSensors() override;
+  void buildController() override;
+  void buildSystem() override;
+  void start() override;
+  [[nodiscard]] ControlSystem& system() override;
+  [[nodiscard]] Command& tickCommand() override;
+
+  /// @brief What serves the interrupts of the Hall sensors.
+  /// @return the sensor; it lives as long as the builder
+  /// @pre buildSensors() was called.
+  /// @errors Without a sensor the program ends with the assertion PartMissing.
+  /// @isr{no}
+  [[nodiscard]] ActiveSensor& sensor();
+
+ private:
+  struct Actuator {
+    explicit Actuator(const Devices& devices);
+    Wheel wheel;
+    StopWheel stopWheel;
+    SetTension setTension;
+    SetOrientation setOrientation;
+  };
+  struct Sensors {
+    Sensors(const Devices& devices, Command& cutOff, Pipe<Velocity>& velocities,
+            Pipe<Current>& currents);
+    BasicCollector basic;
+    PeriodCollector period;
+    CountCollector count;
+    SensorCollector collector;
+    ActiveSensor active;
+    CountSignal countSignal;
+    HallVelocity hallVelocity;
+    VelSensor velocity;
+    ValueCollector values;
+    ReadCnt readCnt;
+    SampledCurrent sampledCurrent;
+    CntSensor current;
+  };
+  struct Control {
+    Control(const Devices& devices, Actuator& actuator, Pipe<Velocity>& velocities,
+            Pipe<Current>& currents);
+    TensionAlgorithm tension;
+    CurrentAlgorithm current;
+    VelocityAlgorithm velocity;
+    Advance advance;
+    SoftStart softStart;
+    Stop stop;
+    Reverse reverse;
+    WheelController controller;
+  };
+  struct System {
+    System(const Devices& devices, Actuator& actuator, Sensors& sensors, Control& control);
+    RegisterPosition registerPosition;
+    ReadVelocity readVelocity;
+    ReadCurrent readCurrent;
+    ApplyControl applyControl;
+    HaltWheel haltWheel;
+    WheelSystem system;
+  };
+
+  Devices devices_;
+  Pipe<Velocity> velocities_;
+  Pipe<Current> currents_;
+  std::optional<Actuator> actuator_;
+  std::optional<Sensors> sensors_;
+  std::optional<Control> control_;
+  std::optional<System> system_;
+};
+
+}  // namespace wr
