@@ -74,8 +74,8 @@ class DirSystem final : public ControlSystem {
   Pipe<DirStatus>& statuses_;
   const Timebase& timebase_;
   DirTarget target_{};
-  std::optional<DirStatus> status_{};  // as it was measured in this cycle
-  bool ticks_ = false;                 // the status was young when it was measured
+  DirStatus status_{};  // as it was measured in this cycle
+  bool ticks_ = false;  // the status was young when it was measured
   std::uint32_t cycle_ = 0;
 };
 

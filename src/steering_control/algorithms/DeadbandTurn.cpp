@@ -1,0 +1,34 @@
+#include "steering_control/algorithms/DeadbandTurn.hpp"
+
+#include <cstdint>
+
+#include "services/SystemConstants.hpp"
+
+namespace wr {
+
+namespace {
+
+constexpr StepRate kFullRate = SystemConstants::instance().steeringRate();
+
+// Braking from v steps/s with a steps/s^2 takes v^2 / 2a steps. Braking begins when half of the
+// acceleration would do, so that the motor can follow whatever the noise of the position says.
+// v^2 = 2 * (a / 2) * steps = a / step * angle = 200 * angle.
+constexpr std::int32_t kBraking = SystemConstants::instance().steeringAcceleration() /
+                                  SystemConstants::instance().steeringStep().count();
+
+}  // namespace
+
+StepRate DeadbandTurn::turn(Angle target, Angle position, StepRate now) {
+  const bool left = target > position;
+  const Angle away = left ? target - position : position - target;
+  const bool towards = left ? now > StepRate(0) : now < StepRate(0);
+  if (away <= (towards ? kArrived : kDeadband)) {
+    return StepRate(0);
+  }
+  if (towards && now.count() * now.count() > kBraking * away.count()) {
+    return StepRate(0);
+  }
+  return left ? kFullRate : -kFullRate;
+}
+
+}  // namespace wr
