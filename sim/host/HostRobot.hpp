@@ -1,8 +1,14 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+
+#include "construction/ControlSystemBuilder.hpp"
 #include "construction/ControlSystemPoolBuilder.hpp"
+#include "construction/DirSystemBuilder.hpp"
 #include "construction/MainControllerBuilder.hpp"
 #include "construction/RobotDirector.hpp"
+#include "construction/WheelSystemBuilder.hpp"
 #include "devices/SerialPort.hpp"
 #include "devices/Timebase.hpp"
 #include "services/Pipe.hpp"
@@ -21,6 +27,8 @@ class HostRobot {
  public:
   /// @brief Priority of the thread of the main controller.
   static constexpr int kMainPriority = 1;
+  /// @brief Priority of the threads of the wheels.
+  static constexpr int kWheelPriority = 2;
 
   /// @brief Constructs the robot and binds it to its devices.
   /// @param timebase gives the time
@@ -35,6 +43,9 @@ class HostRobot {
 
   /// @brief Puts a clock pulse to the firmware; the cycle has run when this returns.
   void clockPulse();
+
+  /// @brief Puts a beat of the second timer to the firmware.
+  void beat();
 
   /// @brief Puts a value on the velocity signal of the remote control, now.
   /// @param velocity the value
@@ -55,6 +66,14 @@ class HostRobot {
   /// @return the period; 0 before start().
   [[nodiscard]] Microseconds period() const;
 
+  /// @brief The period of the second timer.
+  /// @return the period; 0 before start().
+  [[nodiscard]] Microseconds beatPeriod() const;
+
+  /// @brief The pins of the firmware, with nothing on them.
+  /// @return the pins.
+  [[nodiscard]] HostPins& pins();
+
   /// @brief The main controller.
   /// @return the main controller.
   [[nodiscard]] MainController& controller();
@@ -72,16 +91,25 @@ class HostRobot {
   [[nodiscard]] HostScheduler& scheduler();
 
  private:
+  [[nodiscard]] WheelSystemBuilder::Devices wheelDevices(std::size_t wheel);
+  void connectVectors();
+
   const Timebase& timebase_;
   HostScheduler scheduler_;
+  HostPins pins_;
   HostThread mainThread_;
+  std::array<HostThread, kWheelCount> wheelThreads_;
   HostTimer cycleTimer_;
+  HostTimer beatTimer_;
   HostTimer tickTimer_;
   HostPins pins_;
   Pipe<Velocity> rcVelocity_;
   Pipe<Angle> rcDirection_;
   HostWatchdog watchdog_;
   StartRecord start_;
+  std::array<WheelSystemBuilder, kWheelCount> wheelBuilders_;
+  DirSystemBuilder steeringBuilder_;
+  std::array<ControlSystemBuilder*, kWheelCount + 1> systemBuilders_;
   ControlSystemPoolBuilder poolBuilder_;
   MainControllerBuilder controllerBuilder_;
   RobotDirector director_;

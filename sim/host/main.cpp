@@ -2,8 +2,8 @@
 #include <cstdio>
 #include <optional>
 
-#include "sim/host/HostRobot.hpp"
 #include "sim/host/HostTimebase.hpp"
+#include "sim/host/HostWorld.hpp"
 #include "sim/host/PtySerialPort.hpp"
 #include "sim/program/Program.hpp"
 #include "sim/scenario/HostLine.hpp"
@@ -13,7 +13,8 @@ namespace {
 constexpr const char* kUsage =
     "usage: weeding_robot_host [options]\n"
     "\n"
-    "Runs the firmware on this machine in real time. The PC link is a pseudo-terminal.\n"
+    "Runs the firmware in a simulated robot on this machine in real time. The PC link is a\n"
+    "pseudo-terminal.\n"
     "\n"
     "  --link PATH      make PATH a symbolic link to the pseudo-terminal\n"
     "  --cycles N       stop after N control cycles\n"
@@ -23,6 +24,14 @@ constexpr const char* kUsage =
     "\n"
     "Exit codes: 0 done, 1 an expectation of the scenario failed, 2 wrong usage.\n";
 
+// Time that the robot runs without a look at the clock of the machine.
+constexpr wr::Microseconds kSlice = wr::milliseconds(1);
+
+bool hasRun(const wr::HostWorld& world, const std::optional<std::uint64_t>& cycles,
+            wr::Microseconds period) {
+  return cycles && world.nextPulse() > wr::Instant() + period * static_cast<std::int64_t>(*cycles);
+}
+
 void runInRealTime(const wr::CommandLine& options) {
   wr::catchEndRequests();
   wr::PtySerialPort port;
@@ -30,19 +39,16 @@ void runInRealTime(const wr::CommandLine& options) {
   const std::optional<std::uint64_t> cycles = options.count("--cycles");
   std::printf("PC link: %s\n", port.path().c_str());
   std::fflush(stdout);
-  const wr::RealTimebase timebase;
-  wr::HostRobot robot(timebase, port);
-  robot.start();
-  wr::Instant pulse = timebase.now();
-  for (std::uint64_t cycle = 0; !cycles || cycle < *cycles; ++cycle) {
-    pulse = pulse + robot.period();
-    while (!wr::endRequested() && timebase.now() < pulse) {
-      timebase.sleepUntil(pulse);
+  const wr::RealTimebase clock;
+  wr::HostWorld world(port);
+  world.start();
+  const wr::Microseconds period = world.robot.period();
+  for (wr::Instant now; !hasRun(world, cycles, period) && !wr::endRequested();) {
+    now = now + kSlice;
+    while (!wr::endRequested() && clock.now() < now) {
+      clock.sleepUntil(now);
     }
-    if (wr::endRequested()) {
-      return;
-    }
-    robot.clockPulse();
+    world.runUntil(now);
   }
 }
 

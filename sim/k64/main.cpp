@@ -23,8 +23,8 @@ using std::chrono::nanoseconds;
 constexpr const char* kUsage =
     "usage: weeding_robot_board --image BIN [options]\n"
     "\n"
-    "Runs the image of the firmware on a virtual K64 in real time. The PC link is a\n"
-    "pseudo-terminal.\n"
+    "Runs the image of the firmware on a virtual K64 in a simulated robot in real time. The PC\n"
+    "link is a pseudo-terminal.\n"
     "\n"
     "  --image BIN      what flash holds from address 0\n"
     "  --elf ELF        names the functions in findings\n"

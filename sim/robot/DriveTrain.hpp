@@ -34,7 +34,7 @@ class DriveTrain {
   static constexpr double kCoggingPeriods = 90.0;   ///< in a turn of the motor
   static constexpr double kSlipStiffness = 3000.0;  ///< of the tyre, N for a slip of 1
   static constexpr double kRelaxation = 0.1;        ///< way in which the tyre's force builds up, m
-  static constexpr double kTyreDamping = 200.0;     ///< N s/m
+  static constexpr double kTyreDamping = 500.0;     ///< N s/m
 
   /// @brief Sets what the driver does.
   /// @param drive duty, orientation, enable

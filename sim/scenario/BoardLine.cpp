@@ -24,12 +24,13 @@ constexpr nanoseconds kByte{86'806};
 }  // namespace
 
 BoardLine::BoardLine(std::vector<std::uint8_t> image, k64::Options options)
-    : board(std::move(image), std::move(options)) {
+    : board(std::move(image), std::move(options)), binding_(board) {
   board.onEvent([this](const k64::Event& event) {
     if (event.kind == k64::Event::Kind::ExceptionEntered &&
         event.number == kExceptionOfFirstInterrupt + kPulseInterrupt) {
       pulses_.push_back(event.at);
     }
+    binding_.take(event);
     if (observer_) {
       observer_(event);
     }
@@ -86,6 +87,14 @@ bool BoardLine::settle() {
 
 RobotLine::Time BoardLine::now() const {
   return std::chrono::duration_cast<Time>(board.now());
+}
+
+sim::Robot& BoardLine::robot() {
+  return binding_.physics;
+}
+
+sim::RemoteControl& BoardLine::remoteControl() {
+  return binding_.remoteControl;
 }
 
 std::optional<LineFinding> BoardLine::finding() const {

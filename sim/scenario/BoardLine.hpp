@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "sim/k64/VirtualBoard.hpp"
+#include "sim/scenario/BoardBinding.hpp"
 #include "sim/scenario/RobotLine.hpp"
 
 namespace wr {
 
-/// @brief The image of the firmware on the virtual K64. Its line has 115200 baud.
+/// @brief The image of the firmware on the virtual K64 in the simulated robot. Its line has 115200 baud.
 class BoardLine final : public RobotLine {
  public:
   /// @brief Interrupt of the timer that gives the clock pulses: channel 0 of the PIT.
@@ -28,6 +29,8 @@ class BoardLine final : public RobotLine {
   bool runUntil(Time instant) override;
   bool runThroughPulse() override;
   [[nodiscard]] Time now() const override;
+  [[nodiscard]] sim::Robot& robot() override;
+  [[nodiscard]] sim::RemoteControl& remoteControl() override;
   [[nodiscard]] std::optional<LineFinding> finding() const override;
 
   /// @brief Sets what is called with each event of the board.
@@ -43,6 +46,7 @@ class BoardLine final : public RobotLine {
  private:
   bool settle();
 
+  BoardBinding binding_;
   std::vector<std::chrono::nanoseconds> pulses_;
   std::function<void(const k64::Event&)> observer_;
 };

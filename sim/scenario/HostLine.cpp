@@ -2,11 +2,10 @@
 
 namespace wr {
 
-HostLine::HostLine() : robot(time, port) {}
+HostLine::HostLine() : world(port) {}
 
 void HostLine::start() {
-  robot.start();
-  nextPulse_ = now() + period();
+  world.start();
 }
 
 void HostLine::send(std::span<const std::uint8_t> bytes) {
@@ -14,7 +13,7 @@ void HostLine::send(std::span<const std::uint8_t> bytes) {
 }
 
 void HostLine::sendBeforePulse(std::span<const std::uint8_t> bytes, Time before) {
-  advanceTo(nextPulse_ - before);
+  world.runUntil(world.nextPulse() + Microseconds(-before.count()));
   send(bytes);
 }
 
@@ -23,36 +22,29 @@ std::vector<std::uint8_t> HostLine::takeSent() {
 }
 
 bool HostLine::runUntil(Time instant) {
-  while (nextPulse_ <= instant) {
-    runThroughPulse();
-  }
-  advanceTo(instant);
+  world.runUntil(Instant(static_cast<std::uint64_t>(instant.count())));
   return true;
 }
 
 bool HostLine::runThroughPulse() {
-  advanceTo(nextPulse_);
-  nextPulse_ = now() + period();
-  robot.clockPulse();
+  world.runUntil(world.nextPulse());
   return true;
 }
 
 RobotLine::Time HostLine::now() const {
-  return Time(time.now().sinceStart());
+  return Time(world.time.now().sinceStart());
+}
+
+sim::Robot& HostLine::robot() {
+  return world.physics;
+}
+
+sim::RemoteControl& HostLine::remoteControl() {
+  return world.remoteControl;
 }
 
 std::optional<LineFinding> HostLine::finding() const {
   return std::nullopt;
-}
-
-RobotLine::Time HostLine::period() const {
-  return Time(robot.period().count());
-}
-
-void HostLine::advanceTo(Time instant) {
-  if (instant > now()) {
-    time.advance(Microseconds((instant - now()).count()));
-  }
 }
 
 }  // namespace wr

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "sim/host/HostRobot.hpp"
 #include "sim/host/HostSerialPort.hpp"
-#include "sim/host/HostTimebase.hpp"
+#include "sim/host/HostWorld.hpp"
 #include "sim/scenario/RobotLine.hpp"
 
 namespace wr {
@@ -22,17 +21,12 @@ class HostLine final : public RobotLine {
   bool runUntil(Time instant) override;
   bool runThroughPulse() override;
   [[nodiscard]] Time now() const override;
+  [[nodiscard]] sim::Robot& robot() override;
+  [[nodiscard]] sim::RemoteControl& remoteControl() override;
   [[nodiscard]] std::optional<LineFinding> finding() const override;
 
-  HostTimebase time;
   HostSerialPort port;
-  HostRobot robot;
-
- private:
-  [[nodiscard]] Time period() const;
-  void advanceTo(Time instant);
-
-  Time nextPulse_{};
+  HostWorld world;
 };
 
 }  // namespace wr

@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "sim/robot/RemoteControl.hpp"
+#include "sim/robot/Robot.hpp"
+
 namespace wr {
 
 /// @brief What a simulated board found to be wrong with the firmware.
@@ -52,6 +55,14 @@ class RobotLine {
   /// @brief The present time.
   /// @return time since the robot was switched on
   [[nodiscard]] virtual Time now() const = 0;
+
+  /// @brief The physics of the robot.
+  /// @return the physics: to read the truth, and to change ground, noise and faults
+  [[nodiscard]] virtual sim::Robot& robot() = 0;
+
+  /// @brief The remote control.
+  /// @return the remote control, off at first
+  [[nodiscard]] virtual sim::RemoteControl& remoteControl() = 0;
 
   /// @brief What has stopped the robot.
   /// @return the finding; nothing while there is none

@@ -144,6 +144,8 @@ class BrokenRobot final : public RobotLine {
   }
   bool runThroughPulse() override { return false; }
   [[nodiscard]] Time now() const override { return now_; }
+  [[nodiscard]] sim::Robot& robot() override { return robot_; }
+  [[nodiscard]] sim::RemoteControl& remoteControl() override { return remoteControl_; }
   [[nodiscard]] std::optional<LineFinding> finding() const override {
     return LineFinding{.id = "clock-gate", .text = "clock-gate: it broke"};
   }
@@ -151,6 +153,8 @@ class BrokenRobot final : public RobotLine {
  private:
   static constexpr Time kBreaks{50'000};
   Time now_{};
+  sim::Robot robot_{1};
+  sim::RemoteControl remoteControl_;
 };
 
 /// @brief A finding ends the scenario. It is an outcome unless a later line expects it.

@@ -33,9 +33,9 @@ class HostSteppedRobot : public SteppedRobot {
   HostSteppedRobot(HostLine& host, std::unique_ptr<HostLine>& line)
       : SteppedRobot(std::move(line)),
         host_(host),
-        time(host.time),
+        time(host.world.time),
         port(host.port),
-        robot(host.robot) {
+        robot(host.world.robot) {
     robot.systems().add(system);
     host.start();
   }
