@@ -4,23 +4,66 @@ namespace wr {
 
 HostRobot::HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start)
     : timebase_(timebase),
+      pins_(scheduler_),
       mainThread_(scheduler_, kMainPriority),
+      wheelThreads_{HostThread(scheduler_, kWheelPriority), HostThread(scheduler_, kWheelPriority),
+                    HostThread(scheduler_, kWheelPriority), HostThread(scheduler_, kWheelPriority)},
       cycleTimer_(scheduler_),
       tickTimer_(scheduler_),
-      pins_(scheduler_),
       watchdog_(timebase),
       start_(start),
-      controllerBuilder_({.thread = mainThread_,
-                          .cycleTimer = cycleTimer_,
-                          .timebase = timebase,
-                          .pcPort = pcPort,
-                          .rcVelocity = rcVelocity_,
-                          .rcDirection = rcDirection_,
-                          .watchdog = watchdog_,
-                          .start = start_}),
+      wheelBuilders_{WheelSystemBuilder(wheelDevices(0)), WheelSystemBuilder(wheelDevices(1)),
+                     WheelSystemBuilder(wheelDevices(2)), WheelSystemBuilder(wheelDevices(3))},
+      steeringBuilder_({.step = pins_.steering.step,
+                        .direction = pins_.steering.direction,
+                        .enable = pins_.steering.enable,
+                        .leftEnd = pins_.steering.leftEnd,
+                        .rightEnd = pins_.steering.rightEnd,
+                        .angle = pins_.steering.angle,
+                        .timebase = timebase}),
+      systemBuilders_{&wheelBuilders_[0], &wheelBuilders_[1], &wheelBuilders_[2],
+                      &wheelBuilders_[3], &steeringBuilder_},
+      poolBuilder_(tickTimer_, systemBuilders_),
+      controllerBuilder_(
+          {.thread = mainThread_,
+           .cycleTimer = cycleTimer_,
+           .timebase = timebase,
+           .pcPort = pcPort,
+           .watchdog = watchdog_,
+           .start = start_,
+           .remoteControl =
+               MainControllerBuilder::RemoteControlDevices{.velocityPin = pins_.remoteControl[0],
+                                                           .directionPin = pins_.remoteControl[1],
+                                                           .velocity = rcVelocity_,
+                                                           .direction = rcDirection_}}),
       director_(poolBuilder_, controllerBuilder_) {
   director_.construct();
+  connectVectors();
+}
+
+WheelSystemBuilder::Devices HostRobot::wheelDevices(std::size_t wheel) {
+  HostWheelPins& pins = pins_.wheels[wheel];
+  return {.pwm = pins.pwm,
+          .orientation = pins.orientation,
+          .enable = pins.enable,
+          .hallA = pins.hall[0],
+          .hallB = pins.hall[1],
+          .current = pins.current,
+          .thread = wheelThreads_[wheel],
+          .timebase = timebase_,
+          .wheel = wheel};
+}
+
+void HostRobot::connectVectors() {
   cycleTimer_.connect([this] { controllerBuilder_.clock().expired(); });
+  tickTimer_.connect([this] { poolBuilder_.timer().expired(); });
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    for (HostEdgeInput& hall : pins_.wheels[wheel].hall) {
+      hall.connect([this, wheel] { wheelBuilders_[wheel].sensor().serve(); });
+    }
+  }
+  pins_.remoteControl[0].connect([this] { controllerBuilder_.velocityPin().serve(); });
+  pins_.remoteControl[1].connect([this] { controllerBuilder_.directionPin().serve(); });
 }
 
 void HostRobot::start() {

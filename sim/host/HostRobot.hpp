@@ -44,9 +44,6 @@ class HostRobot {
   /// @brief Puts a clock pulse to the firmware; the cycle has run when this returns.
   void clockPulse();
 
-  /// @brief Puts a beat of the second timer to the firmware.
-  void beat();
-
   /// @brief Puts a value on the velocity signal of the remote control, now.
   /// @param velocity the value
   void rcVelocity(Velocity velocity);
@@ -65,14 +62,6 @@ class HostRobot {
   /// @brief The period of the clock pulses.
   /// @return the period; 0 before start().
   [[nodiscard]] Microseconds period() const;
-
-  /// @brief The period of the second timer.
-  /// @return the period; 0 before start().
-  [[nodiscard]] Microseconds beatPeriod() const;
-
-  /// @brief The pins of the firmware, with nothing on them.
-  /// @return the pins.
-  [[nodiscard]] HostPins& pins();
 
   /// @brief The main controller.
   /// @return the main controller.
@@ -100,9 +89,7 @@ class HostRobot {
   HostThread mainThread_;
   std::array<HostThread, kWheelCount> wheelThreads_;
   HostTimer cycleTimer_;
-  HostTimer beatTimer_;
   HostTimer tickTimer_;
-  HostPins pins_;
   Pipe<Velocity> rcVelocity_;
   Pipe<Angle> rcDirection_;
   HostWatchdog watchdog_;
