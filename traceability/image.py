@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from traceability.sources import files_below, hash_of
+from traceability.sources import DESIGN, files_below, hash_of
 
 TOTALS = Path("build/results/image_k64.json")  # flash and RAM of the image that was built
-MADE_FROM = ("src", "setup/k64-toolchain.cmake", "CMakeLists.txt", "CMakePresets.json")
+MADE_FROM = (*DESIGN, "setup/k64-toolchain.cmake", "CMakeLists.txt", "CMakePresets.json")
 
 FIELD = 0x400
 SIZE = 16

@@ -52,7 +52,8 @@ def site_figures(site: Path, findings: Iterable[Finding]) -> dict[str, Any]:
 
 
 def metrics(model: Model) -> dict[str, Any]:
-    designs = [module for module in model.modules.values() if not module.datatype]
+    written = [module for module in model.modules.values() if not module.datatype]
+    designs = [module for module in written if not module.extension]
     requirements = list(model.requirements.values())
     trees = [nodes_of(item.tree) for item in requirements if item.tree is not None]
     fresh = not model.results_stale
@@ -61,6 +62,7 @@ def metrics(model: Model) -> dict[str, Any]:
     decided = all(application.clauses for application in applications)
     return {
         "modules.design": len(designs),
+        "modules.extensions": len(written) - len(designs),
         "modules.with_secret": sum(1 for module in designs if module.secret),
         "patterns.applications": len(applications),
         "patterns.conforming": (
@@ -79,8 +81,8 @@ def metrics(model: Model) -> dict[str, Any]:
         "trees.executed": (sum(bool(item.runs) for item in requirements) if fresh else None),
         "tests.total": len(runs) if fresh else None,
         "tests.passed": sum(run.result == "passed" for run in runs) if fresh else None,
-        "coverage.line": _share(designs, "lines_covered", "lines_total") if fresh else None,
-        "coverage.branch": _share(designs, "branches_covered", "branches_total") if fresh else None,
+        "coverage.line": _share(written, "lines_covered", "lines_total") if fresh else None,
+        "coverage.branch": _share(written, "branches_covered", "branches_total") if fresh else None,
         "firmware.flash_bytes": None,
         "firmware.ram_bytes": None,
         "firmware.stack_bytes": None,

@@ -6,7 +6,10 @@ import hashlib
 from collections.abc import Iterable
 from pathlib import Path
 
-TESTED = ("src", "sim", "tests", "CMakeLists.txt", "CMakePresets.json")
+# The design: the robot, and what products add to it.
+SRC, EXTENSIONS = "src", "extensions"
+DESIGN = (SRC, EXTENSIONS)
+TESTED = (*DESIGN, "sim", "tests", "CMakeLists.txt", "CMakePresets.json")
 
 
 def files_below(root: Path, names: Iterable[str], suffixes: tuple[str, ...] = ()) -> list[Path]:
@@ -25,6 +28,11 @@ def files_below(root: Path, names: Iterable[str], suffixes: tuple[str, ...] = ()
                 and (not suffixes or path.suffix in suffixes)
             ]
     return sorted(found)
+
+
+def include_options(root: Path) -> list[str]:
+    """Where a compiler finds the headers of the design."""
+    return [word for name in DESIGN for word in ("-I", str(root / name))]
 
 
 def file_hash(path: Path) -> str:

@@ -6,7 +6,8 @@ from pathlib import Path
 
 from traceability.model.annotations import Text
 from traceability.model.facts import Facts
-from traceability.model.schema import Finding, Method, Model, Module
+from traceability.model.schema import Finding, Method, Model, Module, is_extension
+from traceability.sources import DESIGN, SRC
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
@@ -28,7 +29,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
     found: list[Finding] = []
     folder = Path(module.header).parent
-    if not (facts.root / folder / "module.dox").exists() or folder == Path("src"):
+    if not (facts.root / folder / "module.dox").exists() or str(folder) in DESIGN:
         found.append(
             Finding(
                 module.place,
@@ -47,7 +48,7 @@ def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
             )
         )
     names = facts.declared.names
-    if names and module.name not in names.get(module.logic, []):
+    if names and not module.extension and module.name not in names.get(module.logic, []):
         found.append(
             Finding(
                 module.place,
@@ -122,6 +123,10 @@ def _gives_result(method: Method) -> bool:
     return not words.startswith("void ") and " " in words
 
 
+def folder_of(logic: str) -> str:
+    return logic if is_extension(logic) else f"{SRC}/{logic}"
+
+
 def _folders(model: Model, facts: Facts) -> list[Finding]:
     found: list[Finding] = []
     for logic in model.logic_modules.values():
@@ -135,7 +140,7 @@ def _folders(model: Model, facts: Facts) -> list[Finding]:
                 logic.place,
                 "module-folder",
                 f"the logic module {logic.id} has no {name}",
-                f"write it in src/{logic.id}/module.dox",
+                f"write it in {folder_of(logic.id)}/module.dox",
             )
             for name in missing
         ]

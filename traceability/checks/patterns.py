@@ -84,7 +84,8 @@ def _role_problem(binding: RoleBinding, model: Model, facts: Facts) -> tuple[str
     if binding.role not in known.roles:
         roles = ", ".join(known.roles)
         return f"{binding.application} has no role '{binding.role}'", f"use one of: {roles}"
-    if binding.module not in known.roles[binding.role]:
+    added = model.modules[binding.module].extension
+    if binding.module not in known.roles[binding.role] and not added:
         return (
             f"the design does not bind {binding.module} to the role {binding.role} of "
             f"{binding.application}",

@@ -29,7 +29,7 @@ _FIXED = [
     Check(
         "syntax-error",
         "Code that does not compile",
-        "The syntax tree of every file below src has no error.",
+        "The syntax tree of every file below src and extensions has no error.",
         "an error that only another compiler or another target reports.",
         "correct the code as the message says.",
     ),
@@ -44,7 +44,8 @@ _FIXED = [
     Check(
         "module-logic",
         "Each design module lies in a logic module",
-        "Every class with its own header lies in a folder below src that has a module.dox.",
+        "Every class with its own header lies in a folder below src or extensions that has a "
+        "module.dox.",
         "whether it is the right folder; that is a matter of design.",
         "move the header into the folder of its logic module, or describe the folder.",
     ),
@@ -88,7 +89,8 @@ _FIXED = [
     Check(
         "module-count",
         "Only the modules of the design",
-        "Every design module is listed for its folder in design/modules.toml.",
+        "Every design module below src is listed for its folder in design/modules.toml. Those of "
+        "extensions are free: they do not count.",
         "a listed module that is not written yet.",
         "remove the module, mark a value type with @datatype, or change the design.",
     ),
@@ -104,7 +106,7 @@ _FIXED = [
         "pattern-role-unknown",
         "Known roles",
         "Every @role names an application that is declared and a role of it, and stands above a "
-        "module that the design binds to that role.",
+        "module that the design binds to that role, or above one of an extension.",
         "a class that plays a role without saying so; the clauses of the pattern find some.",
         "correct the application or the role, or change the design.",
     ),
@@ -131,10 +133,19 @@ _FIXED = [
         "remove the include or the call, or allow the use with a reason.",
     ),
     Check(
+        "uses-extension",
+        "Nothing knows an extension",
+        "No file of src includes or calls one of extensions, and no extension another one: so a "
+        "product can leave it out. An entry of design/uses.toml does not change that.",
+        "what the linker puts into the image of a product; the tests of the products look there.",
+        "remove the include or the call: a composition of the extension binds it to the robot.",
+    ),
+    Check(
         "uses-board",
         "Drivers and virtual board do not know each other",
-        "No file of sim/ or tests/ includes one of src/k64, and no file of sim/k64 one of src: a "
-        "driver and its model share no mistake. In src, uses-allowed shows who uses src/k64.",
+        "No file of sim/ or tests/ includes one that is for the K64 only, and no file of sim/k64 "
+        "one of the design: a driver and its model share no mistake. In src, uses-allowed shows "
+        "who uses src/k64.",
         "the same number, written down wrongly twice.",
         "write what the file needs from the manual of the part, or test the image.",
     ),

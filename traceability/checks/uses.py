@@ -5,16 +5,23 @@ from __future__ import annotations
 from pathlib import Path
 
 from traceability.model.facts import Facts
-from traceability.model.schema import AllowedUse, Finding, Model, Use
+from traceability.model.schema import AllowedUse, Finding, Model, Use, is_extension
 from traceability.model.syntax import includes_of, is_board
-from traceability.sources import files_below
+from traceability.sources import DESIGN, files_below
 
 VIRTUAL_BOARD = "sim/k64/"
+OF_FIRMWARE = tuple(f"{name}/" for name in DESIGN)
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
     allowed = [use for use in model.uses if _is_allowed(model, use)]
-    return _forbidden(model) + _unused(model) + _cycles(allowed, facts) + _board(facts.root)
+    return (
+        _forbidden(model)
+        + _extensions(model)
+        + _unused(model)
+        + _cycles(allowed, facts)
+        + _board(facts.root)
+    )
 
 
 def _board(root: Path) -> list[Finding]:
@@ -26,7 +33,7 @@ def _board(root: Path) -> list[Finding]:
             if is_board(include.target):
                 text = f"{file} includes {include.target}, which only the composition sees"
                 mend = "test the image on the virtual K64 instead"
-            elif file.startswith(VIRTUAL_BOARD) and include.target.startswith("src/"):
+            elif file.startswith(VIRTUAL_BOARD) and include.target.startswith(OF_FIRMWARE):
                 text = f"the virtual K64 includes {include.target} of the firmware"
                 mend = "write what it needs from the manual of the part: a mistake is not shared"
             else:
@@ -55,6 +62,26 @@ def _forbidden(model: Model) -> list[Finding]:
         if not _is_allowed(model, use)
         for place in use.places
     ]
+
+
+def _extensions(model: Model) -> list[Finding]:
+    """The robot knows no extension, and no extension another one, whatever is allowed."""
+    return [
+        Finding(
+            place,
+            "uses-extension",
+            f"{use.source} uses the extension {use.target}",
+            "remove the include or the call: only a composition of the extension binds it",
+        )
+        for use in model.uses
+        if is_extension(use.target) and _extension(use.source) != _extension(use.target)
+        for place in use.places
+    ]
+
+
+def _extension(logic: str) -> list[str]:
+    """The extension that a logic module belongs to; one of the robot belongs to none."""
+    return logic.split("/")[:2] if is_extension(logic) else []
 
 
 def _unused(model: Model) -> list[Finding]:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TextIO
 
 from traceability.commands.steps import FailureError, run
-from traceability.sources import file_hash, hash_of, source_hash
+from traceability.sources import DESIGN, file_hash, hash_of, source_hash
 
 # CMake keeps what it once read of them, so that a change needs a fresh configuration.
 SETTINGS = ("CMakePresets.json", "setup/k64-toolchain.cmake")
@@ -157,7 +157,8 @@ def measure_coverage(root: Path, log: TextIO) -> None:
         log,
         [
             root / ".venv" / "bin" / "gcovr",
-            *("--root", root, "--filter", root / "src", "-j", jobs()),
+            *("--root", root, "-j", jobs()),
+            *(word for name in DESIGN for word in ("--filter", root / name)),
             *("--exclude-throw-branches", "--exclude-unreachable-branches"),
             *("--json", result, root / "build" / "coverage"),
         ],

@@ -10,17 +10,18 @@ import re
 import subprocess
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import TextIO
 
 from traceability.commands.builds import build
 from traceability.commands.steps import FailureError, Steps, run
 from traceability.model.syntax import BOARD_COMPILER, BOARD_FLAGS, clang_arguments, is_board
+from traceability.sources import DESIGN, include_options
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
-CODE = ("src", "sim", "tests")
-CHECKED = ("src", "sim")
+CODE = (*DESIGN, "sim", "tests")
+CHECKED = (*DESIGN, "sim")
 WARNINGS = [
     "-Wall",
     "-Wextra",
@@ -41,8 +42,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "lint",
         help="check style, types and warnings",
         description="Checks the format of all sources, compiles everything with clang without "
-        "warnings and each header alone, runs clang-tidy on src and sim, and checks the Python "
-        "sources with ruff and mypy.",
+        "warnings and each header alone, runs clang-tidy on the design and sim, and checks the "
+        "Python sources with ruff and mypy.",
     )
     parser.set_defaults(run=lambda root, _options: lint(root))
 
@@ -82,6 +83,11 @@ def sources(root: Path, folders: Iterable[str], suffix: str) -> list[Path]:
     )
 
 
+def on_board(root: Path, path: Path) -> bool:
+    """Whether a source is for the K64 only."""
+    return is_board(str(path.relative_to(root)))
+
+
 def check_format(root: Path, log: TextIO) -> str:
     paths = sources(root, CODE, ".hpp") + sources(root, CODE, ".cpp")
     if paths:
@@ -91,18 +97,17 @@ def check_format(root: Path, log: TextIO) -> str:
 
 def build_with_clang(root: Path, log: TextIO) -> None:
     build(root, "clang", log)
-    for source in sources(root, ("src/k64",), ".cpp"):
-        words = [*clang_arguments(board=True), *WARNINGS, "-I", str(root / "src")]
+    words = [*clang_arguments(board=True), *WARNINGS, *include_options(root)]
+    for source in filter(partial(on_board, root), sources(root, DESIGN, ".cpp")):
         run(log, ["clang++", "-fsyntax-only", *words, str(source)])
 
 
 def check_headers(root: Path, log: TextIO) -> str:
     flags = ["-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-x", "c++"]
-    paths = ["-I", str(root / "src"), "-I", str(root)]
+    paths = [*include_options(root), "-I", str(root)]
 
     def command(header: Path) -> list[str]:
-        board = is_board(str(header.relative_to(root)))
-        compiler = [BOARD_COMPILER, *BOARD_FLAGS] if board else ["g++"]
+        compiler = [BOARD_COMPILER, *BOARD_FLAGS] if on_board(root, header) else ["g++"]
         return [*compiler, *flags, *paths, "-include", str(header), os.devnull]
 
     return check_changed(root, "headers", sources(root, CHECKED, ".hpp"), command, log)
@@ -115,8 +120,8 @@ def check_tidy(root: Path, log: TextIO) -> str:
 
     def command(source: Path) -> list[str]:
         words = [str(root / ".venv" / "bin" / "clang-tidy"), "--quiet", str(source)]
-        if is_board(str(source.relative_to(root))):
-            return [*words, "--", *clang_arguments(board=True), "-I", str(root / "src")]
+        if on_board(root, source):
+            return [*words, "--", *clang_arguments(board=True), *include_options(root)]
         return [*words, "-p", str(directory)]
 
     return check_changed(root, "tidy", sources(root, CHECKED, ".cpp"), command, log)
@@ -177,7 +182,7 @@ def included(root: Path, path: Path) -> set[Path]:
 @cache
 def direct(root: Path, path: Path) -> tuple[Path, ...]:
     names = INCLUDE.findall(path.read_text(errors="replace"))
-    places = (path.parent, root / "src", root)
+    places = (path.parent, *(root / name for name in DESIGN), root)
     return tuple(
         next(place / name for place in places if (place / name).exists())
         for name in names

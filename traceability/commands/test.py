@@ -19,13 +19,14 @@ from traceability.commands.check import make_documents, report
 from traceability.commands.firmware import build_firmware
 from traceability.commands.portal import board_tests, covered_tests, traced_tests
 from traceability.commands.steps import FailureError, Steps, run
-from traceability.sources import files_below, hash_of
+from traceability.sources import DESIGN, files_below, hash_of
 
 OTHER_STEPS = 8
 # What tests of Python read: some run on a copy of the whole project.
 READ_BY_TESTS = (
-    *("src", "sim", "tests", "client", "docs", "design", "requirements", "traceability", "site"),
-    *("setup", "wr", "README.md", "CMakeLists.txt", "CMakePresets.json", "pyproject.toml"),
+    *(*DESIGN, "sim", "tests", "client", "docs", "design", "requirements"),
+    *("traceability", "site", "setup", "wr", "README.md"),
+    *("CMakeLists.txt", "CMakePresets.json", "pyproject.toml"),
 )
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 

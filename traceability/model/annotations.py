@@ -17,9 +17,9 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 from traceability.model.schema import Param, Place
-from traceability.sources import files_below, hash_of
+from traceability.sources import DESIGN, files_below, hash_of
 
-INPUTS = ("src", "tests", "requirements")
+INPUTS = (*DESIGN, "tests", "requirements")
 DOXYFILE = Path("traceability/doxygen/Doxyfile")
 
 # Doxygen 1.18 reports the list of requirements that it makes itself as badly nested.

@@ -29,7 +29,7 @@ from traceability.model.syntax import BodyFact, MethodFact, read_syntax
 from traceability.model.tests import add_board_findings, add_executed_modules, add_tests
 from traceability.model.traces import nodes_of, read_traces
 from traceability.model.trees import add_trees
-from traceability.sources import files_below, source_hash
+from traceability.sources import DESIGN, SRC, files_below, source_hash
 
 
 def build(root: Path) -> Model:
@@ -69,7 +69,7 @@ def build(root: Path) -> Model:
 
 def source_files(root: Path) -> list[str]:
     suffixes = (".hpp", ".cpp", ".h", ".dox", ".toml", ".tree", ".S", ".ld")
-    paths = files_below(root, ("src", "sim", "tests", "requirements", "design"), suffixes)
+    paths = files_below(root, (*DESIGN, "sim", "tests", "requirements", "design"), suffixes)
     return [str(path.relative_to(root)) for path in paths]
 
 
@@ -98,8 +98,8 @@ def camel(folder: str) -> str:
 def _add_logic_modules(model: Model, facts: Facts) -> None:
     folders = {str(Path(place.file).parent) for place in _places(facts)}
     for folder in {str(up) for path in folders for up in (Path(path), *Path(path).parents)}:
-        logic = folder.removeprefix("src/")
-        if folder not in ("src", "."):
+        logic = folder.removeprefix(f"{SRC}/")
+        if folder not in (SRC, "."):
             model.logic_modules[logic] = _logic_module(facts, folder, str(Path(folder).parent))
     model.logic_modules = dict(sorted(model.logic_modules.items()))
     for logic_module in model.logic_modules.values():
@@ -121,9 +121,9 @@ def _logic_module(facts: Facts, folder: str, parent: str) -> LogicModule:
         first = min(place.file for place in _places(facts) if place.file.startswith(folder))
         place = Place(first, 1)
     return LogicModule(
-        id=folder.removeprefix("src/"),
+        id=folder.removeprefix(f"{SRC}/"),
         name=camel(folder),
-        parent=None if parent == "src" else parent.removeprefix("src/"),
+        parent=None if parent in (SRC, ".") else parent.removeprefix(f"{SRC}/"),
         brief=text.brief,
         function=text.one("Function"),
         secret=text.one("Secret"),
@@ -132,7 +132,7 @@ def _logic_module(facts: Facts, folder: str, parent: str) -> LogicModule:
 
 
 def _add_modules(model: Model, facts: Facts) -> None:
-    sources = {str(path.relative_to(facts.root)) for path in files_below(facts.root, ("src",))}
+    sources = {str(path.relative_to(facts.root)) for path in files_below(facts.root, DESIGN)}
     for fact in facts.syntax.classes:
         described = facts.annotations.classes.get(fact.qualified)
         text = described.text if described else Text()
@@ -141,7 +141,7 @@ def _add_modules(model: Model, facts: Facts) -> None:
         nested = "::" in fact.name
         if not text.datatype and (nested or fact.kind in ("enum", "alias")):
             continue
-        logic = str(Path(fact.place.file).parent).removeprefix("src/")
+        logic = logic_of(fact.place.file)
         source = fact.place.file.removesuffix(".hpp") + ".cpp"
         module = Module(
             name=fact.name,
@@ -280,7 +280,8 @@ def _add_calls(model: Model, facts: Facts) -> None:
         ]
         folder = model.logic_modules.get(logic_of(body.place.file))
         if not body.owner and folder is not None and not folder.modules:
-            model.functions[body.id] = Function(body.id, body.place, calls)
+            # Each product has a composition of its own: the first one is that of the robot itself.
+            model.functions.setdefault(body.id, Function(body.id, body.place, calls))
         for method in methods.get(body.id, []):
             if method.body and (method.body.file, method.body.line) == (
                 body.place.file,
@@ -376,7 +377,8 @@ def _add_requirements(model: Model, facts: Facts) -> None:
 
 
 def logic_of(file: str) -> str:
-    return str(Path(file).parent).removeprefix("src/")
+    """The id of the logic module of a file: its folder, without ``src/``."""
+    return str(Path(file).parent).removeprefix(f"{SRC}/")
 
 
 def _add_uses(model: Model, facts: Facts) -> None:

@@ -11,6 +11,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from traceability.sources import EXTENSIONS
+
 if TYPE_CHECKING:
     from traceability.model.facts import Facts
 
@@ -125,10 +127,20 @@ class Module:
     flash_bytes: int | None = None
     ram_bytes: int | None = None
 
+    @property
+    def extension(self) -> bool:
+        """Whether a product adds it to the robot: the design counts its modules without these."""
+        return is_extension(self.logic)
+
+
+def is_extension(logic: str) -> bool:
+    """Whether a logic module belongs to an extension."""
+    return logic.split("/", maxsplit=1)[0] == EXTENSIONS
+
 
 @dataclass
 class LogicModule:
-    """A folder below ``src``. The name is as in the paper: ``OperationModes``."""
+    """A folder of the design. The name is as in the paper: ``OperationModes``."""
 
     id: str
     name: str

@@ -1,9 +1,9 @@
 """Reads what the code is, from libclang's syntax tree: what compiles is the truth.
 
-A file below ``src`` is read once: a header with the source file of the same name, a header without
-one for itself. Files below ``src/k64`` are read for the K64, with the library of its compiler. The
-facts of a translation unit are kept in a cache, whose key is the content of every file of the
-project that the unit includes.
+A file of the design is read once: a header with the source file of the same name, a header without
+one for itself. Files below ``src/k64``, and those in the folder ``k64`` of an extension, are read
+for the K64, with the library of its compiler. The facts of a translation unit are kept in a cache,
+whose key is the content of every file of the project that the unit includes.
 """
 
 from __future__ import annotations
@@ -25,10 +25,10 @@ from clang import cindex
 from clang.cindex import Cursor, CursorKind, TypeKind
 
 from traceability.model.schema import Place
-from traceability.sources import file_hash, files_below
+from traceability.sources import DESIGN, file_hash, files_below, include_options
 
 NAMESPACE = "wr"
-BOARD = "src/k64/"
+BOARD = re.compile(r"(src|extensions/\w+)/k64/")
 BOARD_COMPILER = "arm-none-eabi-g++"
 BOARD_FLAGS = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"]
 _CLASSES = {CursorKind.CLASS_DECL, CursorKind.STRUCT_DECL, CursorKind.CLASS_TEMPLATE}
@@ -162,7 +162,7 @@ class Syntax:
 
 
 def read_syntax(root: Path, cache: Path) -> Syntax:
-    """The facts of all files below ``src``. Only the units whose files changed are parsed."""
+    """The facts of all files of the design. Only the units whose files changed are parsed."""
     cache.mkdir(parents=True, exist_ok=True)
     hashes: dict[str, str] = {}
     units = translation_units(root)
@@ -189,7 +189,7 @@ def read_syntax(root: Path, cache: Path) -> Syntax:
 
 def translation_units(root: Path) -> dict[str, list[str]]:
     """Unit -> the files whose facts are taken from it."""
-    paths = files_below(root, ("src",), (".cpp", ".hpp"))
+    paths = [p for name in DESIGN for p in files_below(root, (name,), (".cpp", ".hpp"))]
     files = [str(path.relative_to(root)) for path in paths]
     units: dict[str, list[str]] = {}
     for file in files:
@@ -200,7 +200,7 @@ def translation_units(root: Path) -> dict[str, list[str]]:
 
 
 def is_board(file: str) -> bool:
-    return file.startswith(BOARD)
+    return BOARD.match(file) is not None
 
 
 def _entry(cache: Path, unit: str) -> Path:
@@ -279,9 +279,9 @@ def standard(cache: Path, board: bool = False) -> Path:
 
 
 def prepare_standard(root: Path, cache: Path, board: bool) -> None:
-    """Parses the headers of the standard library that src includes, once for all units."""
+    """Parses the headers of the standard library that the design includes, once for all units."""
     names: set[str] = set()
-    for path in files_below(root, ("src",), (".cpp", ".hpp")):
+    for path in files_below(root, DESIGN, (".cpp", ".hpp")):
         if board or not is_board(str(path.relative_to(root))):
             names.update(re.findall(r"^#include (<[^>]+>)", path.read_text("utf-8"), re.MULTILINE))
     parsed = standard(cache, board)
@@ -300,7 +300,7 @@ def prepare_standard(root: Path, cache: Path, board: bool) -> None:
 
 def parse(root: Path, unit: str, files: list[str], known: Path) -> tuple[Syntax, set[str]]:
     """The facts of the files, and all files of the project that the unit includes."""
-    arguments = [*clang_arguments(is_board(unit)), "-I", str(root / "src")]
+    arguments = [*clang_arguments(is_board(unit)), *include_options(root)]
     if known.exists():
         arguments += ["-include-pch", str(known)]
     tree = cindex.Index.create().parse(str(root / unit), args=arguments)
@@ -333,7 +333,7 @@ def includes_of(root: Path, file: str) -> list[IncludeFact]:
         written = re.match(r'\s*#\s*include\s*[<"]([^>"]+)[>"]', line)
         if written is None:
             continue
-        for folder in ((root / file).parent, root / "src", root):
+        for folder in ((root / file).parent, *(root / name for name in DESIGN), root):
             target = (folder / written[1]).resolve()
             if target.is_file() and target.is_relative_to(root):
                 name = str(target.relative_to(root))
