@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "wheel_control/algorithms/PiRegulator.hpp"
@@ -40,7 +41,8 @@ class CurrentAlgorithm final : public WheelAlgorithm {
 
  private:
   PiRegulator regulator_;
-  std::optional<Velocity> before_;  // velocity of the cycle before
+  std::optional<Velocity> before_;  // velocity of the cycle before; nothing after a reset
+  std::int16_t setPoint_ = 0;       // set-point of the cycle that ends
   Tension calculated_{};            // result of the last calculation
 };
 

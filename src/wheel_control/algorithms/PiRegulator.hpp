@@ -15,8 +15,8 @@ struct PiGains {
 
 /// @brief Takes an error to zero.
 ///
-/// @function Adds a share of the present error and a share of each error before it to one tension. It
-/// withdraws what the last error added when the wheel could not follow.
+/// @function Adds a share of the present error and a share of each error before it to one tension. An error
+/// that comes from a tension that could not be applied is not kept.
 ///
 /// @secret How an integral is kept from winding up while the tension is limited, and how fractions of a
 /// millivolt are kept.
@@ -29,8 +29,9 @@ class PiRegulator final {
   PiRegulator(const PiRegulator&) = delete;
   PiRegulator& operator=(const PiRegulator&) = delete;
 
-  /// @brief Takes the error of a cycle.
-  /// @param error set-point less measured value, in the unit of the gains, -65535 to 65535
+  /// @brief Takes the error of the cycle that ends.
+  /// @param error what should have been measured less what was measured, in the unit of the gains, -65535
+  /// to 65535
   /// @return tension that works against the error [mV], rounded towards zero
   /// @post The part of the integral is at most the supply.
   /// @satisfies FR-83
@@ -38,9 +39,9 @@ class PiRegulator final {
   /// @isr{no}
   Tension regulate(std::int32_t error);
 
-  /// @brief Learns by how much the last tension was missed. When the wheel got less than the error asked
-  /// for, the integral goes back to what it was before.
-  /// @param shortfall applied less calculated tension [mV]
+  /// @brief Learns by how much the wheel will miss its tension in the cycle that begins. An error of that
+  /// cycle that the missing tension explains is not kept.
+  /// @param shortfall calculated less applied tension [mV]
   /// @satisfies FR-86
   /// @isr{no}
   void missed(Tension shortfall);
@@ -52,8 +53,7 @@ class PiRegulator final {
  private:
   PiGains gains_;
   std::int64_t integral_ = 0;  // [uV]
-  std::int64_t before_ = 0;    // [uV] integral before the last error
-  std::int32_t error_ = 0;     // the last error
+  Tension shortfall_{};        // of the cycle whose error comes next
 };
 
 }  // namespace wr

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "wheel_control/algorithms/PiRegulator.hpp"
 #include "wheel_control/algorithms/WheelAlgorithm.hpp"
@@ -44,12 +45,10 @@ class VelocityAlgorithm final : public WheelAlgorithm {
 
  private:
   PiRegulator regulator_;
-  std::int64_t model_ =
-      0;                  // [0.001 of 0.1 rpm] velocity that the model has at the end of the cycle
-  Velocity measured_{};   // velocity of the last calculation
-  Tension calculated_{};  // result of the last calculation
-  std::int16_t setPoint_ = 0;  // set-point of the last calculation
-  bool fresh_ = true;          // nothing was calculated since the start or the last reset
+  std::optional<std::int64_t> model_;  // [0.0001 rpm] velocity of the model when the cycle began
+  std::int16_t setPoint_ = 0;          // set-point of the cycle that ends
+  Velocity measured_{};                // measured velocity of the last calculation
+  Tension calculated_{};               // result of the last calculation
 };
 
 }  // namespace wr

@@ -1,0 +1,43 @@
+#include "wheel_control/algorithms/CurrentAlgorithm.hpp"
+
+#include "services/SystemConstants.hpp"
+
+namespace wr {
+
+namespace {
+
+// The derivation of these figures stands in docs/wheel_control.rst.
+constexpr std::int32_t kWinding = 1500;  // [mOhm] resistance of winding and leads
+constexpr PiGains kGains{.proportional = 0, .integral = kWinding / 2};
+constexpr std::int32_t kThousand = 1000;
+
+}  // namespace
+
+CurrentAlgorithm::CurrentAlgorithm() : regulator_(kGains) {}
+
+Tension CurrentAlgorithm::calculate(std::int16_t setPoint, const WheelFeedback& feedback) {
+  Tension correction;
+  Velocity foreseen = feedback.velocity;
+  if (before_) {
+    correction = regulator_.regulate(setPoint_ - feedback.current.count());
+    foreseen = feedback.velocity * 2 - *before_;
+  }
+  before_ = feedback.velocity;
+  setPoint_ = setPoint;
+  const Tension winding(kWinding * setPoint / kThousand);
+  const Tension turning(SystemConstants::instance().motorConstant().count() * foreseen.count() /
+                        kThousand);
+  calculated_ = winding + turning + correction;
+  return calculated_;
+}
+
+void CurrentAlgorithm::applied(Tension tension) {
+  regulator_.missed(calculated_ - tension);
+}
+
+void CurrentAlgorithm::reset() {
+  regulator_.reset();
+  before_.reset();
+}
+
+}  // namespace wr

@@ -1,0 +1,56 @@
+#include "wheel_control/behaviours/Reverse.hpp"
+
+#include "services/SystemConstants.hpp"
+
+namespace wr {
+
+namespace {
+
+constexpr std::uint8_t kSlowCycles = 2;  // slow cycles in a row that show that a wheel rests
+
+bool isSlow(Velocity velocity) {
+  constexpr Velocity kStandstill = SystemConstants::instance().standstill();
+  return velocity < kStandstill && velocity > -kStandstill;
+}
+
+}  // namespace
+
+Reverse::Reverse(WheelBehaviour& wrapped, WheelBehaviour& stop, WheelCommand& setOrientation)
+    : BehaviourDecorator(wrapped), stop_(stop), setOrientation_(setOrientation) {}
+
+Tension Reverse::apply(Tension demand, Velocity velocity) {
+  if (!opposes(demand)) {
+    slowCycles_ = 0;
+    applied_ = BehaviourDecorator::apply(demand, velocity);
+    return applied_;
+  }
+  if (!isSlow(velocity)) {
+    slowCycles_ = 0;
+  } else if (slowCycles_ < kSlowCycles) {
+    ++slowCycles_;
+  }
+  if (!rests()) {
+    resume(stop_.apply(applied_, velocity));
+    return applied_;
+  }
+  setOrientation_.execute(demand);
+  backwards_ = !backwards_;
+  slowCycles_ = 0;
+  applied_ = BehaviourDecorator::apply(demand, velocity);
+  return applied_;
+}
+
+void Reverse::resume(Tension applied) {
+  applied_ = applied;
+  BehaviourDecorator::resume(applied);
+}
+
+bool Reverse::opposes(Tension demand) const {
+  return backwards_ ? demand > Tension() : demand < Tension();
+}
+
+bool Reverse::rests() const {
+  return slowCycles_ >= kSlowCycles && applied_ == Tension();
+}
+
+}  // namespace wr

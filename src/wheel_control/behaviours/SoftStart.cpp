@@ -1,0 +1,27 @@
+#include "wheel_control/behaviours/SoftStart.hpp"
+
+#include <algorithm>
+
+namespace wr {
+
+namespace {
+
+constexpr Tension kRise(12000);  // most that the magnitude of the tension rises in a cycle
+
+}  // namespace
+
+SoftStart::SoftStart(WheelBehaviour& wrapped) : BehaviourDecorator(wrapped) {}
+
+Tension SoftStart::apply(Tension demand, Velocity velocity) {
+  const Tension most = std::max(applied_, Tension()) + kRise;
+  const Tension least = std::min(applied_, Tension()) - kRise;
+  applied_ = BehaviourDecorator::apply(std::clamp(demand, least, most), velocity);
+  return applied_;
+}
+
+void SoftStart::resume(Tension applied) {
+  applied_ = applied;
+  BehaviourDecorator::resume(applied);
+}
+
+}  // namespace wr

@@ -1,0 +1,28 @@
+#include "wheel_control/behaviours/Stop.hpp"
+
+#include <algorithm>
+
+namespace wr {
+
+namespace {
+
+constexpr Tension kFall(2400);  // most that the tension falls in a cycle
+
+}  // namespace
+
+Stop::Stop(WheelCommand& setTension, WheelCommand& stopWheel)
+    : setTension_(setTension), stopWheel_(stopWheel) {}
+
+Tension Stop::apply(Tension applied, Velocity /*velocity*/) {
+  const Tension left = applied - std::clamp(applied, -kFall, kFall);
+  if (left == Tension()) {
+    stopWheel_.execute(left);
+  } else {
+    setTension_.execute(left);
+  }
+  return left;
+}
+
+void Stop::resume(Tension /*applied*/) {}
+
+}  // namespace wr
