@@ -42,11 +42,8 @@ extern const std::uint32_t stackTop[];
       "b endOfProgram");
 }
 
-// Interrupts that the composition of a product may handle.
+// Interrupts of what only some products have.
 extern "C" {
-[[gnu::weak, gnu::nothrow, gnu::alias("unexpected")]] void cycleTimerInterrupt();
-[[gnu::weak, gnu::nothrow, gnu::alias("unexpected")]] void tickTimerInterrupt();
-[[gnu::weak, gnu::nothrow, gnu::alias("unexpected")]] void hallSensorInterrupt();
 [[gnu::weak, gnu::nothrow, gnu::alias("unexpected")]] void remoteControlInterrupt();
 [[gnu::weak, gnu::nothrow, gnu::alias("unexpected")]] void secondPortInterrupt();
 }

@@ -37,21 +37,20 @@ void rearLeftThreadInterrupt();
 /// @brief The thread of the rear right wheel is pended.
 void rearRightThreadInterrupt();
 
-// What the composition of a product handles. An interrupt that it does not handle is unexpected.
-
-/// @brief A period of the cycle timer has passed.
-void cycleTimerInterrupt();
-
 /// @brief A period of the tick timer has passed.
 void tickTimerInterrupt();
 
 /// @brief A Hall sensor has an edge.
 void hallSensorInterrupt();
 
-/// @brief A signal of the remote control has an edge.
+/// @brief A period of the cycle timer has passed. Each product handles it.
+void cycleTimerInterrupt();
+
+/// @brief A signal of the remote control has an edge. Unexpected in a product that does not handle it.
 void remoteControlInterrupt();
 
-/// @brief The second serial port has a byte, room for one, or lost one.
+/// @brief The second serial port has a byte, room for one, or lost one. Unexpected in a product that
+/// does not handle it.
 void secondPortInterrupt();
 }
 

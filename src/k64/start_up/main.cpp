@@ -1,7 +1,9 @@
-#include "construction/ControlSystemPoolBuilder.hpp"
+// The composition of the weeding robot: orders of the PC and of the remote control.
+
 #include "construction/MainControllerBuilder.hpp"
 #include "construction/RobotDirector.hpp"
 #include "k64/core.hpp"
+#include "k64/start_up/control_systems.hpp"
 #include "k64/start_up/handlers.hpp"
 #include "k64/start_up/platform.hpp"
 #include "services/Pipe.hpp"
@@ -13,16 +15,19 @@ namespace {
 Pipe<Velocity> rcVelocity;
 Pipe<Angle> rcDirection;
 
-ControlSystemPoolBuilder poolBuilder;
-MainControllerBuilder controllerBuilder({.thread = platform::mainThread,
-                                         .cycleTimer = platform::cycleTimer,
-                                         .timebase = platform::timebase,
-                                         .pcPort = platform::pcPort,
-                                         .rcVelocity = rcVelocity,
-                                         .rcDirection = rcDirection,
-                                         .watchdog = platform::watchdog,
-                                         .start = platform::startRecord});
-RobotDirector director(poolBuilder, controllerBuilder);
+MainControllerBuilder controllerBuilder(
+    {.thread = platform::mainThread,
+     .cycleTimer = platform::cycleTimer,
+     .timebase = platform::timebase,
+     .pcPort = platform::pcPort,
+     .watchdog = platform::watchdog,
+     .start = platform::startRecord,
+     .remoteControl = MainControllerBuilder::RemoteControlDevices{
+         .velocityPin = platform::rcVelocityPin,
+         .directionPin = platform::rcDirectionPin,
+         .velocity = rcVelocity,
+         .direction = rcDirection}});
+RobotDirector director(platform::poolBuilder, controllerBuilder);
 
 }  // namespace
 
@@ -32,6 +37,12 @@ RobotDirector director(poolBuilder, controllerBuilder);
 
 void cycleTimerInterrupt() {
   wr::controllerBuilder.clock().expired();
+  wr::finishStores();
+}
+
+void remoteControlInterrupt() {
+  wr::controllerBuilder.velocityPin().serve();
+  wr::controllerBuilder.directionPin().serve();
   wr::finishStores();
 }
 
