@@ -21,6 +21,7 @@ class ControlSystemBuilder {
 
   /// @brief Makes what is moved, with the commands that move it.
   /// @errors A part that is made twice ends the program with the assertion PartDouble.
+  /// @satisfies FR-78
   /// @isr{no}
   virtual void buildActuator() = 0;
 
@@ -28,6 +29,7 @@ class ControlSystemBuilder {
   /// @pre The actuator is made.
   /// @errors A missing part ends the program with the assertion PartMissing, one that is made twice with
   /// PartDouble.
+  /// @satisfies FR-78
   /// @isr{no}
   virtual void buildSensors() = 0;
 
@@ -35,6 +37,7 @@ class ControlSystemBuilder {
   /// @pre The actuator and the sensors are made.
   /// @errors A missing part ends the program with the assertion PartMissing, one that is made twice with
   /// PartDouble.
+  /// @satisfies FR-78
   /// @isr{no}
   virtual void buildController() = 0;
 
@@ -42,6 +45,7 @@ class ControlSystemBuilder {
   /// @pre All its parts are made.
   /// @errors A missing part ends the program with the assertion PartMissing, one that is made twice with
   /// PartDouble.
+  /// @satisfies FR-78
   /// @isr{no}
   virtual void buildSystem() = 0;
 

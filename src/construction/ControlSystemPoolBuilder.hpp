@@ -40,6 +40,7 @@ class ControlSystemPoolBuilder {
 
   /// @brief Has each control system made.
   /// @errors What is made twice ends the program with the assertion PartDouble.
+  /// @satisfies FR-78
   /// @isr{no}
   void buildSystems();
 
@@ -48,6 +49,7 @@ class ControlSystemPoolBuilder {
   /// @post pool() can be called.
   /// @errors A missing system ends the program with the assertion PartMissing, a second pool with
   /// PartDouble.
+  /// @satisfies FR-78
   /// @isr{no}
   void buildPool();
 
@@ -56,6 +58,7 @@ class ControlSystemPoolBuilder {
   /// @errors A missing system ends the program with the assertion PartMissing, a second timer with
   /// PartDouble.
   /// @satisfies FR-100
+  /// @satisfies FR-78
   /// @isr{no}
   void buildTimer();
 

@@ -98,6 +98,7 @@ class MainControllerBuilder {
   /// @brief Makes the reader of the PC's orders, and the link to the PC with its states; it begins
   /// disconnected.
   /// @errors A link that is made twice ends the program with the assertion PartDouble.
+  /// @satisfies FR-78
   /// @isr{no}
   void buildConnection();
 
@@ -107,6 +108,7 @@ class MainControllerBuilder {
   /// @errors Without devices the program ends with the assertion PartMissing, a second time with
   /// PartDouble.
   /// @satisfies FR-51
+  /// @satisfies FR-78
   /// @isr{no}
   void buildRemoteControl();
 
@@ -115,6 +117,7 @@ class MainControllerBuilder {
   /// @errors A missing part ends the program with the assertion PartMissing, modes that are there with
   /// PartDouble.
   /// @satisfies FR-17
+  /// @satisfies FR-78
   /// @isr{no}
   void buildModes();
 
@@ -122,6 +125,7 @@ class MainControllerBuilder {
   /// @pre The link is made.
   /// @errors A missing part ends the program with the assertion PartMissing, modes that are there with
   /// PartDouble.
+  /// @satisfies FR-78
   /// @isr{no}
   void buildPcMode();
 
@@ -129,17 +133,20 @@ class MainControllerBuilder {
   /// @param first mode at start
   /// @param all every mode; storage and modes live as long as the builder
   /// @errors Modes that are there end the program with the assertion PartDouble.
+  /// @satisfies FR-78
   /// @isr{no}
   void useModes(Mode& first, std::span<Mode* const> all);
 
   /// @brief Makes the operation states and binds each to its successors. Working is the first.
   /// @errors States that are there end the program with the assertion PartDouble.
+  /// @satisfies FR-78
   /// @isr{no}
   void buildStates();
 
   /// @brief Takes operation states that were made elsewhere.
   /// @param first state at start; it lives as long as the builder
   /// @errors States that are there end the program with the assertion PartDouble.
+  /// @satisfies FR-78
   /// @isr{no}
   void useStates(OperationState& first);
 
@@ -149,6 +156,7 @@ class MainControllerBuilder {
   /// @errors A missing part ends the program with the assertion PartMissing, a second controller with
   /// PartDouble.
   /// @satisfies FR-10
+  /// @satisfies FR-78
   /// @isr{no}
   void buildController(ControlSystemPool& systems);
 
@@ -157,6 +165,7 @@ class MainControllerBuilder {
   /// @errors A missing part ends the program with the assertion PartMissing, a second timer with
   /// PartDouble.
   /// @satisfies FR-1
+  /// @satisfies FR-78
   /// @isr{no}
   void buildClock();
 

@@ -16,8 +16,8 @@ namespace wr {
 /// @role{steering-timer-interrupt, Invoker}
 class SecondTimer final {
  public:
-  /// @brief Largest number of commands.
-  static constexpr std::size_t kCapacity = 6;
+  /// @brief Largest number of commands: one for each control system that a pool can hold.
+  static constexpr std::size_t kCapacity = 8;
 
   /// @brief Binds a timer. It has no command yet.
   /// @param timer makes the beat

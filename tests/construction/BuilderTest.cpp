@@ -1,8 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "construction/ControlSystemPoolBuilder.hpp"
+#include "construction/DirSystemBuilder.hpp"
 #include "construction/MainControllerBuilder.hpp"
 #include "construction/RobotDirector.hpp"
+#include "construction/WheelSystemBuilder.hpp"
+#include "sim/host/HostPins.hpp"
 #include "sim/host/HostScheduler.hpp"
 #include "sim/host/HostSerialPort.hpp"
 #include "sim/host/HostThread.hpp"
@@ -19,21 +24,46 @@ class BuilderTest : public testing::Test {
   HostTimebase time;
   HostSerialPort port;
   HostScheduler scheduler;
+  HostPins pins{scheduler};
   HostThread thread{scheduler, 1};
+  HostThread wheelThread{scheduler, 2};
   HostTimer timer{scheduler};
+  HostTimer tickTimer{scheduler};
   Pipe<Velocity> velocity;
   Pipe<Angle> direction;
   HostWatchdog watchdog{time};
   StartRecord start{ResetCause::Software, FaultKind::Assertion, 3, 0x1234};
-  ControlSystemPoolBuilder poolBuilder;
-  MainControllerBuilder builder{{.thread = thread,
-                                 .cycleTimer = timer,
-                                 .timebase = time,
-                                 .pcPort = port,
-                                 .rcVelocity = velocity,
-                                 .rcDirection = direction,
-                                 .watchdog = watchdog,
-                                 .start = start}};
+  WheelSystemBuilder wheelBuilder{{.pwm = pins.wheels[1].pwm,
+                                   .orientation = pins.wheels[1].orientation,
+                                   .enable = pins.wheels[1].enable,
+                                   .hallA = pins.wheels[1].hall[0],
+                                   .hallB = pins.wheels[1].hall[1],
+                                   .current = pins.wheels[1].current,
+                                   .thread = wheelThread,
+                                   .timebase = time,
+                                   .wheel = 1}};
+  DirSystemBuilder steeringBuilder{{.step = pins.steering.step,
+                                    .direction = pins.steering.direction,
+                                    .enable = pins.steering.enable,
+                                    .leftEnd = pins.steering.leftEnd,
+                                    .rightEnd = pins.steering.rightEnd,
+                                    .angle = pins.steering.angle,
+                                    .timebase = time}};
+  std::array<ControlSystemBuilder*, 2> systemBuilders{&wheelBuilder, &steeringBuilder};
+  ControlSystemPoolBuilder poolBuilder{tickTimer, systemBuilders};
+  MainControllerBuilder::Devices devices{
+      .thread = thread,
+      .cycleTimer = timer,
+      .timebase = time,
+      .pcPort = port,
+      .watchdog = watchdog,
+      .start = start,
+      .remoteControl =
+          MainControllerBuilder::RemoteControlDevices{.velocityPin = pins.remoteControl[0],
+                                                      .directionPin = pins.remoteControl[1],
+                                                      .velocity = velocity,
+                                                      .direction = direction}};
+  MainControllerBuilder builder{devices};
   RobotDirector director{poolBuilder, builder};
 };
 
@@ -113,35 +143,149 @@ TEST_F(BuilderTest, FR76_WelcomeTellsTheStartOfThePlatform) {
   EXPECT_EQ(welcome->faultAddress, 0x1234U);
 }
 
-/// @brief The pool that is built is empty.
-TEST_F(BuilderTest, PoolIsEmpty) {
-  poolBuilder.buildPool();
+/// @brief Every part of the robot is made once, and the pool holds each control system.
+/// @verifies FR-78
+TEST_F(BuilderTest, FR78_EveryPartIsMadeOnce) {
+  director.construct();
+  director.start();
+  EXPECT_FALSE(poolBuilder.pool().completed(1));
+  poolBuilder.pool().hold(1);
   EXPECT_TRUE(poolBuilder.pool().completed(1));
+}
+
+/// @brief The second timer beats from the start on, and executes the commands of wheels and steering at
+/// each beat: both ask for a sample.
+/// @verifies FR-100
+TEST_F(BuilderTest, FR100_SecondTimerExecutesTheCommandsOfTheSystems) {
+  director.construct();
+  tickTimer.connect([this] { poolBuilder.timer().expired(); });
+  EXPECT_EQ(tickTimer.period(), Microseconds(0));
+  director.start();
+  EXPECT_EQ(tickTimer.period(), milliseconds(1));
+  tickTimer.periodPassed();
+  EXPECT_TRUE(pins.wheels[1].current.take().has_value());
+  EXPECT_TRUE(pins.steering.angle.take().has_value());
+}
+
+/// @brief Pulses on both pins of the remote control become the signals that its reader reads.
+/// @verifies FR-51
+TEST_F(BuilderTest, FR51_PulsesOnThePinsReachTheSignals) {
+  director.construct();
+  pins.remoteControl[0].connect([this] { builder.velocityPin().serve(); });
+  pins.remoteControl[1].connect([this] { builder.directionPin().serve(); });
+  for (int pulse = 0; pulse < 2; ++pulse) {
+    pins.remoteControl[0].drive(true);
+    pins.remoteControl[1].drive(true);
+    time.advance(Microseconds(1250));
+    pins.remoteControl[1].drive(false);
+    time.advance(Microseconds(750));
+    pins.remoteControl[0].drive(false);
+    time.advance(milliseconds(18));
+  }
+  ASSERT_TRUE(velocity.read().has_value());
+  EXPECT_EQ(velocity.read()->value, Velocity(3000));
+  ASSERT_TRUE(direction.read().has_value());
+  EXPECT_LT(direction.read()->value, Angle(-1400));
+}
+
+/// @brief A robot that only the PC commands begins in the mode PC and stays in it.
+/// @verifies FR-12
+TEST_F(BuilderTest, FR12_RobotForThePcHasOneMode) {
+  director.constructForPc();
+  MainController& controller = builder.controller();
+  EXPECT_EQ(controller.getMode().id(), ModeId::PC);
+  controller.getMode().changeMode(controller);
+  EXPECT_EQ(controller.getMode().id(), ModeId::PC);
 }
 
 using BuilderDeathTest = BuilderTest;
 
 /// @brief A product that was not built cannot be had.
-TEST_F(BuilderDeathTest, ProductIsMissingBeforeItIsBuilt) {
+/// @verifies FR-78
+TEST_F(BuilderDeathTest, FR78_ProductIsMissingBeforeItIsBuilt) {
   EXPECT_DEATH(static_cast<void>(poolBuilder.pool()), "assertion 1 failed");
+  EXPECT_DEATH(static_cast<void>(poolBuilder.timer()), "assertion 1 failed");
   EXPECT_DEATH(static_cast<void>(builder.controller()), "assertion 1 failed");
   EXPECT_DEATH(static_cast<void>(builder.clock()), "assertion 1 failed");
+  EXPECT_DEATH(static_cast<void>(builder.pcReader()), "assertion 1 failed");
+  EXPECT_DEATH(static_cast<void>(builder.connection()), "assertion 1 failed");
+  EXPECT_DEATH(static_cast<void>(builder.velocityPin()), "assertion 1 failed");
+  EXPECT_DEATH(static_cast<void>(builder.directionPin()), "assertion 1 failed");
+  EXPECT_DEATH(static_cast<void>(wheelBuilder.sensor()), "assertion 1 failed");
+  EXPECT_DEATH(static_cast<void>(wheelBuilder.tickCommand()), "assertion 1 failed");
+  EXPECT_DEATH(static_cast<void>(wheelBuilder.system()), "assertion 1 failed");
+  EXPECT_DEATH(static_cast<void>(steeringBuilder.tickCommand()), "assertion 1 failed");
+  EXPECT_DEATH(static_cast<void>(steeringBuilder.system()), "assertion 1 failed");
+  EXPECT_DEATH(wheelBuilder.start(), "assertion 1 failed");
+  EXPECT_DEATH(steeringBuilder.start(), "assertion 1 failed");
   EXPECT_DEATH(director.start(), "assertion 1 failed");
 }
 
 /// @brief A step whose parts are missing cannot be done.
-TEST_F(BuilderDeathTest, StepNeedsItsParts) {
+/// @verifies FR-78
+TEST_F(BuilderDeathTest, FR78_StepNeedsItsParts) {
+  EXPECT_DEATH(poolBuilder.buildPool(), "assertion 1 failed");
+  EXPECT_DEATH(poolBuilder.buildTimer(), "assertion 1 failed");
+  poolBuilder.buildSystems();
   poolBuilder.buildPool();
-  EXPECT_DEATH(builder.buildConnection(), "assertion 1 failed");
   EXPECT_DEATH(builder.buildModes(), "assertion 1 failed");
+  EXPECT_DEATH(builder.buildPcMode(), "assertion 1 failed");
   EXPECT_DEATH(builder.buildController(poolBuilder.pool()), "assertion 1 failed");
   EXPECT_DEATH(builder.buildClock(), "assertion 1 failed");
-  builder.buildReaders();
-  EXPECT_DEATH(builder.buildModes(), "assertion 1 failed");
   builder.buildConnection();
+  EXPECT_DEATH(builder.buildModes(), "assertion 1 failed");
   EXPECT_DEATH(builder.buildController(poolBuilder.pool()), "assertion 1 failed");
+  builder.buildRemoteControl();
   builder.buildModes();
   EXPECT_DEATH(builder.buildController(poolBuilder.pool()), "assertion 1 failed");
+}
+
+/// @brief A wheel and a steering lack no part.
+/// @verifies FR-78
+TEST_F(BuilderDeathTest, FR78_SystemNeedsItsParts) {
+  EXPECT_DEATH(wheelBuilder.buildSensors(), "assertion 1 failed");
+  EXPECT_DEATH(wheelBuilder.buildController(), "assertion 1 failed");
+  EXPECT_DEATH(wheelBuilder.buildSystem(), "assertion 1 failed");
+  EXPECT_DEATH(steeringBuilder.buildController(), "assertion 1 failed");
+  EXPECT_DEATH(steeringBuilder.buildSystem(), "assertion 1 failed");
+  wheelBuilder.buildActuator();
+  wheelBuilder.buildSensors();
+  EXPECT_DEATH(wheelBuilder.buildSystem(), "assertion 1 failed");
+  steeringBuilder.buildActuator();
+  EXPECT_DEATH(steeringBuilder.buildSystem(), "assertion 1 failed");
+  steeringBuilder.buildSensors();
+  EXPECT_DEATH(steeringBuilder.buildSystem(), "assertion 1 failed");
+}
+
+/// @brief A robot whose platform has no remote control cannot get one.
+/// @verifies FR-78
+TEST_F(BuilderDeathTest, FR78_RemoteControlNeedsItsDevices) {
+  devices.remoteControl.reset();
+  MainControllerBuilder without(devices);
+  EXPECT_DEATH(without.buildRemoteControl(), "assertion 1 failed");
+}
+
+/// @brief No part can be made twice.
+/// @verifies FR-78
+TEST_F(BuilderDeathTest, FR78_NoPartTwice) {
+  director.construct();
+  EXPECT_DEATH(poolBuilder.buildSystems(), "assertion 5 failed");
+  EXPECT_DEATH(poolBuilder.buildPool(), "assertion 5 failed");
+  EXPECT_DEATH(poolBuilder.buildTimer(), "assertion 5 failed");
+  EXPECT_DEATH(builder.buildConnection(), "assertion 5 failed");
+  EXPECT_DEATH(builder.buildRemoteControl(), "assertion 5 failed");
+  EXPECT_DEATH(builder.buildModes(), "assertion 5 failed");
+  EXPECT_DEATH(builder.buildPcMode(), "assertion 5 failed");
+  EXPECT_DEATH(builder.useModes(builder.controller().getMode(), {}), "assertion 5 failed");
+  EXPECT_DEATH(builder.buildStates(), "assertion 5 failed");
+  EXPECT_DEATH(builder.buildController(poolBuilder.pool()), "assertion 5 failed");
+  EXPECT_DEATH(builder.buildClock(), "assertion 5 failed");
+  for (ControlSystemBuilder* system : systemBuilders) {
+    EXPECT_DEATH(system->buildActuator(), "assertion 5 failed");
+    EXPECT_DEATH(system->buildSensors(), "assertion 5 failed");
+    EXPECT_DEATH(system->buildController(), "assertion 5 failed");
+    EXPECT_DEATH(system->buildSystem(), "assertion 5 failed");
+  }
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ namespace wr {
 /// @role{pool-construction, Product}
 class ControlSystemPool {
  public:
-  /// @brief Largest number of control systems: four wheels and the steering.
-  static constexpr std::size_t kCapacity = 5;
+  /// @brief Largest number of control systems: four wheels, the steering, and room for a few more.
+  static constexpr std::size_t kCapacity = 8;
 
   /// @brief Makes an empty pool.
   ControlSystemPool() = default;
