@@ -57,7 +57,10 @@ class ValueCollector final {
   [[nodiscard]] CurrentRecord record();
 
  private:
+  /// @brief Takes a sample into the zero.
   void learnZero(std::int32_t raw);
+
+  /// @brief Acts when the samples are too high.
   void guard(std::int32_t raw, std::int32_t deviation);
 
   Command& overcurrent_;

@@ -46,6 +46,9 @@ class DirSensor final {
   /// @brief Angle of a sample, if the function gives one.
   [[nodiscard]] std::optional<Angle> angle(std::uint16_t raw) const;
 
+  /// @brief Mean of the samples that are kept, rounded to the nearest number.
+  [[nodiscard]] Angle mean() const;
+
   AnalogInput& input_;
   const Function& function_;
   const Timebase& timebase_;

@@ -9,8 +9,8 @@
 
 namespace wr {
 
-/// @brief What is known of the Hall edges of a wheel. All numbers only grow from call to call or
-/// count from start: who wants those of a time takes the difference.
+/// @brief What is known of the Hall edges of a wheel. All numbers count from start: who wants those
+/// of a time takes the difference.
 /// @datatype
 struct HallRecord {
   Instants instants;           ///< what the collector of instants tells
@@ -25,6 +25,9 @@ struct HallRecord {
 /// @role{hall-interrupt, Receiver}
 class SensorCollector final {
  public:
+  /// @brief Velocity that no wheel reaches: half more than the greatest that can be ordered.
+  static constexpr Velocity kGreatestVelocity{4500};
+
   /// @brief Binds the collector of instants.
   /// @param instants takes the edges that are believed
   explicit SensorCollector(InstantCollector& instants);

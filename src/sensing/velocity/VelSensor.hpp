@@ -56,6 +56,9 @@ class VelSensor final {
   /// @brief Velocity of a number of edges in a time, if the function gives one.
   [[nodiscard]] std::optional<Velocity> velocity(std::int32_t edges, Microseconds elapsed) const;
 
+  /// @brief Velocity when edges came since the measurement before.
+  [[nodiscard]] std::optional<Velocity> withEdges(const Instants& instants, Instant now);
+
   /// @brief Velocity when no edge came since the measurement before.
   [[nodiscard]] std::optional<Velocity> withoutEdges(Instant now);
 

@@ -1,0 +1,17 @@
+#include "functions/RcVelocity.hpp"
+
+#include "functions/scaling.hpp"
+
+namespace wr {
+
+namespace {
+
+constexpr std::int32_t kMiddle = 20;  // to each side [us]
+
+}  // namespace
+
+std::optional<std::int32_t> RcVelocity::calculate(const Arguments& arguments) const {
+  return deflected(arguments, kMiddle);
+}
+
+}  // namespace wr

@@ -1,0 +1,80 @@
+#include "sensing/velocity/VelSensor.hpp"
+
+#include <algorithm>
+
+#include "functions/arguments/BaseArguments.hpp"
+#include "functions/arguments/RangeArguments.hpp"
+#include "functions/arguments/ScaleArguments.hpp"
+#include "services/SystemConstants.hpp"
+
+namespace wr {
+
+namespace {
+
+// One turn in one microsecond [0.1 rpm].
+constexpr std::int32_t kTurnPerMicrosecond = 600'000'000;
+
+// A wheel that gave no edge for this time counts as standing.
+constexpr Microseconds kStandstill = milliseconds(500);
+
+// Edges from one count to another. Counts wrap; their difference does not, for it is small.
+std::int32_t difference(std::int32_t later, std::int32_t earlier) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(later) -
+                                   static_cast<std::uint32_t>(earlier));
+}
+
+}  // namespace
+
+VelSensor::VelSensor(SensorCollector& collector, const Function& function, const Timebase& timebase,
+                     Pipe<Velocity>& velocity)
+    : collector_(collector), function_(function), timebase_(timebase), pipe_(velocity) {}
+
+void VelSensor::measure() {
+  const Instants instants = collector_.record().instants;
+  const Instant now = timebase_.now();
+  const std::optional<Velocity> measured =
+      instants.last == edge_ ? withoutEdges(now) : withEdges(instants, now);
+  measuredAt_ = now;
+  if (measured) {
+    velocity_ = *measured;
+    pipe_.write(*measured, now);
+  }
+}
+
+HallCount VelSensor::position() {
+  return HallCount(collector_.record().instants.count);
+}
+
+std::uint16_t VelSensor::rejectedEdges() {
+  return collector_.record().rejected;
+}
+
+std::optional<Velocity> VelSensor::withEdges(const Instants& instants, Instant now) {
+  const std::int32_t edges = difference(instants.count, count_);
+  const Microseconds elapsed = standing_ ? now - measuredAt_ : *instants.last - *edge_;
+  edge_ = instants.last;
+  count_ = instants.count;
+  standing_ = false;
+  return velocity(edges, elapsed);
+}
+
+std::optional<Velocity> VelSensor::withoutEdges(Instant now) {
+  standing_ = standing_ || now - *edge_ >= kStandstill;
+  if (standing_) {
+    return Velocity(0);
+  }
+  const std::optional<Velocity> bound = velocity(1, now - *edge_);
+  return bound ? std::clamp(velocity_, -*bound, *bound) : velocity_;
+}
+
+std::optional<Velocity> VelSensor::velocity(std::int32_t edges, Microseconds elapsed) const {
+  const BaseArguments base(edges, elapsed);
+  const ScaleArguments scaled(base, kTurnPerMicrosecond,
+                              SystemConstants::instance().hallEdgesPerTurn(), 0);
+  const std::int32_t greatest = SensorCollector::kGreatestVelocity.count();
+  const RangeArguments arguments(scaled, -greatest, greatest);
+  const std::optional<std::int32_t> value = function_.calculate(arguments);
+  return value ? std::optional(Velocity(*value)) : std::nullopt;
+}
+
+}  // namespace wr
