@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <numeric>
 
 namespace wr::k64 {
 
@@ -22,14 +23,17 @@ class Clock {
     count_ = count(now);
     from_ = now;
     hz_ = hz;
+    const std::uint64_t common = std::gcd(kSecond, hz);
+    edges_ = hz / common;
+    picoseconds_ = kSecond / common;
   }
 
   [[nodiscard]] std::uint64_t hz() const { return hz_; }
 
   /// @brief Edges up to a time that is not before the last change.
   [[nodiscard]] std::uint64_t count(Time time) const {
-    const auto passed = static_cast<Wide>((time - from_).count());
-    return count_ + static_cast<std::uint64_t>(passed * hz_ / kSecond);
+    return count_ +
+           scale(static_cast<std::uint64_t>((time - from_).count()), edges_, 0, picoseconds_);
   }
 
   /// @brief The first time at which a count has been reached.
@@ -40,8 +44,8 @@ class Clock {
     if (hz_ == 0) {
       return kNever;
     }
-    const Wide passed = (static_cast<Wide>(count - count_) * kSecond + hz_ - 1) / hz_;
-    const auto most = static_cast<Wide>((kNever - from_).count());
+    const std::uint64_t passed = scale(count - count_, picoseconds_, edges_ - 1, edges_);
+    const auto most = static_cast<std::uint64_t>((kNever - from_).count());
     return passed >= most ? kNever : from_ + Time(static_cast<std::int64_t>(passed));
   }
 
@@ -56,11 +60,27 @@ class Clock {
 
  private:
   __extension__ using Wide = unsigned __int128;
-  static constexpr Wide kSecond = 1'000'000'000'000;
+  static constexpr std::uint64_t kSecond = 1'000'000'000'000;
+
+  // (value * factor + more) / divisor. What fits in 64 bits is divided there, which is much faster.
+  static std::uint64_t scale(std::uint64_t value, std::uint64_t factor, std::uint64_t more,
+                             std::uint64_t divisor) {
+    std::uint64_t product = 0;
+    if (!__builtin_mul_overflow(value, factor, &product) &&
+        !__builtin_add_overflow(product, more, &product)) {
+      return product / divisor;
+    }
+    const Wide wide = (static_cast<Wide>(value) * factor + more) / divisor;
+    constexpr std::uint64_t kMost = ~std::uint64_t{0};
+    return wide > kMost ? kMost : static_cast<std::uint64_t>(wide);
+  }
 
   Time from_{0};
   std::uint64_t count_ = 0;
   std::uint64_t hz_ = 0;
+  // The frequency as a fraction in its lowest terms: so many edges in so many picoseconds.
+  std::uint64_t edges_ = 0;
+  std::uint64_t picoseconds_ = 1;
 };
 
 }  // namespace wr::k64

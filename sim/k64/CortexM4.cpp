@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sim/k64/ExecutedCode.hpp"
+
 // What is said of Unicorn below holds for version 2.0.1.
 
 namespace wr::k64 {
@@ -82,6 +84,9 @@ struct CortexM4::Hooks {
     }
     ++cpu.cycles_;
     ++cpu.instructions_;
+    if (cpu.executed_ != nullptr) {
+      cpu.executed_->note(cpu.pc_);
+    }
   }
 
   static void block(uc_engine* /*engine*/, std::uint64_t address, std::uint32_t /*size*/,

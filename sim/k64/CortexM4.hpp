@@ -16,6 +16,8 @@ struct uc_struct;
 
 namespace wr::k64 {
 
+class ExecutedCode;
+
 /// @brief A Cortex-M4F: instructions by the Unicorn engine; exceptions, interrupt controller and
 /// system control by this class.
 ///
@@ -157,6 +159,10 @@ class CortexM4 {
   /// @brief Sets what is called at the start of each block of instructions. Set before the first run.
   void onBlock(std::function<void(std::uint32_t address)> call);
 
+  /// @brief Notes each instruction that is executed from now on.
+  /// @param code where they are noted; must outlive the processor
+  void noteExecuted(ExecutedCode& code) { executed_ = &code; }
+
  private:
   struct Hooks;
   struct Window {
@@ -242,6 +248,7 @@ class CortexM4 {
   std::function<void()> resetCall_;
   std::function<void()> lockupCall_;
   std::function<void(std::uint32_t)> blockCall_;
+  ExecutedCode* executed_ = nullptr;
 };
 
 }  // namespace wr::k64

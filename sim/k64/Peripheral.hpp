@@ -69,6 +69,12 @@ class Peripheral {
   /// @brief Does what has happened by itself up to now.
   virtual void advance() {}
 
+  /// @brief What nextEvent() told last.
+  [[nodiscard]] Time due() const { return due_; }
+
+  /// @brief Asks nextEvent() again. For the board, after all that may have changed it.
+  void renewDue() { due_ = nextEvent(); }
+
  protected:
   explicit Peripheral(Surroundings& board) : board_(board) {}
 
@@ -83,6 +89,9 @@ class Peripheral {
   void misuse(std::string what) { board_.report("register-misuse", std::move(what)); }
 
   Surroundings& board_;
+
+ private:
+  Time due_ = kNever;
 };
 
 /// @brief A number as it is written in findings.

@@ -1,5 +1,7 @@
 #include "sim/k64/Pins.hpp"
 
+#include <bit>
+
 namespace wr::k64 {
 
 namespace {
@@ -43,8 +45,9 @@ void Port::reset(Reset /*cause*/) {
   flags_ = 0;
   before_ = 0;
   for (unsigned pin = 0; pin < 32; ++pin) {
-    before_ |= pins_.level(pin) ? 1U << pin : 0;
+    before_ |= pins_.seen(pin) ? 1U << pin : 0;
   }
+  onLevel_ = 0;
   filter_ = {};
   updateLine();
 }
@@ -53,37 +56,35 @@ void Port::updateLine() {
   board_.setLine(kFirstLine + number_, flags_ != 0);
 }
 
-void Port::settle() {
-  std::uint32_t levels = 0;
-  for (unsigned pin = 0; pin < 32; ++pin) {
-    levels |= pins_.level(pin) ? 1U << pin : 0;
+void Port::settlePin(unsigned pin) {
+  const std::uint32_t bit = 1U << pin;
+  const bool high = pins_.seen(pin);
+  const bool edge = high != ((before_ & bit) != 0);
+  before_ = (before_ & ~bit) | (high ? bit : 0);
+  const unsigned kind = pins_.control[pin] >> 16 & 0xFU;
+  // PCR.IRQC
+  const bool raised = (kind == 0x8 && !high) || (kind == 0x9 && edge && high) ||
+                      (kind == 0xA && edge && !high) || (kind == 0xB && edge) ||
+                      (kind == 0xC && high);
+  flags_ |= raised && pins_.function(pin) != 0 ? bit : 0;
+  if (kind >= 1 && kind <= 3) {
+    unmodelled("DMA request of a PORT", 4 * pin);
   }
-  const std::uint32_t changed = levels ^ before_;
-  before_ = levels;
-  for (unsigned pin = 0; pin < 32; ++pin) {
-    const std::uint32_t bit = 1U << pin;
-    const bool high = (levels & bit) != 0;
-    const bool edge = (changed & bit) != 0;
-    const unsigned kind = pins_.control[pin] >> 16 & 0xFU;
-    // PCR.IRQC
-    const bool raised = (kind == 0x8 && !high) || (kind == 0x9 && edge && high) ||
-                        (kind == 0xA && edge && !high) || (kind == 0xB && edge) ||
-                        (kind == 0xC && high);
-    flags_ |= raised ? bit : 0;
-    if (kind >= 1 && kind <= 3) {
-      unmodelled("DMA request of a PORT", 4 * pin);
-    }
-    const bool isOutput = pins_.isOutput(pin);
-    const bool shown = (pins_.shown & bit) != 0;
-    if (isOutput && (high != shown || (pins_.shownOutputs & bit) == 0)) {
-      board_.tell(Event::Kind::PinChanged, 32 * number_ + pin, high ? 1 : 0);
-      pins_.shown = (pins_.shown & ~bit) | (high ? bit : 0);
-    }
-    pins_.shownOutputs = (pins_.shownOutputs & ~bit) | (isOutput ? bit : 0);
+  const bool isOutput = pins_.isOutput(pin);
+  const bool shown = (pins_.shown & bit) != 0;
+  if (isOutput && (high != shown || (pins_.shownOutputs & bit) == 0)) {
+    board_.tell(Event::Kind::PinChanged, 32 * number_ + pin, high ? 1 : 0);
+    pins_.shown = (pins_.shown & ~bit) | (high ? bit : 0);
   }
-  if (number_ == 0 && pins_.function(kNmiPin) == 7 && (changed >> kNmiPin & 1U) != 0 &&
-      (levels >> kNmiPin & 1U) == 0) {
+  pins_.shownOutputs = (pins_.shownOutputs & ~bit) | (isOutput ? bit : 0);
+  if (number_ == 0 && pin == kNmiPin && pins_.function(kNmiPin) == 7 && edge && !high) {
     board_.raiseNmi();
+  }
+}
+
+void Port::settle(std::uint32_t which) {
+  for (std::uint32_t left = which | onLevel_; left != 0; left &= left - 1) {
+    settlePin(static_cast<unsigned>(std::countr_zero(left)));
   }
   updateLine();
 }
@@ -113,7 +114,15 @@ void Port::setControl(unsigned pin, std::uint32_t value) {
     misuse("store to the control register of a locked pin");
     return;
   }
+  const bool was = pins_.function(pin) != 0;
   pins_.control[pin] = value & kFields;
+  const std::uint32_t bit = 1U << pin;
+  if (!was) {
+    // That a pin becomes digital is no edge.
+    before_ = (before_ & ~bit) | (pins_.seen(pin) ? bit : 0);
+  }
+  const unsigned kind = pins_.control[pin] >> 16 & 0xFU;
+  onLevel_ = (onLevel_ & ~bit) | (kind == 0x8 || kind == 0xC ? bit : 0);
 }
 
 // GPCLR and GPCHR write the lower halves of 16 control registers.
@@ -135,10 +144,13 @@ void Port::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
       flags_ &= ~(1U << pin);
     }
     setControl(pin, value);
+    settle(1U << pin);
   } else if (offset == kGpclr || offset == kGpchr) {
     setMany(value, offset == kGpclr ? 0 : 16);
+    settle();
   } else if (offset == kIsfr) {
     flags_ &= ~value;
+    settle(0);
   } else if (offset >= kDfer && offset <= kDfwr) {
     filter_[(offset - kDfer) / 4] = value;
     if (offset == kDfer && value != 0) {
@@ -147,7 +159,6 @@ void Port::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
   } else {
     unmodelled("PORT", offset);
   }
-  settle();
 }
 
 void Gpio::reset(Reset /*cause*/) {
@@ -168,7 +179,7 @@ std::uint32_t Gpio::read(std::uint32_t offset, unsigned size) {
       std::uint32_t levels = 0;
       for (unsigned pin = 0; pin < 32; ++pin) {
         // The input of a pin that is not digital reads 0.
-        levels |= pins_.function(pin) != 0 && pins_.level(pin) ? 1U << pin : 0;
+        levels |= pins_.seen(pin) ? 1U << pin : 0;
       }
       return levels;
     }
@@ -186,6 +197,8 @@ void Gpio::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
   if (!hasSize("GPIO", offset, size, 4)) {
     return;
   }
+  const std::uint32_t outputs = pins_.output;
+  const std::uint32_t direction = pins_.direction;
   switch (offset) {
     case kPdor:
       pins_.output = value;
@@ -209,7 +222,7 @@ void Gpio::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
       unmodelled("GPIO", offset);
       break;
   }
-  port_.settle();
+  port_.settle((outputs ^ pins_.output) | (direction ^ pins_.direction));
 }
 
 }  // namespace wr::k64

@@ -25,6 +25,9 @@ struct PinState {
     return function(pin) == 1 && (direction >> pin & 1U) != 0;
   }
 
+  /// @brief The level that the inside of the chip sees: a pin without digital function is not seen.
+  [[nodiscard]] bool seen(unsigned pin) const { return function(pin) != 0 && level(pin); }
+
   /// @brief The level of a pin.
   [[nodiscard]] bool level(unsigned pin) const {
     if (isOutput(pin)) {
@@ -50,17 +53,20 @@ class Port final : public Peripheral {
   void write(std::uint32_t offset, unsigned size, std::uint32_t value) override;
 
   /// @brief Something may have changed the levels: tells outputs, raises interrupts.
-  void settle();
+  /// @param which pins whose levels or control may have changed
+  void settle(std::uint32_t which = ~std::uint32_t{0});
 
  private:
+  void settlePin(unsigned pin);
   void setControl(unsigned pin, std::uint32_t value);
   void setMany(std::uint32_t value, unsigned from);
   void updateLine();
 
   unsigned number_;
   PinState& pins_;
-  std::uint32_t flags_ = 0;   ///< ISF
-  std::uint32_t before_ = 0;  ///< levels seen last
+  std::uint32_t flags_ = 0;    ///< ISF
+  std::uint32_t before_ = 0;   ///< levels seen last
+  std::uint32_t onLevel_ = 0;  ///< pins whose interrupt is raised by a level
   std::array<std::uint32_t, 3> filter_{};
 };
 

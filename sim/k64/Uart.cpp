@@ -8,7 +8,7 @@ namespace wr::k64 {
 
 namespace {
 
-// Offsets from 0x4006A000: K64P144M120SF5RM, UART memory map.
+// Offsets from the base of a UART: K64P144M120SF5RM, UART memory map.
 constexpr std::uint32_t kBdh = 0x00;
 constexpr std::uint32_t kBdl = 0x01;
 constexpr std::uint32_t kC1 = 0x02;
@@ -39,9 +39,6 @@ constexpr std::uint32_t kReceived = 1U << 5;
 constexpr std::uint32_t kComplete = 1U << 6;
 constexpr std::uint32_t kEmpty = 1U << 7;
 
-constexpr unsigned kLine = 31;
-constexpr unsigned kErrorLine = 32;
-
 // Ten bits leave half a bit at the stop bit: 5 % for both sides. The PC has a part of it.
 constexpr double kMostDeviation = 0.03;
 
@@ -49,6 +46,9 @@ constexpr std::int64_t kBits = 10;
 constexpr std::int64_t kSecond = 1'000'000'000'000;
 
 }  // namespace
+
+Uart::Uart(Surroundings& board, const Kind& kind)
+    : Peripheral(board), kind_(kind), name_("UART" + std::to_string(kind.number)) {}
 
 void Uart::connectPins(std::function<bool()> receives, std::function<bool()> sends) {
   receives_ = std::move(receives);
@@ -62,7 +62,7 @@ void Uart::reset(Reset /*cause*/) {
   c2_ = 0;
   c3_ = 0;
   c4_ = 0;
-  fifo_ = 0x22;  // both of 8 bytes, both off
+  fifo_ = kind_.fifo;  // both off
   fifoControl_ = 0;
   fifoFlags_ = 0;
   sendMark_ = 0;
@@ -78,10 +78,11 @@ void Uart::reset(Reset /*cause*/) {
 }
 
 double Uart::baud() const {
-  // Baud rate generation: core clock / (16 * (SBR + BRFA / 32))
+  // Baud rate generation: clock / (16 * (SBR + BRFA / 32))
   const std::uint32_t sbr = (bdh_ & 0x1FU) << 8 | bdl_;
   const double divisor = 16.0 * (sbr + (c4_ & 0x1FU) / 32.0);
-  return sbr == 0 ? 0 : static_cast<double>(board_.coreClock().hz()) / divisor;
+  const Clock& clock = kind_.coreClock ? board_.coreClock() : board_.busClock();
+  return sbr == 0 ? 0 : static_cast<double>(clock.hz()) / divisor;
 }
 
 bool Uart::baudFits() {
@@ -89,7 +90,7 @@ bool Uart::baudFits() {
   if (std::abs(own / lineBaud_ - 1) <= kMostDeviation) {
     return true;
   }
-  board_.report("uart-baud", "UART0 at " + std::to_string(std::lround(own)) +
+  board_.report("uart-baud", name_ + " at " + std::to_string(std::lround(own)) +
                                  " baud on a line of " + std::to_string(lineBaud_));
   return false;
 }
@@ -106,9 +107,9 @@ std::uint32_t Uart::status() const {
 void Uart::updateLines() {
   const std::uint32_t s1 = status();
   // C2.TIE, TCIE and RIE stand where S1 has TDRE, TC and RDRF.
-  board_.setLine(kLine, (s1 & c2_ & (kEmpty | kComplete | kReceived)) != 0);
+  board_.setLine(kind_.line, (s1 & c2_ & (kEmpty | kComplete | kReceived)) != 0);
   // C3.ORIE, NEIE, FEIE and PEIE stand where S1 has OR, NF, FE and PF.
-  board_.setLine(kErrorLine, (s1 & c3_ & 0xFU) != 0);
+  board_.setLine(kind_.line + 1, (s1 & c3_ & 0xFU) != 0);
 }
 
 void Uart::arrive(Time notBefore, std::uint8_t byte, bool stopBit) {
@@ -147,7 +148,7 @@ void Uart::received(const Arriving& arriving) {
   }
   if (receivedBytes_.size() >= receiveDepth()) {
     errors_ |= kOverrun;
-    board_.report("uart-overrun", "UART0 received a byte before the last one was read");
+    board_.report("uart-overrun", name_ + " received a byte before the last one was read");
   } else {
     receivedBytes_.push_back(arriving.byte);
     errors_ |= arriving.stopBit ? 0 : kFraming;
@@ -158,12 +159,12 @@ void Uart::received(const Arriving& arriving) {
 
 void Uart::send(std::uint8_t byte) {
   if ((c2_ & kSends) == 0) {
-    misuse("UART0_D written while the transmitter is off");
+    misuse(name_ + "_D written while the transmitter is off");
     return;
   }
   if (toSend_.size() >= sendDepth()) {
     fifoFlags_ |= 2;  // TXOF
-    misuse("UART0_D written while the transmit buffer is full");
+    misuse(name_ + "_D written while the transmit buffer is full");
     return;
   }
   toSend_.push_back(byte);
@@ -179,7 +180,7 @@ void Uart::startSending() {
     return;
   }
   if (!sends_()) {
-    misuse("UART0 sends and no pin is connected to it");
+    misuse(name_ + " sends and no pin is connected to it");
     return;
   }
   sending_ = true;
@@ -190,7 +191,7 @@ void Uart::startSending() {
 
 void Uart::sent() {
   sent_.push_back(inShifter_);
-  board_.tell(Event::Kind::ByteSent, 0, inShifter_);
+  board_.tell(Event::Kind::ByteSent, kind_.number, inShifter_);
   const Time end = sentAt_;
   sending_ = false;
   sentAt_ = kNever;
@@ -220,7 +221,7 @@ std::uint32_t Uart::readData() {
 }
 
 std::uint32_t Uart::read(std::uint32_t offset, unsigned size) {
-  if (!hasSize("UART0", offset, size, 1)) {
+  if (!hasSize(name_, offset, size, 1)) {
     return 0;
   }
   switch (offset) {
@@ -261,7 +262,7 @@ std::uint32_t Uart::read(std::uint32_t offset, unsigned size) {
     case kRcfifo:
       return static_cast<std::uint32_t>(receivedBytes_.size());
     default:
-      unmodelled("UART0", offset);
+      unmodelled(name_, offset);
       return 0;
   }
 }
@@ -269,7 +270,7 @@ std::uint32_t Uart::read(std::uint32_t offset, unsigned size) {
 void Uart::control2(std::uint32_t value) {
   constexpr std::uint32_t kUnmodelled = 0x13;  // ILIE, RWU, SBK
   if ((value & kUnmodelled) != 0) {
-    unmodelled("UART0_C2 with ILIE, RWU or SBK", kC2);
+    unmodelled(name_ + "_C2 with ILIE, RWU or SBK", kC2);
   }
   c2_ = value;
   updateLines();
@@ -277,13 +278,13 @@ void Uart::control2(std::uint32_t value) {
 
 void Uart::fifo(std::uint32_t value) {
   if ((c2_ & (kReceives | kSends)) != 0) {
-    misuse("UART0_PFIFO written while the receiver or the transmitter is on");
+    misuse(name_ + "_PFIFO written while the receiver or the transmitter is on");
   }
-  fifo_ = 0x22U | (value & 0x88U);
+  fifo_ = kind_.fifo | (value & 0x88U);
 }
 
 void Uart::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
-  if (!hasSize("UART0", offset, size, 1)) {
+  if (!hasSize(name_, offset, size, 1)) {
     return;
   }
   switch (offset) {
@@ -296,7 +297,7 @@ void Uart::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
     case kC1:
       c1_ = value;
       if (value != 0) {
-        unmodelled("UART0_C1 other than 8 bits without parity", offset);
+        unmodelled(name_ + "_C1 other than 8 bits without parity", offset);
       }
       break;
     case kC2:
@@ -312,24 +313,24 @@ void Uart::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
     case kC4:
       c4_ = value;
       if ((value & 0xE0U) != 0) {
-        unmodelled("UART0_C4 with more than BRFA", offset);
+        unmodelled(name_ + "_C4 with more than BRFA", offset);
       }
       break;
     case kS1:
     case kEd:
     case kTcfifo:
     case kRcfifo:
-      misuse("store to a register of UART0 that is only read");
+      misuse("store to a register of " + name_ + " that is only read");
       break;
     case kS2:
       if ((value & 0x3FU) != 0) {
-        unmodelled("UART0_S2 with options", offset);
+        unmodelled(name_ + "_S2 with options", offset);
       }
       break;
     case kC5:
     case kModem:
       if (value != 0) {
-        unmodelled("UART0: DMA and flow control", offset);
+        unmodelled(name_ + ": DMA and flow control", offset);
       }
       break;
     case kPfifo:
@@ -358,7 +359,7 @@ void Uart::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
       updateLines();
       break;
     default:
-      unmodelled("UART0", offset);
+      unmodelled(name_, offset);
       break;
   }
 }

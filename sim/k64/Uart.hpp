@@ -3,21 +3,29 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <span>
+#include <string>
 #include <vector>
 
 #include "sim/k64/Peripheral.hpp"
 
 namespace wr::k64 {
 
-/// @brief UART0 with the line to the PC.
+/// @brief A UART with the line at its pins.
 /// K64P144M120SF5RM, chapter Universal Asynchronous Receiver/Transmitter (UART).
 ///
 /// Not modelled: parity, 9 bits, loops, wake-up, LIN break, infrared, smart cards, DMA, and the
 /// flag for an idle line.
 class Uart final : public Peripheral {
  public:
-  explicit Uart(Surroundings& board) : Peripheral(board) {}
+  /// @brief What makes a UART differ from the others: K64P144M120SF5RM, Chip Configuration, UART.
+  struct Kind {
+    unsigned number;
+    bool coreClock;     ///< counts the core clock, not the bus clock
+    std::uint8_t fifo;  ///< PFIFO after a reset: 0x22 for FIFOs of 8 bytes, 0 for 1 byte
+    unsigned line;      ///< interrupt for bytes; that for errors is the next one
+  };
+
+  Uart(Surroundings& board, const Kind& kind);
 
   /// @brief Sets what tells whether the pins are connected to the UART.
   void connectPins(std::function<bool()> receives, std::function<bool()> sends);
@@ -28,7 +36,7 @@ class Uart final : public Peripheral {
   [[nodiscard]] Time nextEvent() const override;
   void advance() override;
 
-  /// @brief The PC sends a byte.
+  /// @brief A byte comes from outside.
   /// @param notBefore when it may begin; it waits for those before it
   /// @param stopBit whether the stop bit is right
   void arrive(Time notBefore, std::uint8_t byte, bool stopBit = true);
@@ -50,8 +58,11 @@ class Uart final : public Peripheral {
   [[nodiscard]] double baud() const;
   [[nodiscard]] bool baudFits();
   [[nodiscard]] Time frameTime() const;
-  [[nodiscard]] std::size_t receiveDepth() const { return (fifo_ & 0x08U) != 0 ? 8 : 1; }
-  [[nodiscard]] std::size_t sendDepth() const { return (fifo_ & 0x80U) != 0 ? 8 : 1; }
+  [[nodiscard]] std::size_t depth(std::uint32_t on) const {
+    return kind_.fifo != 0 && (fifo_ & on) != 0 ? 8 : 1;
+  }
+  [[nodiscard]] std::size_t receiveDepth() const { return depth(0x08); }
+  [[nodiscard]] std::size_t sendDepth() const { return depth(0x80); }
   [[nodiscard]] std::uint32_t status() const;
   [[nodiscard]] std::uint32_t readData();
   void received(const Arriving& arriving);
@@ -62,6 +73,8 @@ class Uart final : public Peripheral {
   void fifo(std::uint32_t value);
   void updateLines();
 
+  Kind kind_;
+  std::string name_;
   std::function<bool()> receives_;
   std::function<bool()> sends_;
   std::uint32_t lineBaud_ = 115'200;

@@ -6,12 +6,16 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sim/k64/Adc.hpp"
+#include "sim/k64/Agenda.hpp"
 #include "sim/k64/Blocks.hpp"
 #include "sim/k64/CallRecorder.hpp"
 #include "sim/k64/Clock.hpp"
 #include "sim/k64/CortexM4.hpp"
+#include "sim/k64/Ftm.hpp"
 #include "sim/k64/Mcg.hpp"
 #include "sim/k64/Peripheral.hpp"
+#include "sim/k64/PinFunctions.hpp"
 #include "sim/k64/Pins.hpp"
 #include "sim/k64/Pit.hpp"
 #include "sim/k64/PlainRegisters.hpp"
@@ -40,6 +44,12 @@ constexpr std::uint32_t kSimUpper = 0x40048000;
 constexpr std::uint32_t kFlashOption = 0x40D;
 constexpr unsigned kFirstLine = 16;
 constexpr unsigned kPorts = 5;
+constexpr unsigned kTimers = 4;
+constexpr unsigned kConverters = 2;
+
+// K64P144M120SF5RM, Chip Configuration, UART: clocks and FIFOs; interrupt channel assignments.
+constexpr Uart::Kind kUart0{.number = 0, .coreClock = true, .fifo = 0x22, .line = 31};
+constexpr Uart::Kind kUart4{.number = 4, .coreClock = false, .fifo = 0x00, .line = 66};
 
 // Blocks whose registers keep what they are given: K64P144M120SF5RM, chapters OSC, SMC, PMC, and
 // Memory Protection Unit (MPU).
@@ -71,7 +81,9 @@ class VirtualBoard::Parts final : public Surroundings {
         wdog_(*this),
         rcm_(*this),
         pit_(*this),
-        uart_(*this),
+        uarts_{Uart(*this, kUart0), Uart(*this, kUart4)},
+        ftms_{Ftm(*this, 0, 8), Ftm(*this, 1, 2), Ftm(*this, 2, 2), Ftm(*this, 3, 8)},
+        adcs_{Adc(*this, 0, options_.calibrates), Adc(*this, 1, options_.calibrates)},
         ports_{Port(*this, 0, pins_[0]), Port(*this, 1, pins_[1]), Port(*this, 2, pins_[2]),
                Port(*this, 3, pins_[3]), Port(*this, 4, pins_[4])},
         gpios_{Gpio(*this, pins_[0], ports_[0]), Gpio(*this, pins_[1], ports_[1]),
@@ -80,8 +92,14 @@ class VirtualBoard::Parts final : public Surroundings {
         byName_{{"SIM", &sim_},        {"MCG", &mcg_},        {"OSC", &osc_},
                 {"SMC", &smc_},        {"PMC", &pmc_},        {"SYSMPU", &sysmpu_},
                 {"WDOG", &wdog_},      {"RCM", &rcm_},        {"PIT", &pit_},
-                {"UART0", &uart_},     {"PORTA", &ports_[0]}, {"PORTB", &ports_[1]},
-                {"PORTC", &ports_[2]}, {"PORTD", &ports_[3]}, {"PORTE", &ports_[4]}} {
+                {"UART0", &uarts_[0]}, {"UART4", &uarts_[1]}, {"FTM0", &ftms_[0]},
+                {"FTM1", &ftms_[1]},   {"FTM2", &ftms_[2]},   {"FTM3", &ftms_[3]},
+                {"ADC0", &adcs_[0]},   {"ADC1", &adcs_[1]},   {"PORTA", &ports_[0]},
+                {"PORTB", &ports_[1]}, {"PORTC", &ports_[2]}, {"PORTD", &ports_[3]},
+                {"PORTE", &ports_[4]}},
+        timed_{&mcg_,     &wdog_,    &pit_,     &uarts_[0], &uarts_[1], &ftms_[0],
+               &ftms_[1], &ftms_[2], &ftms_[3], &adcs_[0],  &adcs_[1]},
+        agenda_([this](const Agenda::Level& level) { drive(level.port, level.pin, level.high); }) {
     if (image_.size() > kFlashSize) {
       throw std::runtime_error("the image is larger than the flash");
     }
@@ -92,7 +110,14 @@ class VirtualBoard::Parts final : public Surroundings {
 
   // What peripherals see.
   [[nodiscard]] Time time() const override {
-    return core_.hz() == 0 ? standsAt_ : core_.at(cpu_.cycles());
+    if (core_.hz() == 0) {
+      return standsAt_;
+    }
+    if (const std::uint64_t cycle = cpu_.cycles(); cycle != knownCycle_) {
+      knownCycle_ = cycle;
+      knownTime_ = core_.at(cycle);
+    }
+    return knownTime_;
   }
   [[nodiscard]] const Clock& coreClock() const override { return core_; }
   [[nodiscard]] const Clock& busClock() const override { return bus_; }
@@ -122,7 +147,12 @@ class VirtualBoard::Parts final : public Surroundings {
 
   CortexM4& cpu() { return cpu_; }
   Mcg& mcg() { return mcg_; }
-  Uart& uart() { return uart_; }
+  Uart& uart(int number);
+  Ftm& ftm(int number) { return ftms_.at(static_cast<std::size_t>(number)); }
+  Adc& adc(int number) { return adcs_.at(static_cast<std::size_t>(number)); }
+  Agenda& agenda() { return agenda_; }
+  void renew(Peripheral& peripheral);
+  void limitTo(Time time);
   [[nodiscard]] const Clock& core() const { return core_; }
   [[nodiscard]] bool sleeps() const { return sleeps_; }
 
@@ -147,6 +177,13 @@ class VirtualBoard::Parts final : public Surroundings {
   bool runCore(Time until);
   void find();
   void checkClocks();
+  void gatesChanged();
+  void renewAll();
+  [[nodiscard]] bool timerHasPin(unsigned timer, unsigned channel) const;
+  [[nodiscard]] Adc::Input inputOf(unsigned converter, unsigned channel) const;
+  [[nodiscard]] const PinState& pinsOf(char port) const {
+    return pins_[static_cast<std::size_t>(port - 'A')];
+  }
 
   Options options_;
   std::vector<std::uint8_t> image_;
@@ -164,10 +201,14 @@ class VirtualBoard::Parts final : public Surroundings {
   Wdog wdog_;
   Rcm rcm_;
   Pit pit_;
-  Uart uart_;
+  std::array<Uart, 2> uarts_;
+  std::array<Ftm, kTimers> ftms_;
+  std::array<Adc, kConverters> adcs_;
   std::array<Port, kPorts> ports_;
   std::array<Gpio, kPorts> gpios_;
   std::map<std::string_view, Peripheral*> byName_;
+  std::array<Peripheral*, 11> timed_;  ///< those that do something by themselves
+  Agenda agenda_;
   struct Place {
     const Block* block = nullptr;
     Peripheral* peripheral = nullptr;
@@ -175,6 +216,8 @@ class VirtualBoard::Parts final : public Surroundings {
   std::array<Place, kPeripheralsSize / kBlockSize> places_{};
   std::uint32_t accessed_ = 0;
   bool pitGate_ = false;
+  mutable std::uint64_t knownCycle_ = 0;
+  mutable Time knownTime_{0};
   bool sleeps_ = false;
   std::optional<Reset> wantedReset_;
 };
@@ -203,9 +246,19 @@ void VirtualBoard::Parts::build() {
 }
 
 void VirtualBoard::Parts::connect() {
-  constexpr unsigned kUart = 3;  // function of PTB16 and PTB17: Signal Multiplexing
-  uart_.connectPins([this] { return pins_[1].function(16) == kUart; },
-                    [this] { return pins_[1].function(17) == kUart; });
+  // Signal Multiplexing: PTB16 and PTB17, PTC14 and PTC15 or PTE25 and PTE24.
+  constexpr unsigned kUart = 3;
+  uarts_[0].connectPins([this] { return pinsOf('B').function(16) == kUart; },
+                        [this] { return pinsOf('B').function(17) == kUart; });
+  uarts_[1].connectPins(
+      [this] { return pinsOf('C').function(14) == kUart || pinsOf('E').function(25) == kUart; },
+      [this] { return pinsOf('C').function(15) == kUart || pinsOf('E').function(24) == kUart; });
+  for (unsigned i = 0; i < kTimers; ++i) {
+    ftms_[i].connectPins([this, i](unsigned channel) { return timerHasPin(i, channel); });
+  }
+  for (unsigned i = 0; i < kConverters; ++i) {
+    adcs_[i].connectPins([this, i](unsigned channel) { return inputOf(i, channel); });
+  }
   cpu_.setFaultsAreProblems(options_.faultsAreFindings);
   cpu_.onException([this](CortexM4::Step step, unsigned exception) {
     const bool entered = step == CortexM4::Step::Entered;
@@ -222,6 +275,30 @@ void VirtualBoard::Parts::connect() {
       [this] { requestReset(Reset::Software, "reset-request", "the program asks for a reset"); });
   cpu_.onLockup(
       [this] { requestReset(Reset::Lockup, "lockup", "a fault in the handler of a fault"); });
+}
+
+bool VirtualBoard::Parts::timerHasPin(unsigned timer, unsigned channel) const {
+  return std::ranges::any_of(kFtmPins, [&](const PinFunction& each) {
+    return each.instance == timer && each.channel == channel &&
+           pinsOf(each.port).function(each.pin) == each.function;
+  });
+}
+
+Adc::Input VirtualBoard::Parts::inputOf(unsigned converter, unsigned channel) const {
+  const auto* const found = std::ranges::find_if(kAdcPins, [&](const PinFunction& each) {
+    return each.instance == converter && each.channel == channel;
+  });
+  if (found == kAdcPins.end()) {
+    return Adc::Input::None;
+  }
+  return pinsOf(found->port).function(found->pin) == 0 ? Adc::Input::Analog : Adc::Input::Digital;
+}
+
+Uart& VirtualBoard::Parts::uart(int number) {
+  if (number != 0 && number != 4) {
+    throw std::invalid_argument("the board has no line at UART" + std::to_string(number));
+  }
+  return uarts_[number == 0 ? 0 : 1];
 }
 
 void VirtualBoard::Parts::fillRam() {
@@ -260,6 +337,7 @@ void VirtualBoard::Parts::resetNow(Reset cause) {
     ports_[i].settle();
   }
   pitGate_ = false;
+  renewAll();
   cpu_.reset();
   ++resets;
   if (recorder != nullptr) {
@@ -288,6 +366,9 @@ void VirtualBoard::Parts::clocksChanged() {
   standsAt_ = changed;
   core_.set(changed, output / dividers.core);
   bus_.set(changed, output / dividers.bus);
+  knownCycle_ = cpu_.cycles();
+  knownTime_ = changed;
+  renewAll();
   checkClocks();
   cpu_.stop();  // what is to come was reckoned with the old clock
 }
@@ -349,8 +430,12 @@ std::uint32_t VirtualBoard::Parts::read(std::uint32_t address, unsigned size) {
   if (peripheral == nullptr) {
     return 0;
   }
-  peripheral->advance();
-  return peripheral->read(offset, size);
+  if (peripheral->due() <= time()) {
+    peripheral->advance();
+  }
+  const std::uint32_t value = peripheral->read(offset, size);
+  peripheral->renewDue();
+  return value;
 }
 
 void VirtualBoard::Parts::write(std::uint32_t address, unsigned size, std::uint32_t value) {
@@ -363,31 +448,68 @@ void VirtualBoard::Parts::write(std::uint32_t address, unsigned size, std::uint3
   if (peripheral == nullptr) {
     return;
   }
-  peripheral->advance();
+  if (peripheral->due() <= time()) {
+    peripheral->advance();
+  }
   peripheral->write(offset, size, value);
   if (peripheral == &sim_) {
-    constexpr unsigned kPitGroup = 6;
-    constexpr unsigned kPitBit = 23;
-    if (sim_.gateIsOpen(kPitGroup, kPitBit) !=
-        std::exchange(pitGate_, sim_.gateIsOpen(kPitGroup, kPitBit))) {
-      pit_.gateOpened();
-    }
+    gatesChanged();
+  } else if (peripheral >= ports_.data() && peripheral < ports_.data() + kPorts) {
+    std::ranges::for_each(ftms_, &Ftm::show);
   }
-  const Time next = peripheral->nextEvent();
-  if (next != kNever && core_.hz() != 0) {
-    cpu_.limitTo(core_.reach(next));
+  renew(*peripheral);
+}
+
+// After a change of what a peripheral does by itself the core may have to stop sooner.
+void VirtualBoard::Parts::renew(Peripheral& peripheral) {
+  peripheral.renewDue();
+  limitTo(peripheral.due());
+}
+
+void VirtualBoard::Parts::limitTo(Time time) {
+  if (time != kNever && core_.hz() != 0) {
+    cpu_.limitTo(core_.reach(time));
+  }
+}
+
+void VirtualBoard::Parts::renewAll() {
+  std::ranges::for_each(timed_, &Peripheral::renewDue);
+}
+
+void VirtualBoard::Parts::gatesChanged() {
+  constexpr unsigned kPitGroup = 6;
+  constexpr unsigned kPitBit = 23;
+  if (const bool open = sim_.gateIsOpen(kPitGroup, kPitBit);
+      open != std::exchange(pitGate_, open)) {
+    pit_.gateOpened();
+  }
+  constexpr std::array<std::pair<unsigned, unsigned>, kTimers> kTimerGates{
+      {{6, 24}, {6, 25}, {6, 26}, {3, 25}}};
+  for (unsigned i = 0; i < kTimers; ++i) {
+    if (ftms_[i].counts() && !sim_.gateIsOpen(kTimerGates[i].first, kTimerGates[i].second)) {
+      report("register-misuse", "the clock gate of FTM" + std::to_string(i) +
+                                    " is closed while its counter runs: its pins stay as they are");
+    }
   }
 }
 
 Time VirtualBoard::Parts::nextEvent() const {
-  return std::min({mcg_.nextEvent(), wdog_.nextEvent(), pit_.nextEvent(), uart_.nextEvent()});
+  Time next = agenda_.next();
+  for (const Peripheral* peripheral : timed_) {
+    next = std::min(next, peripheral->due());
+  }
+  return next;
 }
 
 void VirtualBoard::Parts::advance() {
-  mcg_.advance();
-  wdog_.advance();
-  pit_.advance();
-  uart_.advance();
+  const Time now = time();
+  agenda_.advance(now);
+  for (Peripheral* peripheral : timed_) {
+    if (peripheral->due() <= now) {
+      peripheral->advance();
+      peripheral->renewDue();
+    }
+  }
 }
 
 // Lets the core run, sleep or stand still until a time.
@@ -444,7 +566,7 @@ void VirtualBoard::Parts::drive(char name, unsigned pin, bool level) {
   PinState& pins = port(name);
   pins.driven |= 1U << pin;
   pins.outside = (pins.outside & ~(1U << pin)) | (level ? 1U << pin : 0);
-  ports_[static_cast<std::size_t>(name - 'A')].settle();
+  ports_[static_cast<std::size_t>(name - 'A')].settle(1U << pin);
 }
 
 VirtualBoard::VirtualBoard(std::vector<std::uint8_t> image, Options options)
@@ -478,31 +600,49 @@ const std::optional<Finding>& VirtualBoard::finding() const {
 }
 
 void VirtualBoard::receive(std::span<const std::uint8_t> bytes) {
-  for (const std::uint8_t byte : bytes) {
-    parts_->uart().arrive(parts_->time(), byte);
-  }
+  receiveOn(0, bytes);
 }
 
 void VirtualBoard::receiveAt(nanoseconds time, std::span<const std::uint8_t> bytes) {
+  Uart& uart = parts_->uart(0);
   for (const std::uint8_t byte : bytes) {
-    parts_->uart().arrive(std::max<Time>(time, parts_->time()), byte);
+    uart.arrive(std::max<Time>(time, parts_->time()), byte);
   }
+  parts_->renew(uart);
 }
 
 void VirtualBoard::receiveBroken(std::uint8_t byte) {
-  parts_->uart().arrive(parts_->time(), byte, false);
+  Uart& uart = parts_->uart(0);
+  uart.arrive(parts_->time(), byte, false);
+  parts_->renew(uart);
 }
 
 void VirtualBoard::setLineBaud(std::uint32_t baud) {
-  parts_->uart().setLineBaud(baud);
+  setLineBaudOn(0, baud);
 }
 
 std::vector<std::uint8_t> VirtualBoard::takeSent() {
-  return parts_->uart().takeSent();
+  return takeSentOn(0);
+}
+
+void VirtualBoard::receiveOn(int uart, std::span<const std::uint8_t> bytes) {
+  Uart& line = parts_->uart(uart);
+  for (const std::uint8_t byte : bytes) {
+    line.arrive(parts_->time(), byte);
+  }
+  parts_->renew(line);
+}
+
+std::vector<std::uint8_t> VirtualBoard::takeSentOn(int uart) {
+  return parts_->uart(uart).takeSent();
+}
+
+void VirtualBoard::setLineBaudOn(int uart, std::uint32_t baud) {
+  parts_->uart(uart).setLineBaud(baud);
 }
 
 bool VirtualBoard::lineIdle() const {
-  return parts_->uart().lineIdle();
+  return parts_->uart(0).lineIdle();
 }
 
 bool VirtualBoard::pin(char port, int number) const {
@@ -511,6 +651,25 @@ bool VirtualBoard::pin(char port, int number) const {
 
 void VirtualBoard::drive(char port, int number, bool level) {
   parts_->drive(port, static_cast<unsigned>(number), level);
+}
+
+void VirtualBoard::driveAt(nanoseconds time, char port, int number, bool level) {
+  const Time at = std::max<Time>(time, parts_->time());
+  parts_->agenda().add({at, port, static_cast<unsigned>(number), level});
+  parts_->limitTo(at);
+}
+
+double VirtualBoard::pwmDuty(int ftm, int channel) const {
+  return parts_->ftm(ftm).duty(static_cast<unsigned>(channel));
+}
+
+void VirtualBoard::setAnalog(int converter, int channel, double volts) {
+  parts_->adc(converter).setVolts(static_cast<unsigned>(channel), volts);
+}
+
+void VirtualBoard::onTime(nanoseconds period, std::function<void()> call) {
+  parts_->agenda().every(period, parts_->time(), std::move(call));
+  parts_->limitTo(parts_->agenda().next());
 }
 
 bool VirtualBoard::isOutput(char port, int number) const {
@@ -523,6 +682,7 @@ void VirtualBoard::raise(int exception) {
 
 void VirtualBoard::setExternalClock(bool present) {
   parts_->mcg().setExternalClock(present);
+  parts_->renew(parts_->mcg());
 }
 
 void VirtualBoard::reset(Reset cause) {
@@ -563,6 +723,10 @@ void VirtualBoard::record(CallRecorder& recorder) {
     const CortexM4& cpu = parts_->cpu();
     parts_->recorder->block(address, cpu.core(13), cpu.core(14));
   });
+}
+
+void VirtualBoard::noteExecuted(ExecutedCode& code) {
+  parts_->cpu().noteExecuted(code);
 }
 
 }  // namespace wr::k64

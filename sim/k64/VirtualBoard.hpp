@@ -15,11 +15,13 @@
 namespace wr::k64 {
 
 class CallRecorder;
+class ExecutedCode;
 
 /// @brief What a virtual board does and has.
 struct Options {
   std::filesystem::path elf{};    ///< names the functions of findings; may be empty
   bool externalClock = true;      ///< the clock of 50 MHz is there
+  bool calibrates = true;         ///< the calibration of the analog-to-digital converters succeeds
   bool resetsAreFindings = true;  ///< a reset that the program causes stops the run
   bool faultsAreFindings = true;  ///< a fault stops the run; false: the program gets it
 };
@@ -147,6 +149,10 @@ class VirtualBoard {
 
   /// @brief Records calls from now on. Set before the first run.
   void record(CallRecorder& recorder);
+
+  /// @brief Notes each instruction that is executed from now on.
+  /// @param code where they are noted; must outlive the board
+  void noteExecuted(ExecutedCode& code);
 
  private:
   class Parts;

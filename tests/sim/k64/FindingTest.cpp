@@ -41,7 +41,7 @@ TEST_P(FindingOfBoard, NamesWhatTheProgramDid) {
 
 const std::array kMistakes{
     Mistake{"usesPortBehindClosedGate", "clock-gate", "store to PORTA + 0x0"},
-    Mistake{"usesAdc", "unmodelled-register", "store to ADC0 + 0x0"},
+    Mistake{"usesDac", "unmodelled-register", "store to DAC0 + 0x0"},
     Mistake{"loadsWhereNothingIs", "unmapped-memory", "load from 0x30000000"},
     Mistake{"loadsAcrossTheBorderOfTheMemories", "unmapped-memory", "border of two memories"},
     Mistake{"storesToFlash", "flash-store", "store to 0x00001000"},

@@ -13,10 +13,10 @@ PROGRAM usesPortBehindClosedGate() {
   sleepForever();
 }
 
-PROGRAM usesAdc() {
+PROGRAM usesDac() {
   stopWatchdog();
-  wordAt(0x4004803C) |= 1U << 27;
-  wordAt(0x4003B000) = 0;
+  wordAt(0x4004802C) |= 1U << 12;
+  byteAt(0x400CC000) = 0;
   sleepForever();
 }
 
