@@ -1,5 +1,6 @@
 // Boards with the image under test. The calls of the firmware are recorded as on the host: one file
-// for each test in the folder WR_TRACE_DIR, see trace.cpp.
+// for each test in the folder WR_TRACE_DIR, see trace.cpp. Which instructions all tests together
+// executed is in the file executed.bits there: one bit for each half-word of the flash.
 
 #include "support/image.hpp"
 
@@ -12,6 +13,7 @@
 #include <utility>
 
 #include "sim/k64/CallRecorder.hpp"
+#include "sim/k64/ExecutedCode.hpp"
 
 namespace wr::test {
 
@@ -19,6 +21,11 @@ namespace {
 
 k64::CallRecorder& recorder() {
   static k64::CallRecorder instance(elfFile());
+  return instance;
+}
+
+k64::ExecutedCode& executed() {
+  static k64::ExecutedCode instance;
   return instance;
 }
 
@@ -42,6 +49,15 @@ class Recording final : public testing::EmptyTestEventListener {
     if (recorder().truncated()) {
       std::ofstream(folder / (name + ".truncated"))
           << "The record ends after " << recorder().events().size() << " events.\n";
+    }
+  }
+
+  void OnTestProgramEnd(const testing::UnitTest& /*all*/) override {
+    const std::filesystem::path folder = WR_TRACE_DIR;
+    std::filesystem::create_directories(folder);
+    std::ofstream file(folder / "executed.bits", std::ios::binary);
+    for (const std::uint8_t byte : executed().bits()) {
+      file.put(static_cast<char>(byte));
     }
   }
 };
@@ -68,7 +84,11 @@ std::unique_ptr<BoardLine> switchBoardOn(k64::Options options) {
 
 std::unique_ptr<BoardLine> switchBoardOn(std::vector<std::uint8_t> image, k64::Options options) {
   options.elf = elfFile();
+  const bool asBuilt = image == readImage(imageFile());
   auto robot = std::make_unique<BoardLine>(std::move(image), std::move(options));
+  if (asBuilt) {
+    robot->board.noteExecuted(executed());
+  }
   recorder().reset();
   robot->board.record(recorder());
   return robot;
