@@ -1,6 +1,7 @@
 #include "sim/scenario/Scenario.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <fstream>
 #include <limits>
@@ -17,10 +18,12 @@ using Time = Scenario::Time;
 
 constexpr std::size_t kWheels = 4;
 
-template <class Number>
-std::optional<Number> parse(std::string_view word, int base = 10) {
+// The number that a word is, if it is one. How numbers are written may be a base.
+template <class Number, class... Form>
+std::optional<Number> parse(std::string_view word, Form... form) {
   Number number{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number, base);
+  const auto [end, error] =
+      std::from_chars(word.data(), word.data() + word.size(), number, form...);
   if (error != std::errc() || end != word.data() + word.size()) {
     return std::nullopt;
   }
@@ -49,6 +52,8 @@ class Words {
     return words_[next_++];
   }
 
+  [[nodiscard]] std::string next() const { return done() ? "" : words_[next_]; }
+
   void skip(const std::string& word) {
     const std::string found = take("'" + word + "'");
     if (found != word) {
@@ -71,6 +76,24 @@ class Words {
     const auto number = parse<std::int16_t>(word);
     if (!number) {
       throw Scenario::Error("'" + word + "' is no number from -32768 to 32767");
+    }
+    return *number;
+  }
+
+  double percent() {
+    const std::string word = take("a slope in percent");
+    const auto number = parse<double>(word);
+    if (!number) {
+      throw Scenario::Error("'" + word + "' is no slope in percent");
+    }
+    return *number;
+  }
+
+  std::size_t wheel() {
+    const std::string word = take("the number of a wheel");
+    const auto number = parse<std::size_t>(word);
+    if (!number || *number >= kWheels) {
+      throw Scenario::Error("'" + word + "' is no wheel from 0 to 3");
     }
     return *number;
   }
@@ -138,18 +161,108 @@ Scenario::Action readBytes(Words& words) {
   return raw;
 }
 
+// The number that a word stands for in a field. A true value has no words.
+std::int64_t readNumber(Words& words, const std::string& name, const FrameField* field) {
+  const std::string word = words.take("the value of " + name);
+  const auto number = field != nullptr ? numberOf(*field, word) : parse<std::int64_t>(word);
+  if (!number) {
+    throw Scenario::Error("'" + word + "' is no value of " + name);
+  }
+  return *number;
+}
+
 Scenario::Action readExpectation(Words& words) {
   const std::string name = words.take("the name of a field");
   const FrameField* const field = findField(name);
-  if (field == nullptr) {
-    throw Scenario::Error("neither Welcome nor Report has a field '" + name + "'");
+  const TruthField* const truth = findTruth(name);
+  if (field == nullptr && truth == nullptr) {
+    throw Scenario::Error("neither Welcome nor Report nor the robot has a field '" + name + "'");
   }
-  const std::string word = words.take("the value of " + name);
-  const auto value = numberOf(*field, word);
-  if (!value) {
-    throw Scenario::Error("'" + word + "' is no value of " + name);
+  Scenario::Expect expect{};
+  if (field != nullptr) {
+    expect.field = field;
+  } else {
+    expect.field = truth;
   }
-  return Scenario::Expect{.field = field, .value = *value, .word = word};
+  if (words.nextIs("between")) {
+    words.skip("between");
+    expect.low = readNumber(words, name, field);
+    expect.high = readNumber(words, name, field);
+    expect.words = "between " + std::to_string(expect.low) + " and " + std::to_string(expect.high);
+    return expect;
+  }
+  expect.words = words.next();
+  expect.low = readNumber(words, name, field);
+  expect.high = expect.low;
+  return expect;
+}
+
+// The sticks go to the end of their way at the greatest values that can be ordered.
+constexpr double kFullVelocity = 3000;
+constexpr double kFullSteering = 3200;
+
+Scenario::Action readRemoteControl(Words& words) {
+  if (words.nextIs("off")) {
+    words.skip("off");
+    return Scenario::RemoteControl{};
+  }
+  sim::Sticks sticks;
+  words.skip("velocity");
+  sticks.velocity = words.value() / kFullVelocity;
+  words.skip("steering");
+  sticks.steering = words.value() / kFullSteering;
+  return Scenario::RemoteControl{sticks};
+}
+
+Scenario::Action readNoise(Words& words) {
+  const bool on = words.nextIs("on");
+  words.skip(on ? "on" : "off");
+  return Scenario::Noise{on};
+}
+
+struct FaultWord {
+  std::string_view word;
+  sim::Fault fault;
+  bool ofWheel;
+};
+
+constexpr std::array<FaultWord, 6> kFaults{{
+    {"hall", sim::Fault::Hall, true},
+    {"hall-b", sim::Fault::HallB, true},
+    {"current", sim::Fault::Current, true},
+    {"angle", sim::Fault::Angle, false},
+    {"stall", sim::Fault::Stall, false},
+    {"block", sim::Fault::Block, true},
+}};
+
+Scenario::Action readFault(Words& words, bool present) {
+  const std::string word = words.take("what breaks");
+  const auto found = std::ranges::find(kFaults, word, &FaultWord::word);
+  if (found == kFaults.end()) {
+    throw Scenario::Error("nothing that can break is called '" + word + "'");
+  }
+  const std::size_t wheel = found->ofWheel ? words.wheel() : 0;
+  return Scenario::Fault{.fault = found->fault, .wheel = wheel, .present = present};
+}
+
+// What the world does; nothing if a word is no action of the world.
+std::optional<Scenario::Action> readWorld(const std::string& word, Words& words) {
+  if (word == "rc") {
+    return readRemoteControl(words);
+  }
+  if (word == "slope") {
+    return Scenario::Slope{words.percent()};
+  }
+  if (word == "noise") {
+    return readNoise(words);
+  }
+  if (word == "fault" || word == "mend") {
+    return readFault(words, word == "fault");
+  }
+  if (word == "mark") {
+    return Scenario::Mark{};
+  }
+  return std::nullopt;
 }
 
 Scenario::Action readAction(const std::string& word, Words& words) {
@@ -180,7 +293,20 @@ Scenario::Action readAction(const std::string& word, Words& words) {
   if (word == "expect-finding") {
     return Scenario::ExpectFinding{words.take("the id of a finding")};
   }
+  if (const auto action = readWorld(word, words)) {
+    return *action;
+  }
   throw Scenario::Error("there is no action '" + word + "'");
+}
+
+std::uint32_t readSeed(Words& words) {
+  words.skip("seed");
+  const std::string word = words.take("a number");
+  const auto seed = parse<std::uint32_t>(word);
+  if (!seed) {
+    throw Scenario::Error("'" + word + "' is no seed");
+  }
+  return *seed;
 }
 
 // When a line acts: once, or again and again.
@@ -220,27 +346,7 @@ Scenario::Scenario(std::istream& text, std::string name) : name_(std::move(name)
   for (std::string line; std::getline(text, line);) {
     ++number;
     try {
-      Words words(line);
-      if (words.done()) {
-        continue;
-      }
-      if (ended) {
-        throw Error("nothing may follow 'end'");
-      }
-      const Times times = readTimes(words);
-      const std::string word = words.take("an action");
-      if (word == "end") {
-        ended = true;
-        end_ = times.first;
-      } else {
-        const Action action = readAction(word, words);
-        for (Time at = times.first; at <= times.last; at += times.step) {
-          steps_.push_back({at, number, action});
-        }
-      }
-      if (!words.done()) {
-        throw Error("'" + words.take("") + "' is too much");
-      }
+      readLine(line, number, ended);
     } catch (const Error& error) {
       throw Error(name_ + ":" + std::to_string(number) + ": " + error.what());
     }
@@ -251,6 +357,37 @@ Scenario::Scenario(std::istream& text, std::string name) : name_(std::move(name)
   std::ranges::stable_sort(steps_, {}, &Step::at);
   if (!steps_.empty() && steps_.back().at > end_) {
     throw Error(name_ + ":" + std::to_string(steps_.back().line) + ": this is after the end");
+  }
+}
+
+void Scenario::readLine(const std::string& line, int number, bool& ended) {
+  Words words(line);
+  if (words.done()) {
+    return;
+  }
+  if (ended) {
+    throw Error("nothing may follow 'end'");
+  }
+  if (words.nextIs("seed")) {
+    if (!steps_.empty()) {
+      throw Error("a seed stands before all lines that have a time");
+    }
+    seed_ = readSeed(words);
+  } else {
+    const Times times = readTimes(words);
+    const std::string word = words.take("an action");
+    ended = word == "end";
+    if (ended) {
+      end_ = times.first;
+    } else {
+      const Action action = readAction(word, words);
+      for (Time at = times.first; at <= times.last; at += times.step) {
+        steps_.push_back({at, number, action});
+      }
+    }
+  }
+  if (!words.done()) {
+    throw Error("'" + words.take("") + "' is too much");
   }
 }
 

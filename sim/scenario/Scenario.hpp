@@ -1,35 +1,51 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <istream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "sim/robot/RemoteControl.hpp"
+#include "sim/robot/Robot.hpp"
 #include "sim/scenario/FrameFields.hpp"
 #include "sim/scenario/PcFrames.hpp"
+#include "sim/scenario/Truth.hpp"
 
 namespace wr {
 
-/// @brief What a PC does on its line to the robot at which time, and what it expects.
+/// @brief What happens to a robot at which time, and what is expected of it: what a PC does on its
+/// line, what the remote control says, how the ground is and what breaks.
 ///
 /// A scenario is a text of lines. Times are in ms since the robot was switched on, values are in
 /// the units of the PC protocol. '#' begins a comment.
 ///
+///     seed 7
 ///     at 0 connect
 ///     from 300 to 60000 every 100 order velocity 500 steering -200
 ///     at 900 expect state Working
+///     at 900 expect velocity0 between 490 510
 ///     at 61000 end
 ///
-/// Actions: connect (Hello, and Confirm as soon as the Welcome comes); hello; confirm; keepalive;
-/// order with any of 'steering N', 'velocity N', 'tension N', 'current N' (for all wheels, or four
-/// numbers, one for each wheel) and 'stop'; bytes with pairs of hexadecimal digits; expect FIELD
-/// VALUE, which looks at the last Report or Welcome; expect-silence MS (no report came for so
-/// long); expect-finding ID (the simulated board stops before with this finding); end. Orders are
-/// numbered from 1. The last line is 'end'.
+/// Actions of the PC: connect (Hello, and Confirm as soon as the Welcome comes); hello; confirm;
+/// keepalive; order with any of 'steering N', 'velocity N', 'tension N', 'current N' (for all
+/// wheels, or four numbers, one for each wheel) and 'stop'; bytes with pairs of hexadecimal digits.
+/// Orders are numbered from 1.
+///
+/// Actions of the world: rc velocity N steering N (the remote control sends this from now on); rc
+/// off; slope PERCENT; noise on or off; fault and mend with one of 'hall WHEEL', 'hall-b WHEEL',
+/// 'current WHEEL', 'angle', 'stall', 'block WHEEL'; mark (the field 'way' counts from here). 'seed
+/// N' chooses the noise; it has no time and stands before all lines that have one.
+///
+/// Expectations: expect FIELD VALUE and expect FIELD between LOW HIGH look at the last Report or
+/// Welcome, or at the robot itself (the fields of Truth.hpp); expect-silence MS (no report came for
+/// so long); expect-finding ID (the simulated board stops before with this finding). The last line
+/// is 'end'.
 class Scenario {
  public:
   using Time = std::chrono::milliseconds;
@@ -44,10 +60,26 @@ class Scenario {
   struct Raw {
     Bytes bytes;
   };
+  struct RemoteControl {
+    std::optional<sim::Sticks> sticks;
+  };
+  struct Slope {
+    double percent;
+  };
+  struct Noise {
+    bool on;
+  };
+  struct Fault {
+    sim::Fault fault;
+    std::size_t wheel;
+    bool present;
+  };
+  struct Mark {};
   struct Expect {
-    const FrameField* field;
-    std::int64_t value;
-    std::string word;  ///< the value as it was written
+    std::variant<const FrameField*, const TruthField*> field;
+    std::int64_t low;
+    std::int64_t high;
+    std::string words;  ///< what is expected as it was written
   };
   struct ExpectSilence {
     Time duration;
@@ -55,8 +87,8 @@ class Scenario {
   struct ExpectFinding {
     std::string id;
   };
-  using Action = std::variant<Connect, Hello, Confirm, KeepAlive, Order, Raw, Expect, ExpectSilence,
-                              ExpectFinding>;
+  using Action = std::variant<Connect, Hello, Confirm, KeepAlive, Order, Raw, RemoteControl, Slope,
+                              Noise, Fault, Mark, Expect, ExpectSilence, ExpectFinding>;
 
   struct Step {
     Time at;
@@ -87,14 +119,21 @@ class Scenario {
   /// @return the time
   [[nodiscard]] Time end() const { return end_; }
 
+  /// @brief Seed of the noise.
+  /// @return the seed; nothing if the text has none
+  [[nodiscard]] const std::optional<std::uint32_t>& seed() const { return seed_; }
+
   /// @brief Name of the text.
   /// @return the name
   [[nodiscard]] const std::string& name() const { return name_; }
 
  private:
+  void readLine(const std::string& line, int number, bool& ended);
+
   std::string name_;
   std::vector<Step> steps_;
   Time end_{};
+  std::optional<std::uint32_t> seed_;
 };
 
 }  // namespace wr

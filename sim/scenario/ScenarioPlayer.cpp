@@ -1,7 +1,10 @@
 #include "sim/scenario/ScenarioPlayer.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 namespace wr {
@@ -12,25 +15,24 @@ namespace {
 constexpr RobotLine::Time kGlance{5'000};
 
 void writeHeader(std::ostream& reports) {
-  const char* separator = "";
   for (const FrameField& field : frameFields()) {
     if (field.type == kReportType) {
-      reports << separator << field.name;
-      separator = ",";
+      reports << field.name << ',';
     }
+  }
+  reports << "at_ms";
+  for (const TruthField& field : truthFields()) {
+    reports << ',' << field.name;
   }
   reports << '\n';
 }
 
-void writeReport(std::ostream& reports, const Bytes& body) {
-  const char* separator = "";
-  for (const FrameField& field : frameFields()) {
-    if (field.type == kReportType) {
-      reports << separator << valueOf(body, field);
-      separator = ",";
-    }
-  }
-  reports << '\n';
+// A true value with one decimal.
+std::string tenths(double value) {
+  std::array<char, 32> text{};
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 1);
+  return {text.data(), end};
 }
 
 std::string inMilliseconds(RobotLine::Time time) {
@@ -41,6 +43,9 @@ std::string inMilliseconds(RobotLine::Time time) {
 
 ScenarioPlayer::ScenarioPlayer(const Scenario& scenario, RobotLine& robot, std::ostream* reports)
     : scenario_(scenario), robot_(robot), reports_(reports) {
+  if (scenario_.seed()) {
+    robot_.robot().setSeed(*scenario_.seed());
+  }
   if (reports_ != nullptr) {
     writeHeader(*reports_);
   }
@@ -108,9 +113,22 @@ void ScenarioPlayer::take(const Bytes& body) {
     reportAt_ = robot_.now();
     ++outcome_.reports;
     if (reports_ != nullptr) {
-      writeReport(*reports_, body);
+      writeReport(body);
     }
   }
+}
+
+void ScenarioPlayer::writeReport(const Bytes& body) {
+  for (const FrameField& field : frameFields()) {
+    if (field.type == kReportType) {
+      *reports_ << wr::valueOf(body, field) << ',';
+    }
+  }
+  *reports_ << robot_.now().count() / 1000;
+  for (const TruthField& field : truthFields()) {
+    *reports_ << ',' << tenths(field.valueOf(robot_.robot(), mark_));
+  }
+  *reports_ << '\n';
 }
 
 void ScenarioPlayer::fail(const std::string& what) {
@@ -149,17 +167,58 @@ void ScenarioPlayer::act(const Scenario::Raw& action) {
   robot_.send(action.bytes);
 }
 
-void ScenarioPlayer::act(const Scenario::Expect& action) {
-  const FrameField& field = *action.field;
+void ScenarioPlayer::act(const Scenario::RemoteControl& action) {
+  robot_.remoteControl().set(action.sticks);
+}
+
+void ScenarioPlayer::act(const Scenario::Slope& action) {
+  robot_.robot().setSlope(action.percent);
+}
+
+void ScenarioPlayer::act(const Scenario::Noise& action) {
+  robot_.robot().setNoise(action.on);
+}
+
+void ScenarioPlayer::act(const Scenario::Fault& action) {
+  robot_.robot().setFault(action.fault, action.wheel, action.present);
+}
+
+void ScenarioPlayer::act(const Scenario::Mark& /*action*/) {
+  mark_ = robot_.robot().distance();
+}
+
+// The value in the last frame that has the field; a failure when none has come.
+std::optional<std::int64_t> ScenarioPlayer::valueOf(const FrameField& field) {
   const bool ofWelcome = field.type == kWelcomeType;
   const std::optional<Bytes>& body = ofWelcome ? welcome_ : report_;
   if (!body) {
     fail(field.name + " is unknown: no " + (ofWelcome ? "Welcome" : "Report") + " has come");
-    return;
+    return std::nullopt;
   }
-  const std::int64_t found = valueOf(*body, field);
-  if (found != action.value) {
-    fail(field.name + " is " + std::to_string(found) + ", not " + action.word);
+  return wr::valueOf(*body, field);
+}
+
+void ScenarioPlayer::act(const Scenario::Expect& action) {
+  std::string found;
+  bool holds = false;
+  std::string_view name;
+  if (const auto* const truth = std::get_if<const TruthField*>(&action.field)) {
+    name = (*truth)->name;
+    const double value = (*truth)->valueOf(robot_.robot(), mark_);
+    found = tenths(value);
+    holds = value >= static_cast<double>(action.low) && value <= static_cast<double>(action.high);
+  } else {
+    const FrameField& field = *std::get<const FrameField*>(action.field);
+    const auto value = valueOf(field);
+    if (!value) {
+      return;
+    }
+    name = field.name;
+    found = std::to_string(*value);
+    holds = *value >= action.low && *value <= action.high;
+  }
+  if (!holds) {
+    fail(std::string(name) + " is " + found + ", not " + action.words);
   }
 }
 

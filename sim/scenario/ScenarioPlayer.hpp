@@ -13,7 +13,7 @@
 
 namespace wr {
 
-/// @brief The PC of a scenario, on the line of a robot.
+/// @brief The PC of a scenario, on the line of a robot, and the world around the robot.
 class ScenarioPlayer {
  public:
   /// @brief How a scenario ended.
@@ -26,7 +26,9 @@ class ScenarioPlayer {
   /// @brief Puts a PC on the line of a robot that was just switched on.
   /// @param scenario what the PC does
   /// @param robot the robot
-  /// @param reports gets each report as a line of comma-separated values; null: nothing is written
+  /// @param reports gets each report as a line of comma-separated values: all fields of the report,
+  /// then the time [ms] at which the PC had it, and the true values at this time; null: nothing is
+  /// written
   ScenarioPlayer(const Scenario& scenario, RobotLine& robot, std::ostream* reports = nullptr);
 
   /// @brief Plays the scenario to its end.
@@ -39,6 +41,8 @@ class ScenarioPlayer {
   bool advance(Time instant);
   void listen();
   void take(const Bytes& body);
+  void writeReport(const Bytes& body);
+  [[nodiscard]] std::optional<std::int64_t> valueOf(const FrameField& field);
   void fail(const std::string& what);
   [[nodiscard]] bool expectsFinding(const std::string& id, Time since) const;
 
@@ -48,6 +52,11 @@ class ScenarioPlayer {
   void act(const Scenario::KeepAlive& action);
   void act(const Scenario::Order& action);
   void act(const Scenario::Raw& action);
+  void act(const Scenario::RemoteControl& action);
+  void act(const Scenario::Slope& action);
+  void act(const Scenario::Noise& action);
+  void act(const Scenario::Fault& action);
+  void act(const Scenario::Mark& action);
   void act(const Scenario::Expect& action);
   void act(const Scenario::ExpectSilence& action);
   void act(const Scenario::ExpectFinding& action);
@@ -61,6 +70,7 @@ class ScenarioPlayer {
   std::optional<Bytes> report_;
   Time reportAt_{};
   std::uint16_t orders_ = 0;
+  double mark_ = 0;        // distance from which ways are counted, m
   bool confirms_ = false;  // the next Welcome is answered with Confirm
   int at_ = 0;             // line of the scenario
   Outcome outcome_;

@@ -86,7 +86,7 @@ TEST(ScenarioTest, ErrorsNameFileAndLine) {
       {"at 0 order velocity 1 2\n", "text:1: a number is missing"},
       {"at 0 bytes 0 1\n", "text:1: '0' is not a byte of two hexadecimal digits"},
       {"at 0 bytes\n", "text:1: a byte in hexadecimal is missing"},
-      {"at 0 expect mood 1\n", "text:1: neither Welcome nor Report has a field 'mood'"},
+      {"at 0 expect mood 1\n", "text:1: neither Welcome nor Report nor the robot has a field 'mood'"},
       {"at 0 expect state Happy\n", "text:1: 'Happy' is no value of state"},
       {"at 0 end\nat 1 hello\n", "text:2: nothing may follow 'end'"},
       {"at 5 hello\nat 4 end\n", "text:1: this is after the end"},
