@@ -1,0 +1,380 @@
+#include "sim/robot/Robot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include "sim/robot/DriveTrain.hpp"
+
+namespace wr::test {
+namespace {
+
+using sim::DriveTrain;
+using sim::Fault;
+using sim::HallEdge;
+using sim::Robot;
+using sim::WheelDrive;
+
+// A robot without noise, all wheels of which get the same.
+class RobotTest : public testing::Test {
+ protected:
+  RobotTest() { robot.setNoise(false); }
+
+  void drive(const WheelDrive& what) {
+    for (std::size_t wheel = 0; wheel < sim::kWheels; ++wheel) {
+      robot.setWheel(wheel, what);
+    }
+  }
+
+  void run(int ms) {
+    for (int i = 0; i < ms; ++i) {
+      for (const HallEdge& edge : robot.step()) {
+        edges.push_back(edge);
+      }
+    }
+  }
+
+  // Net number of edges forwards of a wheel, by the Gray sequence 00, 01, 11, 10 of (b, a).
+  [[nodiscard]] int netEdges(std::size_t wheel) const {
+    int count = 0;
+    std::array<bool, 2> level{};
+    for (const HallEdge& edge : edges) {
+      if (edge.wheel == wheel) {
+        const bool forwards = edge.sensor == 0 ? edge.level != level[1] : edge.level == level[0];
+        count += forwards ? 1 : -1;
+        level.at(edge.sensor) = edge.level;
+      }
+    }
+    return count;
+  }
+
+  // Current that the motor needs at a speed while each tyre pulls with a force; worked out by hand
+  // from the equations of a steady state.
+  [[nodiscard]] static double currentFor(double force, double rpm) {
+    const double torque = force * DriveTrain::kRadius / DriveTrain::kRatio;
+    const double gear =
+        torque > 0 ? torque / DriveTrain::kEfficiency : torque * DriveTrain::kEfficiency;
+    const double speed = rpm * 2 * std::numbers::pi / 60;
+    const double friction =
+        std::copysign(DriveTrain::kFriction, rpm) + DriveTrain::kDamping * speed;
+    return (gear + friction) / DriveTrain::kMotorConstant;
+  }
+
+  // The steady state: Ohm's law with the speed that was reached, and the current that the forces
+  // need.
+  void expectSteady(double volts, double forceOfWheel) const {
+    const double rpm = robot.velocityRpm(0);
+    const double speed = rpm * 2 * std::numbers::pi / 60;
+    const double current = robot.currentAmperes(0);
+    EXPECT_NEAR(current * DriveTrain::kResistance + speed * DriveTrain::kMotorConstant, volts, 0.1);
+    EXPECT_NEAR(current, currentFor(forceOfWheel, rpm), 0.05);
+  }
+
+  static constexpr double kWeight = Robot::kMass * Robot::kGravity;
+  Robot robot{1};
+  std::vector<HallEdge> edges;
+};
+
+/// @brief With the whole supply on flat ground the wheels turn as Ohm's law, the motor's constant,
+/// rolling resistance and friction demand, and the ground goes by at the speed of the wheels less
+/// slip.
+TEST_F(RobotTest, FlatGroundWithTheWholeSupply) {
+  drive({.duty = 1.0, .backwards = false, .enabled = true});
+  run(6000);
+  expectSteady(24.0, 0.04 * kWeight / 4);
+  EXPECT_NEAR(robot.velocityRpm(0), 423, 2);
+  const double wheels = robot.velocityRpm(0) / 600 * 2 * std::numbers::pi * DriveTrain::kRadius;
+  EXPECT_LT(robot.groundSpeed(), wheels);
+  EXPECT_GT(robot.groundSpeed(), 0.99 * wheels);
+}
+
+/// @brief Uphill the motors carry their share of the weight too.
+TEST_F(RobotTest, TenPercentUphill) {
+  robot.setSlope(10);
+  drive({.duty = 0.9, .backwards = false, .enabled = true});
+  run(6000);
+  expectSteady(21.6, (0.1 + 0.04) * kWeight / std::sqrt(1.01) / 4);
+  EXPECT_NEAR(robot.velocityRpm(2), 300, 5);
+}
+
+/// @brief Downhill the wheels drive the motors: the current is negative, and so is the motor's power.
+TEST_F(RobotTest, DownhillTheMotorsBrake) {
+  robot.setSlope(-10);
+  drive({.duty = 0.65, .backwards = false, .enabled = true});
+  run(6000);
+  expectSteady(0.65 * 24, (-0.1 + 0.04) * kWeight / std::sqrt(1.01) / 4);
+  EXPECT_LT(robot.currentAmperes(0), -0.5);
+  EXPECT_GT(robot.velocityRpm(0), 300);
+  EXPECT_LT(robot.currentVolts(0), Robot::kMiddle - 0.05);
+}
+
+/// @brief Backwards is forwards with the other sign.
+TEST_F(RobotTest, OrientationTurnsEverything) {
+  drive({.duty = 0.5, .backwards = false, .enabled = true});
+  run(3000);
+  Robot other(2);
+  other.setNoise(false);
+  for (std::size_t wheel = 0; wheel < sim::kWheels; ++wheel) {
+    other.setWheel(wheel, {.duty = 0.5, .backwards = true, .enabled = true});
+  }
+  for (int i = 0; i < 3000; ++i) {
+    static_cast<void>(other.step());
+  }
+  EXPECT_NEAR(other.velocityRpm(0), -robot.velocityRpm(0), 0.1);
+  EXPECT_NEAR(other.distance(), -robot.distance(), 0.001);
+  EXPECT_NEAR(other.currentVolts(3) - Robot::kMiddle, Robot::kMiddle - robot.currentVolts(3), 0.01);
+}
+
+/// @brief No energy comes from nowhere: what the supply gave in a run up and down is more than the
+/// energy of the robot's movement, and while it coasts that energy only falls.
+TEST_F(RobotTest, EnergyIsOnlyLost) {
+  double supplied = 0;
+  drive({.duty = 0.8, .backwards = false, .enabled = true});
+  for (int i = 0; i < 2000; ++i) {
+    run(1);
+    supplied += 4 * 0.8 * 24 * robot.currentAmperes(0) * 0.001;
+  }
+  const auto moving = [&] { return Robot::kMass * robot.groundSpeed() * robot.groundSpeed() / 2; };
+  EXPECT_GT(supplied, moving());
+  drive({.duty = 0, .backwards = false, .enabled = false});
+  run(50);  // until the tyres have taken the change
+  double before = moving();
+  for (int i = 0; i < 20; ++i) {
+    run(100);
+    EXPECT_LE(moving(), before);
+    before = moving();
+  }
+}
+
+/// @brief Without its driver a motor has no current, and the robot coasts far longer than with
+/// short-circuited motors.
+TEST_F(RobotTest, CoastingIsNotBraking) {
+  const auto wayToRest = [](const WheelDrive& after) {
+    Robot robot(1);
+    for (int i = 0; i < 10'000; ++i) {
+      for (std::size_t wheel = 0; wheel < sim::kWheels; ++wheel) {
+        robot.setWheel(
+            wheel, i < 3000 ? WheelDrive{.duty = 0.7, .backwards = false, .enabled = true} : after);
+      }
+      static_cast<void>(robot.step());
+      if (i == 3000 && !after.enabled) {
+        EXPECT_EQ(robot.currentAmperes(0), 0.0);
+      }
+    }
+    EXPECT_EQ(robot.groundSpeed(), 0.0);
+    EXPECT_EQ(robot.velocityRpm(1), 0.0);
+    return robot.distance();
+  };
+  const double braked = wayToRest({.duty = 0, .backwards = false, .enabled = true});
+  const double coasted = wayToRest({.duty = 0, .backwards = false, .enabled = false});
+  EXPECT_GT(coasted, braked + 0.3);
+}
+
+/// @brief A robot that stands does not move until the force exceeds what holds it.
+TEST_F(RobotTest, StandsUntilTheForceExceedsStaticFriction) {
+  drive({.duty = 0.02, .backwards = false, .enabled = true});
+  run(2000);
+  EXPECT_LT(std::abs(robot.distance()), 0.001);
+  drive({.duty = 0.2, .backwards = false, .enabled = true});
+  run(2000);
+  EXPECT_GT(robot.distance(), 0.1);
+}
+
+/// @brief On a slope of 4 percent the robot stands without current; on 20 percent it rolls down.
+TEST_F(RobotTest, RollsDownASteepSlope) {
+  robot.setSlope(4);
+  run(3000);
+  EXPECT_LT(std::abs(robot.distance()), 0.005);
+  robot.setSlope(20);
+  run(1000);
+  EXPECT_LT(robot.distance(), -0.1);
+}
+
+/// @brief A turn of the motor gives 60 edges, in the sequence of the direction.
+TEST_F(RobotTest, SixtyEdgesInATurn) {
+  drive({.duty = 0.5, .backwards = false, .enabled = true});
+  run(4000);
+  const double rolled = robot.distance() / (2 * std::numbers::pi * DriveTrain::kRadius) * 10;
+  const int forwards = netEdges(1);
+  EXPECT_NEAR(forwards, 60 * rolled, 0.02 * 60 * rolled);
+  EXPECT_GT(forwards, 60 * rolled) << "slip";
+  const std::size_t before = edges.size();
+  const double from = robot.distance();
+  drive({.duty = 0.5, .backwards = true, .enabled = true});
+  run(6000);
+  EXPECT_GT(edges.size(), before);
+  const double back = (robot.distance() - from) / (2 * std::numbers::pi * DriveTrain::kRadius) * 10;
+  EXPECT_NEAR(netEdges(1) - forwards, 60 * back, 0.02 * 60 * std::abs(back));
+}
+
+/// @brief At a steady speed edges come evenly, each within the step that tells it.
+TEST_F(RobotTest, EdgesAreEven) {
+  drive({.duty = 0.5, .backwards = false, .enabled = true});
+  run(4000);
+  std::vector<double> times;
+  for (int step = 0; step < 1000; ++step) {
+    for (const HallEdge& edge : robot.step()) {
+      EXPECT_GT(edge.offset.count(), 0);
+      EXPECT_LE(edge.offset, Robot::kStep);
+      if (edge.wheel == 0) {
+        times.push_back(step * 1e6 + static_cast<double>(edge.offset.count()));
+      }
+    }
+  }
+  const double expected = 1e9 / robot.velocityRpm(0);  // 60 edges a turn: rpm edges a second
+  ASSERT_GT(times.size(), 100U);
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    EXPECT_NEAR(times[i] - times[i - 1], expected, 0.01 * expected);
+  }
+}
+
+/// @brief The noise of a seed is always the same, and other seeds have other noise.
+TEST_F(RobotTest, NoiseBelongsToTheSeed) {
+  const auto signature = [](std::uint32_t seed, bool asksMore) {
+    Robot robot(seed);
+    double sum = 0;
+    for (int i = 1; i <= 2000; ++i) {
+      for (std::size_t wheel = 0; wheel < sim::kWheels; ++wheel) {
+        robot.setWheel(wheel, {.duty = 0.5, .backwards = false, .enabled = true});
+      }
+      for (const HallEdge& edge : robot.step()) {
+        sum += static_cast<double>(edge.offset.count()) * i;
+      }
+      sum += robot.currentVolts(1) * i + robot.steeringVolts();
+      if (asksMore) {
+        static_cast<void>(robot.steeringVolts());
+      }
+    }
+    return sum;
+  };
+  EXPECT_EQ(signature(1, false), signature(1, true));
+  EXPECT_NE(signature(1, false), signature(2, false));
+}
+
+/// @brief Current sensors have noise of 50 mA, the angle sensor of 0.05 degree, both about the true
+/// value.
+TEST_F(RobotTest, NoiseHasTheSizeOfTheSensors) {
+  robot.setNoise(true);
+  constexpr int kSamples = 10'000;
+  double current = 0;
+  double currentSquares = 0;
+  double angle = 0;
+  double angleSquares = 0;
+  for (int i = 0; i < kSamples; ++i) {
+    static_cast<void>(robot.step());
+    const double amperes = (robot.currentVolts(2) - Robot::kMiddle) / Robot::kPerAmpere;
+    const double degrees =
+        (robot.steeringVolts() - Robot::kMiddle) / Robot::kReference * Robot::kAngleRange;
+    current += amperes;
+    currentSquares += amperes * amperes;
+    angle += degrees;
+    angleSquares += degrees * degrees;
+  }
+  EXPECT_NEAR(current / kSamples, 0, 0.003);
+  EXPECT_NEAR(std::sqrt(currentSquares / kSamples), 0.05, 0.003);
+  EXPECT_NEAR(angle / kSamples, 0, 0.003);
+  EXPECT_NEAR(std::sqrt(angleSquares / kSamples), 0.05, 0.003);
+}
+
+/// @brief Steps turn the steering by 0.05 degree each, up to its ends, where the switches close.
+TEST_F(RobotTest, SteeringTurnsByStepsToItsEnds) {
+  robot.setSteeringEnabled(true);
+  for (int i = 0; i < 200; ++i) {
+    robot.steeringStep(true);
+  }
+  EXPECT_NEAR(robot.steeringDegrees(), 10.0, 1e-9);
+  static_cast<void>(robot.step());
+  EXPECT_NEAR(robot.steeringVolts(), 1.65 + 10.0 * 3.3 / 80, 1e-9);
+  EXPECT_FALSE(robot.leftEnd());
+  for (int i = 0; i < 470; ++i) {
+    robot.steeringStep(true);
+  }
+  EXPECT_TRUE(robot.leftEnd());
+  EXPECT_NEAR(robot.steeringDegrees(), 33.5, 1e-9);
+  for (int i = 0; i < 100; ++i) {
+    robot.steeringStep(true);
+  }
+  EXPECT_NEAR(robot.steeringDegrees(), 34.0, 1e-9);
+  for (int i = 0; i < 2000; ++i) {
+    robot.steeringStep(false);
+  }
+  EXPECT_NEAR(robot.steeringDegrees(), -34.0, 1e-9);
+  EXPECT_TRUE(robot.rightEnd());
+  EXPECT_FALSE(robot.leftEnd());
+}
+
+/// @brief Steps are lost while the steering's motor is off, or stalls.
+TEST_F(RobotTest, StepsAreLostWithoutCurrentAndWhenStalled) {
+  robot.steeringStep(true);
+  EXPECT_EQ(robot.steeringDegrees(), 0.0);
+  robot.setSteeringEnabled(true);
+  robot.setFault(Fault::Stall, 0, true);
+  robot.steeringStep(true);
+  EXPECT_EQ(robot.steeringDegrees(), 0.0);
+  robot.setFault(Fault::Stall, 0, false);
+  robot.steeringStep(true);
+  EXPECT_NEAR(robot.steeringDegrees(), 0.05, 1e-9);
+}
+
+/// @brief A dead Hall sensor keeps its level; the others go on.
+TEST_F(RobotTest, DeadHallSensors) {
+  robot.setFault(Fault::Hall, 0, true);
+  robot.setFault(Fault::HallB, 1, true);
+  drive({.duty = 0.5, .backwards = false, .enabled = true});
+  run(2000);
+  std::array<std::array<int, 2>, sim::kWheels> counts{};
+  for (const HallEdge& edge : edges) {
+    ++counts.at(edge.wheel).at(edge.sensor);
+  }
+  EXPECT_EQ(counts[0], (std::array<int, 2>{0, 0}));
+  EXPECT_GT(counts[1][0], 100);
+  EXPECT_EQ(counts[1][1], 0);
+  EXPECT_GT(counts[2][1], 100);
+  robot.setFault(Fault::Hall, 0, false);
+  edges.clear();
+  run(100);
+  EXPECT_GT(netEdges(0), 5);
+}
+
+/// @brief A broken cable gives 0 V.
+TEST_F(RobotTest, BrokenCables) {
+  robot.setFault(Fault::Current, 3, true);
+  robot.setFault(Fault::Angle, 0, true);
+  run(1);
+  EXPECT_EQ(robot.currentVolts(3), 0.0);
+  EXPECT_EQ(robot.currentVolts(2), Robot::kMiddle);
+  EXPECT_EQ(robot.steeringVolts(), 0.0);
+}
+
+/// @brief A blocked wheel draws the current that only its resistance limits.
+TEST_F(RobotTest, BlockedWheelDrawsAllCurrent) {
+  robot.setFault(Fault::Block, 1, true);
+  drive({.duty = 1.0, .backwards = false, .enabled = true});
+  run(100);
+  EXPECT_EQ(robot.velocityRpm(1), 0.0);
+  EXPECT_NEAR(robot.currentAmperes(1), 16.0, 0.1);
+}
+
+/// @brief A tyre pulls no more than the ground holds: with little grip the wheels spin.
+TEST_F(RobotTest, TyresSlipBeyondTheLimitOfFriction) {
+  sim::Surroundings ice;
+  ice.grip = 0.05;
+  Robot slippery(1, ice);
+  for (int i = 0; i < 500; ++i) {
+    for (std::size_t wheel = 0; wheel < sim::kWheels; ++wheel) {
+      slippery.setWheel(wheel, {.duty = 1.0, .backwards = false, .enabled = true});
+    }
+    static_cast<void>(slippery.step());
+  }
+  EXPECT_GT(slippery.velocityRpm(0), 380);
+  EXPECT_LT(slippery.groundSpeed(), 0.05 * Robot::kGravity * 0.5 + 0.01);
+}
+
+}  // namespace
+}  // namespace wr::test
