@@ -1,0 +1,146 @@
+#include "steering_control/DirController.hpp"
+
+#include <gtest/gtest.h>
+
+#include "steering_control/DirControllerFixture.hpp"
+
+namespace wr::test {
+namespace {
+
+/// @brief Looks closely at how the controller watches the motion.
+class DirControllerTest : public DirControllerFixture {
+ protected:
+  /// @brief Turns, with so many steps in each tick and so far moved in each tick, until a second has
+  /// passed or the turn has ended.
+  SteeringState turn(std::int32_t steps, std::int32_t moved) {
+    for (int i = 0; i < 100 && state() == SteeringState::Turning; ++i) {
+      feedback.steps += steps;
+      measured += moved;
+      ordered = measured + (steps < 0 ? -3000 : 3000);
+      tick();
+    }
+    return state();
+  }
+
+  void beginTurnRight() {
+    switchOn();
+    ordered = measured - 3000;
+    tick();
+    ASSERT_EQ(state(), SteeringState::Turning);
+  }
+};
+
+/// @brief A steering that moves as its steps say is not stalled.
+/// @verifies FR-111
+TEST_F(DirControllerTest, FR111_AMotionThatFollowsIsNoStall) {
+  beginTurn();
+  EXPECT_EQ(turn(4, 20), SteeringState::Turning);
+}
+
+/// @brief Half of the motion is enough, and less is a stall. A step is 0.05 degrees.
+/// @verifies FR-111
+TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnough) {
+  beginTurn();
+  EXPECT_EQ(turn(4, 10), SteeringState::Turning);
+  EXPECT_EQ(turn(4, 9), SteeringState::Fault);
+}
+
+/// @brief The same to the right.
+/// @verifies FR-111
+TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnoughToTheRight) {
+  beginTurnRight();
+  EXPECT_EQ(turn(-4, -10), SteeringState::Turning);
+  EXPECT_EQ(turn(-4, -9), SteeringState::Fault);
+}
+
+/// @brief A steering that moves the wrong way is stalled.
+/// @verifies FR-111
+TEST_F(DirControllerTest, FR111_AMotionTheWrongWayIsAStall) {
+  beginTurn();
+  EXPECT_EQ(turn(4, -20), SteeringState::Fault);
+}
+
+/// @brief Steps of less than 1.5 degrees decide nothing; the watch goes on until they amount to it,
+/// so that a slow stall is found too.
+/// @verifies FR-111
+TEST_F(DirControllerTest, FR111_ASlowStallIsFound) {
+  beginTurn();
+  const Instant begin = control.clock.now();
+  for (int i = 0; i < 59; ++i) {
+    feedback.steps += i % 2;  // 29 steps in 590 ms: 1.45 degrees
+    tick();
+    ASSERT_EQ(state(), SteeringState::Turning);
+  }
+  feedback.steps += 1;
+  tick();
+  EXPECT_EQ(state(), SteeringState::Fault);
+  EXPECT_EQ(control.clock.now() - begin, milliseconds(600));
+}
+
+/// @brief A stall that begins in the middle of a turn is found in the window after it.
+/// @verifies FR-111
+TEST_F(DirControllerTest, FR111_EachWindowIsJudgedAlone) {
+  beginTurn();
+  ASSERT_EQ(turn(4, 20), SteeringState::Turning);
+  const Instant begin = control.clock.now();
+  EXPECT_EQ(turn(4, 0), SteeringState::Fault);
+  EXPECT_LE(control.clock.now() - begin, milliseconds(600));
+}
+
+/// @brief The status of each tick has the time of the tick, and tells what the motor did, the end
+/// stops, and the newest position with its own time.
+/// @verifies FR-116
+TEST_F(DirControllerTest, FR116_TheStatusTellsWhatTheSteeringDoes) {
+  tickOnly();
+  EXPECT_FALSE(control.status.read()->value.position);
+  measure(123);
+  const Instant measuredAt = control.clock.now();
+  feedback = {.rate = StepRate(-7), .leftEnd = true};
+  tickOnly();
+  Stamped<DirStatus> status = *control.status.read();
+  EXPECT_EQ(status.at, control.clock.now());
+  EXPECT_EQ(status.value.state, SteeringState::Off);
+  EXPECT_EQ(status.value.rate, StepRate(-7));
+  EXPECT_TRUE(status.value.leftEnd);
+  EXPECT_FALSE(status.value.rightEnd);
+  EXPECT_EQ(status.value.position->value, Angle(123));
+  EXPECT_EQ(status.value.position->at, measuredAt);
+  feedback = {.rightEnd = true};
+  tickOnly();
+  status = *control.status.read();
+  EXPECT_FALSE(status.value.leftEnd);
+  EXPECT_TRUE(status.value.rightEnd);
+}
+
+/// @brief An order is young for 300 ms, a position for 20 ms; both limits belong to the young.
+/// @verifies FR-109
+/// @verifies FR-110
+TEST_F(DirControllerTest, FR109_TheLimitsBelongToTheYoung) {
+  switchOn();
+  const Instant last = control.clock.now();
+  control.clock.advance(milliseconds(300));
+  measure(0);
+  control.controller.tick(feedback);
+  EXPECT_EQ(state(), SteeringState::Holding);
+  control.clock.advance(Microseconds(1));
+  control.controller.tick(feedback);
+  EXPECT_EQ(state(), SteeringState::Off);
+  EXPECT_EQ(control.clock.now() - last, Microseconds(300001));
+}
+
+/// @brief An order to hold that comes in the very tick of the fault does not end it: it was given
+/// before somebody could see the fault.
+/// @verifies FR-112
+TEST_F(DirControllerTest, FR112_AnOrderOfTheTickOfTheFaultDoesNotEndIt) {
+  switchOn();
+  control.clock.advance(milliseconds(20));
+  control.clock.advance(milliseconds(10));
+  hold();
+  control.controller.tick(feedback);
+  ASSERT_EQ(state(), SteeringState::Fault);
+  tickOnly();
+  EXPECT_EQ(state(), SteeringState::Fault);
+}
+
+}  // namespace
+}  // namespace wr::test

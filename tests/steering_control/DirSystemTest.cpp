@@ -1,0 +1,148 @@
+#include "steering_control/DirSystem.hpp"
+
+#include <gtest/gtest.h>
+
+#include "main_control/control_systems/ControlSystemPool.hpp"
+#include "support/FakeTimebase.hpp"
+
+namespace wr::test {
+namespace {
+
+/// @brief The steering as Main Control sees it; the test ticks in place of the steering.
+struct DirSystemTest : testing::Test {
+  DirSystemTest() { pool.add(system); }
+
+  void publish(const DirStatus& what) { status.write(what, clock.now()); }
+
+  /// @brief Holds in a new cycle, and gathers what was measured.
+  void cycle() {
+    pool.hold(++number);
+    pool.collect(measurements, outputs);
+  }
+
+  FakeTimebase clock;
+  Pipe<DirTarget> target;
+  Pipe<DirStatus> status;
+  DirSystem system{{.target = target, .status = status, .timebase = clock}};
+  ControlSystemPool pool;
+  std::uint32_t number = 0;
+  Measurements measurements;
+  Outputs outputs;
+};
+
+/// @brief Control hands the ordered angle over, with the time at which it was ordered.
+/// @verifies FR-115
+TEST_F(DirSystemTest, FR115_TheOrderedAngleIsHandedOver) {
+  clock.advance(milliseconds(100));
+  EXPECT_FALSE(target.read());
+  pool.control({.steering = Angle(-1500)}, 1);
+  EXPECT_EQ(target.read()->value, (DirTarget{.angle = Angle(-1500), .follow = true}));
+  EXPECT_EQ(target.read()->at, clock.now());
+}
+
+/// @brief Hold hands the order to hold over.
+/// @verifies FR-115
+TEST_F(DirSystemTest, FR115_TheOrderToHoldIsHandedOver) {
+  pool.control({.steering = Angle(-1500)}, 1);
+  clock.advance(milliseconds(100));
+  pool.hold(2);
+  EXPECT_FALSE(target.read()->value.follow);
+  EXPECT_EQ(target.read()->at, clock.now());
+}
+
+/// @brief Two targets are the same when both fields are.
+TEST_F(DirSystemTest, TargetsAreCompared) {
+  EXPECT_EQ(DirTarget{}, DirTarget{});
+  EXPECT_NE(DirTarget{}, (DirTarget{.follow = true}));
+  EXPECT_NE(DirTarget{}, (DirTarget{.angle = Angle(1)}));
+}
+
+/// @brief State, end stops, position and turn are those of the newest tick.
+/// @verifies FR-116
+TEST_F(DirSystemTest, FR116_TellsTheNewestTick) {
+  publish({});
+  publish({.state = SteeringState::Turning,
+           .rate = StepRate(-30),
+           .leftEnd = true,
+           .position = Stamped<Angle>{Angle(250), clock.now()}});
+  cycle();
+  EXPECT_EQ(measurements.steeringState, SteeringState::Turning);
+  EXPECT_TRUE(measurements.leftEnd);
+  EXPECT_FALSE(measurements.rightEnd);
+  EXPECT_EQ(measurements.steering, Angle(250));
+  EXPECT_EQ(outputs.turn, -1);
+}
+
+/// @brief The turn is the sign of the rate.
+/// @verifies FR-116
+TEST_F(DirSystemTest, FR116_TheTurnIsTheSignOfTheRate) {
+  for (const std::int32_t rate : {-500, -1, 0, 1, 500}) {
+    publish({.rate = StepRate(rate), .rightEnd = true});
+    cycle();
+    EXPECT_EQ(outputs.turn, rate == 0 ? 0 : rate / std::abs(rate));
+    EXPECT_TRUE(measurements.rightEnd);
+  }
+}
+
+/// @brief What was collected is what was measured in the cycle: a tick after it changes nothing.
+/// @verifies FR-116
+TEST_F(DirSystemTest, FR116_TheCycleKeepsItsValues) {
+  publish({.state = SteeringState::Holding});
+  pool.hold(1);
+  publish({.state = SteeringState::Fault});
+  pool.collect(measurements, outputs);
+  EXPECT_EQ(measurements.steeringState, SteeringState::Holding);
+}
+
+/// @brief A position that is older than 150 ms is missing, however young the tick is.
+/// @verifies FR-116
+TEST_F(DirSystemTest, FR116_AnOldPositionIsMissing) {
+  const Stamped<Angle> position{Angle(250), clock.now()};
+  clock.advance(milliseconds(150));
+  publish({.position = position});
+  cycle();
+  EXPECT_EQ(measurements.steering, Angle(250));
+  clock.advance(Microseconds(1));
+  publish({.position = position});
+  cycle();
+  EXPECT_EQ(measurements.steering, std::nullopt);
+}
+
+/// @brief A position that was never measured is missing.
+/// @verifies FR-116
+TEST_F(DirSystemTest, FR116_APositionThatIsUnknownIsMissing) {
+  measurements.steering = Angle(1);
+  publish({});
+  cycle();
+  EXPECT_EQ(measurements.steering, std::nullopt);
+}
+
+/// @brief The work of a cycle is complete when it was ordered in this cycle, to a steering that
+/// ticked in the 20 ms before.
+/// @verifies FR-117
+TEST_F(DirSystemTest, FR117_OnlyASteeringThatTicksCompletes) {
+  publish({});
+  clock.advance(milliseconds(20));
+  cycle();
+  EXPECT_TRUE(pool.completed(1));
+  EXPECT_FALSE(pool.completed(2));
+  clock.advance(Microseconds(1));
+  cycle();
+  EXPECT_FALSE(pool.completed(2));
+  publish({});
+  cycle();
+  EXPECT_TRUE(pool.completed(3));
+}
+
+/// @brief Before its first tick the steering completes nothing, and tells that it is off.
+/// @verifies FR-117
+TEST_F(DirSystemTest, FR117_BeforeTheFirstTickNothingIsComplete) {
+  outputs.turn = std::int8_t{1};
+  cycle();
+  EXPECT_FALSE(pool.completed(1));
+  EXPECT_EQ(measurements, Measurements{});
+  EXPECT_EQ(outputs, Outputs{});
+}
+
+}  // namespace
+}  // namespace wr::test

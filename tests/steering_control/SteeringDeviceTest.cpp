@@ -1,0 +1,155 @@
+#include "steering_control/SteeringDevice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "steering_control/SteeringMotor.hpp"
+#include "support/seed.hpp"
+
+namespace wr::test {
+namespace {
+
+/// @brief A device whose motor is on and has settled.
+struct SteeringDeviceTest : testing::Test {
+  SteeringDeviceTest() { motor.settle(); }
+
+  /// @brief Sets the turn, and waits until the motor has taken it on.
+  void reach(std::int32_t rate) {
+    device.turn(StepRate(rate));
+    motor.run(1000);
+    ASSERT_EQ(device.rate(), StepRate(rate));
+  }
+
+  SteeringMotor motor;
+  SteeringDevice& device = motor.device;
+};
+
+/// @brief The rate changes by one step/s in each tick, up and down and through zero.
+/// @verifies FR-103
+TEST_F(SteeringDeviceTest, FR103_TheRateChangesBy1000StepsPerSecondInASecond) {
+  device.turn(StepRate(3));
+  for (const std::int32_t rate : {1, 2, 3, 3}) {
+    device.tick();
+    EXPECT_EQ(device.rate(), StepRate(rate));
+  }
+  device.turn(StepRate(-2));
+  for (const std::int32_t rate : {2, 1, 0, -1, -2, -2}) {
+    device.tick();
+    EXPECT_EQ(device.rate(), StepRate(rate));
+  }
+}
+
+/// @brief A turn beyond 500 steps/s counts as 500 steps/s.
+/// @verifies FR-103
+TEST_F(SteeringDeviceTest, FR103_TheRateIsLimited) {
+  device.turn(StepRate(2000000000));
+  motor.run(600);
+  EXPECT_EQ(device.rate(), StepRate(500));
+  device.turn(StepRate(-2000000000));
+  motor.run(1100);
+  EXPECT_EQ(device.rate(), StepRate(-500));
+}
+
+/// @brief In a second the motor makes as many steps as its rate says.
+/// @verifies FR-103
+TEST_F(SteeringDeviceTest, FR103_TheStepsOfASecondAreTheRate) {
+  for (const std::int32_t rate : {1, 7, 333, 500, -1, -250, -499, -500}) {
+    reach(rate);
+    const std::int32_t before = device.steps();
+    motor.run(1000);
+    EXPECT_EQ(device.steps() - before, rate);
+  }
+}
+
+/// @brief Each step is one pulse; each pulse lasts one tick, and a tick without pulse follows.
+/// @verifies FR-104
+TEST_F(SteeringDeviceTest, FR104_AStepIsAPulseOfOneTick) {
+  device.turn(StepRate(500));
+  std::int32_t pulses = 0;
+  bool before = false;
+  for (int tick = 0; tick < 2000; ++tick) {
+    device.tick();
+    EXPECT_FALSE(before && motor.step.on) << tick;
+    before = motor.step.on;
+    pulses += before ? 1 : 0;
+    EXPECT_EQ(device.steps(), pulses);
+  }
+  EXPECT_GT(pulses, 800);
+}
+
+/// @brief The direction is set before the first pulse in it, with a tick between, at every change
+/// of a random turn. The steps are counted in the direction that the motor sees.
+/// @verifies FR-104
+TEST_F(SteeringDeviceTest, FR104_TheDirectionStandsBeforeThePulse) {
+  std::mt19937 random(seed());
+  std::uniform_int_distribution<std::int32_t> anyRate(-500, 500);
+  bool directionBefore = motor.direction.on;
+  std::int32_t seen = 0;
+  motor.step.onRise = [&] { seen += motor.direction.on ? 1 : -1; };
+  for (int tick = 0; tick < 20000; ++tick) {
+    if (tick % 100 == 0) {
+      device.turn(StepRate(anyRate(random)));
+    }
+    device.tick();
+    EXPECT_FALSE(motor.step.on && motor.direction.on != directionBefore) << tick;
+    directionBefore = motor.direction.on;
+    ASSERT_EQ(device.steps(), seen) << tick;
+  }
+}
+
+/// @brief An end stop is reached when its switch pulls the input low.
+/// @verifies FR-105
+TEST_F(SteeringDeviceTest, FR105_ASwitchThatIsLowTellsTheEnd) {
+  EXPECT_FALSE(device.leftEnd());
+  EXPECT_FALSE(device.rightEnd());
+  motor.leftEnd.reached = true;
+  EXPECT_TRUE(device.leftEnd());
+  EXPECT_FALSE(device.rightEnd());
+  motor.rightEnd.reached = true;
+  EXPECT_TRUE(device.rightEnd());
+}
+
+/// @brief A motor that turns left stops at once at the left end stop, and still turns right.
+/// @verifies FR-105
+TEST_F(SteeringDeviceTest, FR105_NoStepTowardsTheLeftEnd) {
+  reach(400);
+  motor.leftEnd.reached = true;
+  const std::int32_t atEnd = device.steps();
+  motor.run(100);
+  EXPECT_EQ(device.steps(), atEnd);
+  EXPECT_EQ(device.rate(), StepRate(0));
+  device.turn(StepRate(-400));
+  motor.run(100);
+  EXPECT_LT(device.steps(), atEnd);
+}
+
+/// @brief A motor that turns right stops at once at the right end stop, and still turns left.
+/// @verifies FR-105
+TEST_F(SteeringDeviceTest, FR105_NoStepTowardsTheRightEnd) {
+  reach(-400);
+  motor.rightEnd.reached = true;
+  const std::int32_t atEnd = device.steps();
+  motor.run(100);
+  EXPECT_EQ(device.steps(), atEnd);
+  EXPECT_EQ(device.rate(), StepRate(0));
+  device.turn(StepRate(400));
+  motor.run(100);
+  EXPECT_GT(device.steps(), atEnd);
+}
+
+/// @brief When both switches are low, as with a broken cable, the motor makes no step.
+/// @verifies FR-105
+TEST_F(SteeringDeviceTest, FR105_NoStepBetweenTwoEnds) {
+  motor.leftEnd.reached = true;
+  motor.rightEnd.reached = true;
+  for (const std::int32_t rate : {500, -500}) {
+    device.turn(StepRate(rate));
+    motor.run(200);
+    EXPECT_EQ(device.steps(), 0);
+  }
+}
+
+}  // namespace
+}  // namespace wr::test

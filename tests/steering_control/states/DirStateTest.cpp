@@ -1,0 +1,280 @@
+#include "steering_control/states/DirState.hpp"
+
+#include <gtest/gtest.h>
+
+#include "steering_control/DirControllerFixture.hpp"
+
+namespace wr::test {
+namespace {
+
+using DirStateTest = DirControllerFixture;
+
+/// @brief Each state has its number in reports.
+/// @verifies FR-116
+TEST_F(DirStateTest, FR116_StatesAreNumbered) {
+  EXPECT_EQ(control.states.off.id(), SteeringState::Off);
+  EXPECT_EQ(control.states.holding.id(), SteeringState::Holding);
+  EXPECT_EQ(control.states.turning.id(), SteeringState::Turning);
+  EXPECT_EQ(control.states.fault.id(), SteeringState::Fault);
+}
+
+/// @brief Off stays off without an order, and with an order to hold.
+/// @verifies FR-106
+TEST_F(DirStateTest, FR106_OffStaysOffWithoutAnOrderToFollow) {
+  tickOnly();
+  EXPECT_EQ(state(), SteeringState::Off);
+  tickHolding();
+  EXPECT_EQ(state(), SteeringState::Off);
+  EXPECT_FALSE(powered());
+}
+
+/// @brief An order to follow switches the motor on, even when the steering stands right.
+/// @verifies FR-106
+TEST_F(DirStateTest, FR106_AnOrderToFollowSwitchesOn) {
+  tick();
+  EXPECT_EQ(state(), SteeringState::Holding);
+  EXPECT_TRUE(powered());
+}
+
+/// @brief An order to follow that is older than 300 ms switches nothing on.
+/// @verifies FR-106
+TEST_F(DirStateTest, FR106_AnOldOrderSwitchesNothingOn) {
+  follow(0);
+  control.clock.advance(milliseconds(291));
+  tickOnly();
+  EXPECT_EQ(state(), SteeringState::Off);
+}
+
+/// @brief A motor that holds does not turn before it is ready.
+/// @verifies FR-107
+TEST_F(DirStateTest, FR107_NoTurnBeforeTheMotorIsReady) {
+  ordered = 1000;
+  for (int i = 0; i < 10; ++i) {
+    tick();
+    EXPECT_EQ(state(), SteeringState::Holding);
+  }
+  feedback.ready = true;
+  tick();
+  EXPECT_EQ(state(), SteeringState::Turning);
+}
+
+/// @brief Holding leaves the steering alone within the dead band, and turns when the angle is
+/// further away.
+/// @verifies FR-102
+TEST_F(DirStateTest, FR102_HoldingTurnsBeyondTheDeadBand) {
+  switchOn();
+  ordered = 20;
+  tick();
+  EXPECT_EQ(state(), SteeringState::Holding);
+  EXPECT_EQ(demand(), StepRate(0));
+  ordered = 21;
+  tick();
+  EXPECT_EQ(state(), SteeringState::Turning);
+  EXPECT_EQ(demand(), StepRate(1));
+}
+
+/// @brief An order to hold in Holding keeps the motor on, and an angle no longer matters.
+/// @verifies FR-108
+TEST_F(DirStateTest, FR108_HoldingStaysOnWithAnOrderToHold) {
+  switchOn();
+  measured = 1000;
+  for (int i = 0; i < 100; ++i) {
+    tickHolding();
+  }
+  EXPECT_EQ(state(), SteeringState::Holding);
+  EXPECT_TRUE(powered());
+  EXPECT_EQ(demand(), StepRate(0));
+}
+
+/// @brief An order to hold ends a turn: the demand is 0, and Holding follows when the motor rests.
+/// @verifies FR-108
+TEST_F(DirStateTest, FR108_AnOrderToHoldEndsATurn) {
+  beginTurn();
+  feedback.rate = StepRate(100);
+  tickHolding();
+  EXPECT_EQ(state(), SteeringState::Turning);
+  EXPECT_EQ(demand(), StepRate(0));
+  feedback.rate = StepRate(0);
+  tickHolding();
+  EXPECT_EQ(state(), SteeringState::Holding);
+  EXPECT_TRUE(powered());
+}
+
+/// @brief A turn ends when the steering has arrived and the motor rests, not before.
+/// @verifies FR-101
+TEST_F(DirStateTest, FR101_ATurnEndsAtRest) {
+  beginTurn();
+  measured = ordered - 9;
+  feedback.rate = StepRate(1);
+  tick();
+  EXPECT_EQ(state(), SteeringState::Turning);
+  feedback.rate = StepRate(0);
+  tick();
+  EXPECT_EQ(state(), SteeringState::Holding);
+}
+
+/// @brief A target on the other side reverses a turn without a stop in between.
+/// @verifies FR-101
+TEST_F(DirStateTest, FR101_ATargetOnTheOtherSideReversesTheTurn) {
+  beginTurn();
+  EXPECT_EQ(demand(), StepRate(1));
+  feedback.rate = StepRate(1);
+  ordered = -1000;
+  tick();
+  EXPECT_EQ(state(), SteeringState::Turning);
+  EXPECT_EQ(demand(), StepRate(0));
+  feedback.rate = StepRate(0);
+  tick();
+  EXPECT_EQ(state(), SteeringState::Turning);
+  EXPECT_EQ(demand(), StepRate(-1));
+}
+
+/// @brief Towards an end stop that is reached nothing is turned; away from it the turn begins.
+/// @verifies FR-105
+TEST_F(DirStateTest, FR105_NoTurnTowardsAnEnd) {
+  switchOn();
+  feedback.leftEnd = true;
+  ordered = 1000;
+  tick();
+  EXPECT_EQ(state(), SteeringState::Holding);
+  ordered = -1000;
+  tick();
+  EXPECT_EQ(state(), SteeringState::Turning);
+  feedback = {.ready = true, .rightEnd = true};
+  tick();
+  EXPECT_EQ(state(), SteeringState::Holding);
+  ordered = 1000;
+  tick();
+  EXPECT_EQ(state(), SteeringState::Turning);
+}
+
+/// @brief Holding is switched off when the last order is older than 300 ms.
+/// @verifies FR-109
+TEST_F(DirStateTest, FR109_HoldingWithoutOrdersIsSwitchedOff) {
+  switchOn();
+  const Instant last = control.clock.now();
+  while (state() == SteeringState::Holding) {
+    EXPECT_LE(control.clock.now() - last, milliseconds(300));
+    EXPECT_TRUE(powered());
+    measure(measured);
+    tickOnly();
+  }
+  EXPECT_EQ(control.clock.now() - last, milliseconds(310));
+  EXPECT_EQ(state(), SteeringState::Off);
+  EXPECT_FALSE(powered());
+}
+
+/// @brief A turn is switched off when the last order is older than 300 ms.
+/// @verifies FR-109
+TEST_F(DirStateTest, FR109_TurningWithoutOrdersIsSwitchedOff) {
+  beginTurn();
+  const Instant last = control.clock.now();
+  while (state() == SteeringState::Turning) {
+    measure(measured);
+    tickOnly();
+  }
+  EXPECT_EQ(control.clock.now() - last, milliseconds(310));
+  EXPECT_EQ(state(), SteeringState::Off);
+  EXPECT_FALSE(powered());
+}
+
+/// @brief Holding is in fault when the last position is older than 20 ms.
+/// @verifies FR-110
+TEST_F(DirStateTest, FR110_HoldingWithoutPositionIsAFault) {
+  switchOn();
+  tickOnly();
+  tickOnly();
+  EXPECT_EQ(state(), SteeringState::Holding);
+  tickOnly();
+  EXPECT_EQ(state(), SteeringState::Fault);
+  EXPECT_FALSE(powered());
+}
+
+/// @brief A turn is in fault when the last position is older than 20 ms.
+/// @verifies FR-110
+TEST_F(DirStateTest, FR110_TurningWithoutPositionIsAFault) {
+  beginTurn();
+  tickOnly();
+  tickOnly();
+  EXPECT_EQ(state(), SteeringState::Turning);
+  tickOnly();
+  EXPECT_EQ(state(), SteeringState::Fault);
+  EXPECT_FALSE(powered());
+}
+
+/// @brief A steering that never had a position is in fault as soon as it is switched on.
+/// @verifies FR-110
+TEST_F(DirStateTest, FR110_WithoutAnyPositionThereIsAFault) {
+  follow(0);
+  tickOnly();
+  tickOnly();
+  EXPECT_EQ(state(), SteeringState::Fault);
+  EXPECT_FALSE(powered());
+}
+
+/// @brief A turn whose steps move nothing is a fault.
+/// @verifies FR-111
+TEST_F(DirStateTest, FR111_ATurnThatMovesNothingIsAFault) {
+  beginTurn();
+  const Instant begin = control.clock.now();
+  while (state() == SteeringState::Turning) {
+    feedback.steps += 2;
+    tick();
+    ASSERT_LT(control.clock.now() - begin, milliseconds(1000));
+  }
+  EXPECT_EQ(control.clock.now() - begin, milliseconds(300));
+  EXPECT_EQ(state(), SteeringState::Fault);
+  EXPECT_FALSE(powered());
+}
+
+/// @brief Fault stays whatever is ordered to follow, and when nothing is ordered.
+/// @verifies FR-112
+TEST_F(DirStateTest, FR112_AFaultStays) {
+  switchOn();
+  control.clock.advance(milliseconds(100));
+  follow(0);
+  tickOnly();
+  ASSERT_EQ(state(), SteeringState::Fault);
+  for (int i = 0; i < 10; ++i) {
+    tick();
+    EXPECT_EQ(state(), SteeringState::Fault);
+    EXPECT_FALSE(powered());
+  }
+  for (int i = 0; i < 40; ++i) {
+    tickOnly();
+  }
+  EXPECT_EQ(state(), SteeringState::Fault);
+}
+
+/// @brief An order to hold that was given before the fault does not end it.
+/// @verifies FR-112
+TEST_F(DirStateTest, FR112_AnOrderToHoldFromBeforeTheFaultDoesNotEndIt) {
+  switchOn();
+  hold();
+  for (int i = 0; i < 10; ++i) {
+    tickOnly();
+  }
+  EXPECT_EQ(state(), SteeringState::Fault);
+}
+
+/// @brief An order to hold ends a fault: the motor stays off until an order to follow comes.
+/// @verifies FR-112
+TEST_F(DirStateTest, FR112_AnOrderToHoldEndsAFault) {
+  switchOn();
+  hold();
+  for (int i = 0; i < 3; ++i) {
+    tickOnly();
+  }
+  ASSERT_EQ(state(), SteeringState::Fault);
+  tickHolding();
+  EXPECT_EQ(state(), SteeringState::Off);
+  tickHolding();
+  EXPECT_EQ(state(), SteeringState::Off);
+  EXPECT_FALSE(powered());
+  tick();
+  EXPECT_EQ(state(), SteeringState::Holding);
+  EXPECT_TRUE(powered());
+}
+
+}  // namespace
+}  // namespace wr::test
