@@ -11,7 +11,6 @@ namespace {
 
 constinit K64Adc::Converters converters{K64Adc::Converter(0), K64Adc::Converter(1)};
 constinit K64Gpio greenLight(pinOf("light_green"), K64Gpio::Level::Low);
-constinit K64Gpio redLight(pinOf("light_red"), K64Gpio::Level::Low);
 
 }  // namespace
 
@@ -61,6 +60,8 @@ constinit K64Port rightEnd(pinOf("steering_right_end"));
 constinit K64Adc steeringAngle(converters, K64Adc::channelOf("ADC1_SE6b"));
 constinit K64Port rcVelocityPin(pinOf("rc_velocity"));
 constinit K64Port rcDirectionPin(pinOf("rc_direction"));
+
+constinit K64Gpio redLight(pinOf("light_red"), K64Gpio::Level::Low);
 
 StartRecord startRecord;
 

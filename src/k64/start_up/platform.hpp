@@ -48,6 +48,9 @@ extern K64Adc steeringAngle;
 extern K64Port rcVelocityPin;
 extern K64Port rcDirectionPin;
 
+/// @brief On from the reset on until control cycles run. Then it is free for the product.
+extern K64Gpio redLight;
+
 /// @brief Why the firmware started.
 extern StartRecord startRecord;
 

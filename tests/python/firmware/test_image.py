@@ -123,7 +123,7 @@ def test_the_image_names_the_version_and_the_sources_of_the_project(tmp_path: Pa
     made = tmp_path / "identity.cpp"
     output(
         "cmake",
-        f"-DSOURCE_DIR={ROOT / 'src'}",
+        f"-DSOURCE_DIR={ROOT}",
         f"-DOUTPUT={made}",
         f"-DVERSION={'.'.join(version.groups())}",
         "-P",

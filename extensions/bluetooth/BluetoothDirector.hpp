@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+
+#include "bluetooth/BluetoothModes.hpp"
+#include "construction/ControlSystemPoolBuilder.hpp"
+#include "construction/MainControllerBuilder.hpp"
+#include "devices/SerialPort.hpp"
+#include "devices/Timebase.hpp"
+
+namespace wr {
+
+/// @brief Has a robot made that the PC and a Bluetooth device command, and starts it.
+///
+/// @function Calls the steps of the builders in the right sequence, gives them the modes of this product
+/// in place of their own, and starts what they made.
+///
+/// @secret Which steps make a robot with a Bluetooth device and without a remote control.
+///
+/// @role{pool-construction, Director}
+/// @role{main-controller-construction, Director}
+class BluetoothDirector final {
+ public:
+  /// @brief Binds the director to the builders and to the line of the device.
+  /// @param poolBuilder makes the control systems
+  /// @param controllerBuilder makes the main controller
+  /// @param port line to the Bluetooth module
+  /// @param timebase gives the time
+  BluetoothDirector(ControlSystemPoolBuilder& poolBuilder, MainControllerBuilder& controllerBuilder,
+                    SerialPort& port, const Timebase& timebase);
+
+  BluetoothDirector(const BluetoothDirector&) = delete;
+  BluetoothDirector& operator=(const BluetoothDirector&) = delete;
+
+  /// @brief Makes all parts of the robot. The mode at start is PC.
+  /// @post start() can be called.
+  /// @errors A second call ends the program with the assertion PartDouble.
+  /// @satisfies FR-150
+  /// @isr{no}
+  void construct();
+
+  /// @brief Starts the control cycles.
+  /// @pre construct() was called.
+  /// @errors A robot that is not made ends the program with the assertion PartMissing.
+  /// @satisfies FR-150
+  /// @isr{no}
+  void start();
+
+ private:
+  ControlSystemPoolBuilder& poolBuilder_;
+  MainControllerBuilder& controllerBuilder_;
+  SerialPort& port_;
+  const Timebase& timebase_;
+  std::optional<BluetoothModes> modes_;
+};
+
+}  // namespace wr

@@ -1,0 +1,55 @@
+// The composition of the weeding robot that the PC and a Bluetooth device command.
+
+#include "bluetooth/BluetoothDirector.hpp"
+#include "construction/MainControllerBuilder.hpp"
+#include "k64/K64Thread.hpp"
+#include "k64/K64Uart.hpp"
+#include "k64/core.hpp"
+#include "k64/start_up/control_systems.hpp"
+#include "k64/start_up/handlers.hpp"
+#include "k64/start_up/platform.hpp"
+
+namespace wr {
+
+namespace {
+
+K64Uart bluetoothPort(K64Uart::Port::Uart4);
+MainControllerBuilder controllerBuilder({.thread = platform::mainThread,
+                                         .cycleTimer = platform::cycleTimer,
+                                         .timebase = platform::timebase,
+                                         .pcPort = platform::pcPort,
+                                         .watchdog = platform::watchdog,
+                                         .start = platform::startRecord});
+BluetoothDirector director(platform::poolBuilder, controllerBuilder, bluetoothPort,
+                           platform::timebase);
+
+}  // namespace
+
+}  // namespace wr
+
+// Each handler ends when its stores have ended: see those of the devices.
+
+void cycleTimerInterrupt() {
+  wr::controllerBuilder.clock().expired();
+  wr::finishStores();
+}
+
+void secondPortInterrupt() {
+  wr::bluetoothPort.serve();
+  wr::finishStores();
+}
+
+namespace wr {
+
+void runRobot() {
+  platform::startDevices();
+  bluetoothPort.start();
+  director.construct();
+  K64Thread::enable(kSecondPortLine, kInterruptPriority);
+  K64Thread::enable(kSecondPortErrorLine, kInterruptPriority);
+  platform::enableInterrupts();
+  director.start();
+  platform::sleepForever();
+}
+
+}  // namespace wr

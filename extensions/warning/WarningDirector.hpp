@@ -1,0 +1,51 @@
+#pragma once
+
+#include "construction/ControlSystemPoolBuilder.hpp"
+#include "construction/MainControllerBuilder.hpp"
+#include "devices/DigitalOutput.hpp"
+#include "warning/WarningStates.hpp"
+
+namespace wr {
+
+/// @brief Has a robot made that warns before it stops, and starts it.
+///
+/// @function Calls the steps of the builders in the right sequence, gives them the states of this product
+/// in place of their own, and starts what they made.
+///
+/// @secret Which steps make a robot that warns and that the PC and the remote control command.
+///
+/// @role{pool-construction, Director}
+/// @role{main-controller-construction, Director}
+class WarningDirector final {
+ public:
+  /// @brief Binds the director to the builders and to the warning.
+  /// @param poolBuilder makes the control systems
+  /// @param controllerBuilder makes the main controller
+  /// @param warning what is switched on for a warning
+  WarningDirector(ControlSystemPoolBuilder& poolBuilder, MainControllerBuilder& controllerBuilder,
+                  DigitalOutput& warning);
+
+  WarningDirector(const WarningDirector&) = delete;
+  WarningDirector& operator=(const WarningDirector&) = delete;
+
+  /// @brief Makes all parts of the robot.
+  /// @post start() can be called.
+  /// @errors A second call ends the program with the assertion PartDouble.
+  /// @satisfies FR-152
+  /// @isr{no}
+  void construct();
+
+  /// @brief Starts the control cycles.
+  /// @pre construct() was called.
+  /// @errors A robot that is not made ends the program with the assertion PartMissing.
+  /// @satisfies FR-152
+  /// @isr{no}
+  void start();
+
+ private:
+  ControlSystemPoolBuilder& poolBuilder_;
+  MainControllerBuilder& controllerBuilder_;
+  WarningStates states_;
+};
+
+}  // namespace wr

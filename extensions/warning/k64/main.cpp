@@ -1,0 +1,59 @@
+// The composition of the weeding robot that warns before it stops: the red light is the warning.
+
+#include "construction/MainControllerBuilder.hpp"
+#include "k64/core.hpp"
+#include "k64/start_up/control_systems.hpp"
+#include "k64/start_up/handlers.hpp"
+#include "k64/start_up/platform.hpp"
+#include "services/Pipe.hpp"
+#include "warning/WarningDirector.hpp"
+
+namespace wr {
+
+namespace {
+
+Pipe<Velocity> rcVelocity;
+Pipe<Angle> rcDirection;
+
+MainControllerBuilder controllerBuilder(
+    {.thread = platform::mainThread,
+     .cycleTimer = platform::cycleTimer,
+     .timebase = platform::timebase,
+     .pcPort = platform::pcPort,
+     .watchdog = platform::watchdog,
+     .start = platform::startRecord,
+     .remoteControl = MainControllerBuilder::RemoteControlDevices{
+         .velocityPin = platform::rcVelocityPin,
+         .directionPin = platform::rcDirectionPin,
+         .velocity = rcVelocity,
+         .direction = rcDirection}});
+WarningDirector director(platform::poolBuilder, controllerBuilder, platform::redLight);
+
+}  // namespace
+
+}  // namespace wr
+
+// Each handler ends when its stores have ended: see those of the devices.
+
+void cycleTimerInterrupt() {
+  wr::controllerBuilder.clock().expired();
+  wr::finishStores();
+}
+
+void remoteControlInterrupt() {
+  wr::controllerBuilder.velocityPin().serve();
+  wr::controllerBuilder.directionPin().serve();
+  wr::finishStores();
+}
+
+namespace wr {
+
+void runRobot() {
+  platform::startDevices();
+  director.construct();
+  platform::enableInterrupts();
+  director.start();
+  platform::sleepForever();
+}
+
+}  // namespace wr

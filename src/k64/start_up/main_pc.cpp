@@ -1,0 +1,43 @@
+// The composition of the weeding robot that only the PC commands.
+
+#include "construction/MainControllerBuilder.hpp"
+#include "construction/RobotDirector.hpp"
+#include "k64/core.hpp"
+#include "k64/start_up/control_systems.hpp"
+#include "k64/start_up/handlers.hpp"
+#include "k64/start_up/platform.hpp"
+
+namespace wr {
+
+namespace {
+
+MainControllerBuilder controllerBuilder({.thread = platform::mainThread,
+                                         .cycleTimer = platform::cycleTimer,
+                                         .timebase = platform::timebase,
+                                         .pcPort = platform::pcPort,
+                                         .watchdog = platform::watchdog,
+                                         .start = platform::startRecord});
+RobotDirector director(platform::poolBuilder, controllerBuilder);
+
+}  // namespace
+
+}  // namespace wr
+
+// Each handler ends when its stores have ended: see those of the devices.
+
+void cycleTimerInterrupt() {
+  wr::controllerBuilder.clock().expired();
+  wr::finishStores();
+}
+
+namespace wr {
+
+void runRobot() {
+  platform::startDevices();
+  director.constructForPc();
+  platform::enableInterrupts();
+  director.start();
+  platform::sleepForever();
+}
+
+}  // namespace wr
