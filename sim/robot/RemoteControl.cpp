@@ -31,7 +31,7 @@ std::span<const RcEdge> RemoteControl::step() {
       edges_.push_back({.offset = nanoseconds(0), .channel = channel, .level = true});
     }
     const nanoseconds fall = falls_.at(channel);
-    if (fall >= now + nanoseconds(1) && fall < now + kStep) {
+    if (fall > nanoseconds(0) && fall >= now && fall < now + kStep) {
       edges_.push_back({.offset = fall - now, .channel = channel, .level = false});
     }
   }
