@@ -157,9 +157,6 @@ void Adc::begin(Doing doing, std::uint64_t busClocks) {
 
 // A write of SC1A starts a conversion and ends the one that runs.
 void Adc::start(std::uint32_t value) {
-  if (doing_ == Doing::Calibrates) {
-    at(kSc3) = (at(kSc3) & ~kCalibrates) | kFailed;
-  }
   doing_ = Doing::Nothing;
   at(kSc1a) = value & (kInterrupt | kOff);
   at(kSc2) &= ~kActive;
@@ -254,15 +251,14 @@ void Adc::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
     unmodelled(name_, offset);
     return;
   }
-  if (offset == kSc1a) {
-    start(value);
-    return;
-  }
-  if (doing_ != Doing::Nothing) {
+  if (doing_ == Doing::Calibrates || (doing_ == Doing::Converts && offset != kSc1a)) {
     misuse(name_ + " + " + hexText(offset) + " written while it " +
            (doing_ == Doing::Converts ? "converts" : "is calibrated"));
   }
   switch (offset) {
+    case kSc1a:
+      start(value);
+      break;
     case kSc1b:
       if ((value & kOff) != kOff) {
         unmodelled(name_ + "_SC1B, which needs a hardware trigger", offset);

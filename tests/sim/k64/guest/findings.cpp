@@ -230,3 +230,254 @@ PROGRAM sleepsDeeply() {
   wordAt(0xE000ED10) = 4;
   sleepForever();
 }
+
+PROGRAM usesTimerBehindClosedGate() {
+  stopWatchdog();
+  wordAt(0x400B9008) = 999;
+  sleepForever();
+}
+
+PROGRAM startsProtectedTimer() {
+  stopWatchdog();
+  openTimer();
+  wordAt(0x40038074) = 0x40;
+  wordAt(0x40038000) = 0x08;
+  sleepForever();
+}
+
+PROGRAM changesProtectedChannel() {
+  stopWatchdog();
+  openTimer();
+  wordAt(0x40038074) = 0x40;
+  wordAt(0x4003800C) = 0x28;
+  sleepForever();
+}
+
+PROGRAM pulsesLongerThanThePeriod() {
+  stopWatchdog();
+  startPulses(1001);
+  sleepForever();
+}
+
+PROGRAM closesGateOfRunningTimer() {
+  stopWatchdog();
+  startPulses(250);
+  wordAt(0x4004803C) &= ~(1U << 24);
+  sleepForever();
+}
+
+PROGRAM capturesEdges() {
+  stopWatchdog();
+  openTimer();
+  wordAt(0x4003800C) = 0x04;
+  sleepForever();
+}
+
+PROGRAM usesAllOfTimer() {
+  stopWatchdog();
+  openTimer();
+  wordAt(0x40038054) = 0x05;
+  sleepForever();
+}
+
+PROGRAM centersPulses() {
+  stopWatchdog();
+  openTimer();
+  wordAt(0x40038000) = 0x28;
+  sleepForever();
+}
+
+PROGRAM countsAnotherClock() {
+  stopWatchdog();
+  openTimer();
+  wordAt(0x40038000) = 0x10;
+  sleepForever();
+}
+
+PROGRAM combinesChannels() {
+  stopWatchdog();
+  openTimer();
+  wordAt(0x40038064) = 1;
+  sleepForever();
+}
+
+PROGRAM usesThirdChannelOfSmallTimer() {
+  stopWatchdog();
+  wordAt(0x4004803C) |= 1U << 25;
+  wordAt(0x4003901C) = 0x28;
+  sleepForever();
+}
+
+PROGRAM writesByteToTimer() {
+  stopWatchdog();
+  openTimer();
+  byteAt(0x40038000) = 0;
+  sleepForever();
+}
+
+PROGRAM convertsTooFast() {
+  stopWatchdog();
+  openConverter();
+  calibrateConverter();
+  wordAt(0x4003B008) = 0x04;
+  convert(12);
+  sleepForever();
+}
+
+PROGRAM convertsSixteenBitsTooFast() {
+  stopWatchdog();
+  openConverter();
+  calibrateConverter();
+  wordAt(0x4003B008) = 0x0C;
+  convert(12);
+  sleepForever();
+}
+
+PROGRAM calibratesTooFast() {
+  stopWatchdog();
+  openConverter();
+  wordAt(0x4003B008) = 0x44;
+  calibrateConverter();
+  sleepForever();
+}
+
+PROGRAM convertsWithoutCalibration() {
+  stopWatchdog();
+  openConverter();
+  convert(12);
+  sleepForever();
+}
+
+PROGRAM forgetsGain() {
+  stopWatchdog();
+  openConverter();
+  calibrateConverter();
+  wordAt(0x4003B030) = 0x8200;
+  convert(12);
+  sleepForever();
+}
+
+PROGRAM convertsDigitalPin() {
+  stopWatchdog();
+  openConverter();
+  calibrateConverter();
+  wordAt(0x4004A008) = 0x100;
+  convert(12);
+  sleepForever();
+}
+
+PROGRAM convertsChannelWithoutPin() {
+  stopWatchdog();
+  openConverter();
+  calibrateConverter();
+  convert(3);
+  sleepForever();
+}
+
+PROGRAM convertsTemperature() {
+  stopWatchdog();
+  openConverter();
+  calibrateConverter();
+  convert(26);
+  sleepForever();
+}
+
+PROGRAM convertsInputA() {
+  stopWatchdog();
+  openConverter();
+  calibrateConverter();
+  convert(4);
+  sleepForever();
+}
+
+PROGRAM convertsDifference() {
+  stopWatchdog();
+  openConverter();
+  calibrateConverter();
+  convert(0x20);
+  sleepForever();
+}
+
+PROGRAM configuresConverterThatConverts() {
+  stopWatchdog();
+  openConverter();
+  calibrateConverter();
+  wordAt(0x4003B000) = 12;
+  wordAt(0x4003B00C) = 0x04;
+  sleepForever();
+}
+
+PROGRAM convertsInTheCalibration() {
+  stopWatchdog();
+  openConverter();
+  wordAt(0x4003B024) = 0x80;
+  wordAt(0x4003B000) = 12;
+  sleepForever();
+}
+
+PROGRAM storesToResult() {
+  stopWatchdog();
+  openConverter();
+  wordAt(0x4003B010) = 0;
+  sleepForever();
+}
+
+PROGRAM triggersConverterByHardware() {
+  stopWatchdog();
+  openConverter();
+  wordAt(0x4003B020) = 0x40;
+  sleepForever();
+}
+
+PROGRAM usesSecondControlOfConverter() {
+  stopWatchdog();
+  openConverter();
+  wordAt(0x4003B004) = 12;
+  sleepForever();
+}
+
+PROGRAM convertsForEver() {
+  stopWatchdog();
+  openConverter();
+  wordAt(0x4003B024) = 0x08;
+  sleepForever();
+}
+
+PROGRAM clocksConverterByItself() {
+  stopWatchdog();
+  openConverter();
+  wordAt(0x4003B008) = 0x03;
+  sleepForever();
+}
+
+PROGRAM usesHoleOfConverter() {
+  stopWatchdog();
+  openConverter();
+  told(0) = wordAt(0x4003B050);
+  sleepForever();
+}
+
+PROGRAM fillsSmallBuffer() {
+  stopWatchdog();
+  openSecondUart();
+  byteAt(0x400EA010) = 0x80;
+  byteAt(0x400EA003) = 0x08;
+  for (std::uint8_t i = 0; i < 3; ++i) {
+    byteAt(0x400EA007) = i;
+  }
+  sleepForever();
+}
+
+PROGRAM filtersPins() {
+  stopWatchdog();
+  openPorts();
+  wordAt(0x4004C0C0) = 1;
+  sleepForever();
+}
+
+PROGRAM asksForDmaAtEdges() {
+  stopWatchdog();
+  openPorts();
+  wordAt(0x4004C000) = 0x00010100;
+  sleepForever();
+}

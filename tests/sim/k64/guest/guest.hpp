@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 
 inline volatile std::uint8_t& byteAt(std::uint32_t address) {
   return *reinterpret_cast<volatile std::uint8_t*>(address);
@@ -88,6 +89,66 @@ inline void openUart() {
   byteAt(0x4006A000) = 0;
   byteAt(0x4006A001) = 11;
   byteAt(0x4006A00A) = 12;
+}
+
+/// Opens the gate of FTM0 and connects its channel 0 to PTC1.
+inline void openTimer() {
+  openPorts();
+  wordAt(0x4004803C) |= 1U << 24;
+  wordAt(0x4004B004) = 0x400;
+}
+
+/// Lets channel 0 of FTM0 be high for a part of 1000 bus clocks.
+inline void startPulses(std::uint32_t width) {
+  openTimer();
+  wordAt(0x40038008) = 999;
+  wordAt(0x4003800C) = 0x28;
+  wordAt(0x40038010) = width;
+  wordAt(0x40038000) = 0x08;
+}
+
+/// Opens the gate of ADC0 and sets it to 12 bits and an eighth of the bus clock of 20.97 MHz.
+inline void openConverter() {
+  openPorts();
+  wordAt(0x4004803C) |= 1U << 27;
+  wordAt(0x4003B008) = 0x64;
+}
+
+/// Calibrates ADC0 and sets its gains from the results.
+/// @return whether it succeeded
+inline bool calibrateConverter() {
+  wordAt(0x4003B024) = 0x87;
+  while ((wordAt(0x4003B024) & 0x80) != 0) {
+  }
+  for (const std::uint32_t side : {0U, 1U}) {
+    std::uint32_t sum = 0;
+    for (std::uint32_t i = 0; i < 6; ++i) {
+      sum += wordAt(0x4003B038 + 0x20 * side + 4 * i);
+    }
+    wordAt(0x4003B02C + 4 * side) = sum / 2 | 0x8000;
+  }
+  const bool good = (wordAt(0x4003B024) & 0x40) == 0;
+  wordAt(0x4003B024) = 0x40;
+  return good;
+}
+
+/// Converts the voltage of a channel of ADC0.
+inline std::uint32_t convert(std::uint32_t channel) {
+  wordAt(0x4003B000) = channel;
+  while ((wordAt(0x4003B000) & 0x80) == 0) {
+  }
+  return wordAt(0x4003B010);
+}
+
+/// Sets UART4 to 115200 baud from a bus clock of 20.97 MHz, on PTC14 and PTC15.
+inline void openSecondUart() {
+  openPorts();
+  wordAt(0x40048028) |= 1U << 10;
+  wordAt(0x4004B038) = 0x300;
+  wordAt(0x4004B03C) = 0x300;
+  byteAt(0x400EA000) = 0;
+  byteAt(0x400EA001) = 11;
+  byteAt(0x400EA00A) = 12;
 }
 
 #define PROGRAM extern "C" [[gnu::used]] void

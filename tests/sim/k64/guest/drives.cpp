@@ -1,0 +1,286 @@
+// Programs that use pulse-width modulation, the converter and the edges of pins.
+
+#include "guest.hpp"
+
+PROGRAM pulses() {
+  stopWatchdog();
+  startPulses(250);
+  sleepForever();
+}
+
+PROGRAM pulsesWithLowTruth() {
+  stopWatchdog();
+  startPulses(250);
+  wordAt(0x4003800C) = 0x24;
+  sleepForever();
+}
+
+PROGRAM pulsesWithoutEnd() {
+  stopWatchdog();
+  startPulses(1000);
+  sleepForever();
+}
+
+PROGRAM changesWidthInThePeriod() {
+  stopWatchdog();
+  startPulses(250);
+  wordAt(0x40038010) = 500;
+  told(0) = wordAt(0x40038010);
+  while (wordAt(0x40038010) == 250) {
+  }
+  told(1) = wordAt(0x40038010);
+  sleepForever();
+}
+
+PROGRAM changesPeriodWithWidth() {
+  stopWatchdog();
+  startPulses(250);
+  wordAt(0x40038008) = 499;
+  wordAt(0x40038010) = 100;
+  told(0) = wordAt(0x40038008);
+  while (wordAt(0x40038008) == 999) {
+  }
+  told(1) = wordAt(0x40038010);
+  sleepForever();
+}
+
+PROGRAM stopsPulses() {
+  stopWatchdog();
+  startPulses(250);
+  wordAt(0x40038000) = 0;
+  told(0) = wordAt(0x40038004);
+  told(1) = wordAt(0x40038004);
+  sleepForever();
+}
+
+PROGRAM takesPinFromTimer() {
+  stopWatchdog();
+  startPulses(250);
+  wordAt(0x4004B004) = 0x100;
+  sleepForever();
+}
+
+PROGRAM countsPeriods() {
+  stopWatchdog();
+  openTimer();
+  wordAt(0x40038084) = 0xC0;
+  wordAt(0x40038058) = 0;
+  wordAt(0x40038008) = 99;
+  wordAt(0x40038000) = 0x0A;
+  told(0) = wordAt(0x40038000);
+  while ((wordAt(0x40038000) & 0x80) == 0) {
+  }
+  told(1) = wordAt(0x40038004);
+  wordAt(0x40038000) = 0x0A;
+  told(2) = wordAt(0x40038000);
+  while ((wordAt(0x40038000) & 0x80) == 0) {
+  }
+  told(3) = wordAt(0x40038004);
+  for (int i = 0; i < 100; ++i) {
+    asm volatile("nop");
+  }
+  told(4) = wordAt(0x40038004);
+  wordAt(0x40038004) = 1;
+  told(5) = wordAt(0x40038004);
+  told(6) = wordAt(0x40038084);
+  sleepForever();
+}
+
+PROGRAM unprotectsTimer() {
+  stopWatchdog();
+  openTimer();
+  wordAt(0x40038074) = 0x40;
+  told(0) = wordAt(0x40038054);
+  wordAt(0x40038054) = 0x04;
+  told(1) = wordAt(0x40038074);
+  wordAt(0x40038054) = 0x04;
+  told(2) = wordAt(0x40038054);
+  wordAt(0x4003800C) = 0x28;
+  told(3) = wordAt(0x4003800C);
+  sleepForever();
+}
+
+PROGRAM convertsInputs() {
+  stopWatchdog();
+  openConverter();
+  told(0) = calibrateConverter() ? 1 : 2;
+  told(1) = convert(12);
+  told(2) = convert(29);
+  told(3) = convert(30);
+  wordAt(0x4003B008) = 0x60;
+  told(4) = convert(12);
+  wordAt(0x4003B008) = 0x68;
+  told(5) = convert(12);
+  wordAt(0x4003B008) = 0x6C;
+  told(6) = convert(12);
+  wordAt(0x4003B00C) = 0x10;
+  told(7) = convert(4);
+  sleepForever();
+}
+
+PROGRAM notesConversion() {
+  told(1) = wordAt(0x4003B010);
+  told(2) = wordAt(0x4003B000);
+  told(3) = told(3) + 1;
+}
+
+static void convertOnceWith(std::uint32_t configuration1, std::uint32_t configuration2,
+                            std::uint32_t averaging) {
+  stopWatchdog();
+  openConverter();
+  told(0) = calibrateConverter() ? 1 : 2;
+  told(3) = 0;
+  wordAt(0x4003B008) = configuration1;
+  wordAt(0x4003B00C) = configuration2;
+  wordAt(0x4003B024) = averaging;
+  enableInterrupt(39);
+  enableInterrupt(40);
+  pend(40);
+  wordAt(0x4003B000) = 0x40 | 12;
+  told(4) = wordAt(0x4003B020);
+  sleepForever();
+}
+
+PROGRAM convertsOnce() {
+  convertOnceWith(0x64, 0, 0);
+}
+
+PROGRAM convertsWithLongSample() {
+  convertOnceWith(0x74, 0x04, 0);
+}
+
+PROGRAM convertsFourTimes() {
+  convertOnceWith(0x64, 0, 0x04);
+}
+
+PROGRAM convertsAnew() {
+  stopWatchdog();
+  openConverter();
+  calibrateConverter();
+  told(3) = 0;
+  enableInterrupt(39);
+  wordAt(0x4003B000) = 0x40 | 13;
+  wordAt(0x4003B000) = 0x40 | 12;
+  sleepForever();
+}
+
+PROGRAM echoesByteOfSecondUart() {
+  told(0) = byteAt(0x400EA004);
+  byteAt(0x400EA007) = static_cast<std::uint8_t>(byteAt(0x400EA007) + 1);
+}
+
+PROGRAM echoesAtSecondUart() {
+  stopWatchdog();
+  openSecondUart();
+  byteAt(0x400EA010) = 0x88;
+  told(1) = byteAt(0x400EA010);
+  byteAt(0x400EA003) = 0x2C;
+  enableInterrupt(66);
+  sleepForever();
+}
+
+PROGRAM notesEdge() {
+  note(wordAt(0x4004C0A0) | wordAt(0x400FF0D0) << 16);
+  wordAt(0x4004C0A0) = wordAt(0x4004C0A0);
+}
+
+// PTD0 both edges, PTD1 rising, PTD2 falling; PTD3 both edges, but without digital function.
+PROGRAM watchesEdges() {
+  stopWatchdog();
+  openPorts();
+  forgetNotes();
+  wordAt(0x4004C000) = 0x000B0100;
+  wordAt(0x4004C004) = 0x00090100;
+  wordAt(0x4004C008) = 0x000A0100;
+  wordAt(0x4004C00C) = 0x000B0000;
+  enableInterrupt(62);
+  sleepForever();
+}
+
+PROGRAM watchesLevel() {
+  stopWatchdog();
+  openPorts();
+  forgetNotes();
+  wordAt(0x4004C000) = 0x00080103;
+  enableInterrupt(62);
+  sleepForever();
+}
+
+// A timer of 1 kHz that starts five conversions; each conversion interrupts and starts the next one
+// of its converter; two edges of each wheel interrupt in a millisecond.
+static void workFor(std::uint32_t turns) {
+  for (std::uint32_t i = 0; i < turns; ++i) {
+    asm volatile("nop");
+  }
+}
+
+PROGRAM startsConversions() {
+  wordAt(0x4003710C) = 1;
+  told(0) = told(0) + 1;
+  wordAt(0x4003B000) = 0x40 | 12;
+  wordAt(0x400BB000) = 0x40 | 14;
+  wordAt(0x40038010) = told(0) % 1000;
+  workFor(100);
+}
+
+PROGRAM takesConversion0() {
+  told(1) = told(1) + 1;
+  told(8) = told(8) + wordAt(0x4003B010);
+  told(3) = told(3) + 1;
+  if (told(3) % 2 != 0) {
+    wordAt(0x4003B000) = 0x40 | 13;
+  }
+  workFor(20);
+}
+
+PROGRAM takesConversion1() {
+  told(1) = told(1) + 1;
+  told(9) = told(9) + wordAt(0x400BB010);
+  told(4) = told(4) + 1;
+  if (told(4) % 3 != 0) {
+    wordAt(0x400BB000) = 0x40 | (told(4) % 3 == 1 ? 15 : 6);
+  }
+  workFor(20);
+}
+
+PROGRAM countsEdges() {
+  wordAt(0x4004C0A0) = wordAt(0x4004C0A0);
+  told(2) = told(2) + 1;
+  told(10) = told(10) + wordAt(0x400FF0D0);
+  workFor(20);
+}
+
+static void calibrate(std::uint32_t base) {
+  wordAt(base + 0x24) = 0x87;
+  while ((wordAt(base + 0x24) & 0x80) != 0) {
+  }
+  wordAt(base + 0x2C) = 0x8202;
+  wordAt(base + 0x30) = 0x8201;
+  wordAt(base + 0x24) = 0;
+}
+
+PROGRAM drivesFourWheels() {
+  stopWatchdog();
+  switchFpuOn();
+  startPulses(250);
+  openConverter();
+  wordAt(0x40048030) |= 1U << 27;
+  wordAt(0x400BB008) = 0x64;
+  wordAt(0x400BB00C) = 0x10;
+  calibrate(0x4003B000);
+  calibrate(0x400BB000);
+  for (std::uint32_t pin = 0; pin < 8; ++pin) {
+    wordAt(0x4004C000 + 4 * pin) = 0x000B0100;
+  }
+  for (std::uint32_t i = 0; i < 12; ++i) {
+    told(i) = 0;
+  }
+  openPit();
+  wordAt(0x40037100) = 20971;
+  wordAt(0x40037108) = 3;
+  enableInterrupt(48);
+  enableInterrupt(39);
+  enableInterrupt(73);
+  enableInterrupt(62);
+  sleepForever();
+}
