@@ -70,7 +70,7 @@ class BoardRobot : public SteppedRobot {
   }
 
   /// Lets the firmware start: then it listens to its line.
-  void startUp() { run(milliseconds(5)); }
+  void startUp() { run(milliseconds(10)); }
 
   /// Asks for a connection, and takes the answer.
   PcWelcome askForWelcome() {

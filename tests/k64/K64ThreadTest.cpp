@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "k64/BoardRobot.hpp"
+#include "k64/DriverBoard.hpp"
 #include "k64/patch.hpp"
 
 namespace wr::test {
@@ -59,6 +60,16 @@ TEST(K64ThreadOnBoard, FR37_SerialPortInterruptsTheCycle) {
   }
   EXPECT_GE(interrupted, 1);
   EXPECT_EQ(robot.report().lostBytes, 0);
+}
+
+/// @brief The thread of each wheel interrupts the main thread that posts it, and runs once for each post.
+TEST(K64ThreadOfAWheel, GoesBeforeTheMainThread) {
+  constexpr std::uint16_t kMain = 4;
+  DriverBoard drivers;
+  drivers.startUp();
+  drivers.ask('T');
+  const std::vector<std::uint16_t> once{3, 2, 1, 0, kMain, 0, 0, 0, 5};
+  EXPECT_EQ(drivers.ask('R'), once) << "in the order of the posts; then the number of all";
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "k64/BoardRobot.hpp"
+#include "k64/DriverBoard.hpp"
 #include "k64/patch.hpp"
 
 namespace wr::test {
@@ -88,6 +90,27 @@ TEST(K64UartOnBoardThatIsBusy, FR49_BytesBeyondTheStorageAreCounted) {
   robot.cycle();
   EXPECT_EQ(robot.report().lostBytes, 100);
   EXPECT_EQ(robot.report().overruns, 1);
+}
+
+/// @brief The second port, which has another clock, receives and sends at the same speed: a line that
+/// is never idle in both directions loses no byte, while the first port is in use too.
+TEST(K64UartOnSecondPort, LineThatIsNeverIdleLosesNoByte) {
+  constexpr int kSecondPort = 4;
+  DriverBoard drivers;
+  drivers.startUp();
+  std::vector<std::uint8_t> bytes;
+  for (int i = 0; i < 20'000; ++i) {
+    bytes.push_back(static_cast<std::uint8_t>(i * 7));
+  }
+  drivers.board.receiveOn(kSecondPort, bytes);
+  std::vector<std::uint8_t> echoed;
+  for (int part = 0; part < 180; ++part) {
+    drivers.run(milliseconds(10));
+    const std::vector<std::uint8_t> sent = drivers.board.takeSentOn(kSecondPort);
+    echoed.insert(echoed.end(), sent.begin(), sent.end());
+    EXPECT_EQ(drivers.ask('S'), std::vector<std::uint16_t>{0});
+  }
+  EXPECT_EQ(echoed, bytes);
 }
 
 }  // namespace

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/k64/VirtualBoard.hpp"
+#include "sim/scenario/BoardLine.hpp"
+
+namespace wr::test {
+
+using std::chrono::milliseconds;
+using std::chrono::nanoseconds;
+
+/// The program that uses the drivers one by one, on the virtual K64: see program/drivers.cpp. A
+/// finding of the board fails the test.
+class DriverBoard {
+ public:
+  explicit DriverBoard(k64::Options options = {})
+      : board(readImage(WR_DRIVERS_PROGRAM), std::move(options)) {}
+  DriverBoard(const DriverBoard&) = delete;
+  DriverBoard& operator=(const DriverBoard&) = delete;
+  ~DriverBoard() { EXPECT_FALSE(board.finding()) << text(); }
+
+  /// Lets time pass.
+  void run(nanoseconds duration) {
+    ASSERT_TRUE(board.runUntil(board.now() + duration)) << text();
+  }
+
+  /// Lets the program start.
+  void startUp() { run(milliseconds(15)); }
+
+  /// Gives an order, and takes the numbers of the answer.
+  std::vector<std::uint16_t> ask(char order, std::uint8_t first = 0, std::int16_t second = 0) {
+    const auto number = static_cast<std::uint16_t>(second);
+    board.receive(std::array{static_cast<std::uint8_t>(order), first,
+                             static_cast<std::uint8_t>(number & 0xFFU),
+                             static_cast<std::uint8_t>(number >> 8U)});
+    run(milliseconds(6));
+    const std::vector<std::uint8_t> bytes = board.takeSent();
+    std::vector<std::uint16_t> numbers;
+    for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
+      numbers.push_back(static_cast<std::uint16_t>(bytes[i] | bytes[i + 1] << 8U));
+    }
+    return numbers;
+  }
+
+  k64::VirtualBoard board;
+
+ private:
+  [[nodiscard]] std::string text() const {
+    return board.finding() ? board.finding()->id + ": " + board.finding()->what : "";
+  }
+};
+
+}  // namespace wr::test

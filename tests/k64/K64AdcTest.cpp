@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "k64/DriverBoard.hpp"
+
+namespace wr::test {
+namespace {
+
+constexpr double kReference = 3.3;
+
+struct Input {
+  int converter;
+  int channel;
+};
+
+// The currents of the wheels, and the angle of the steering.
+constexpr std::array<Input, 5> kInputs{{{0, 12}, {0, 13}, {1, 14}, {1, 15}, {1, 6}}};
+
+constexpr std::uint32_t kConverterBegin = 0x4003B000;
+constexpr std::uint32_t kDistance = 0x80000;
+constexpr std::uint32_t kStatus1 = 0;
+constexpr std::uint32_t kStatus3 = 0x24;
+constexpr std::uint32_t kNoChannel = 0x1F;
+constexpr std::uint32_t kCalibrate = 0x80;
+
+void apply(DriverBoard& drivers, std::size_t input, double volts) {
+  drivers.board.setAnalog(kInputs.at(input).converter, kInputs.at(input).channel, volts);
+}
+
+/// @brief Each input gives its own voltage in 4096 parts of 3.3 V, and the ends of the range.
+/// @verifies FR-142
+TEST(K64AdcOnBoard, FR142_EachInputGivesItsVoltage) {
+  DriverBoard drivers;
+  drivers.startUp();
+  constexpr std::array<std::uint16_t, 6> kValues{0, 1, 1000, 2048, 4094, 4095};
+  for (std::size_t round = 0; round < kValues.size(); ++round) {
+    for (std::size_t input = 0; input < kInputs.size(); ++input) {
+      apply(drivers, input, kReference / 4096 * kValues.at((round + input) % kValues.size()));
+    }
+    drivers.run(milliseconds(3));
+    const std::vector<std::uint16_t> samples = drivers.ask('A');
+    ASSERT_EQ(samples.size(), 2 * kInputs.size());
+    for (std::size_t input = 0; input < kInputs.size(); ++input) {
+      EXPECT_EQ(samples[2 * input + 1], kValues.at((round + input) % kValues.size())) << input;
+    }
+  }
+}
+
+/// @brief All five inputs give one value in each millisecond, though they share two converters and each is
+/// asked for twice.
+/// @verifies FR-142
+TEST(K64AdcOnBoard, FR142_EachInputGivesAValueInEachMillisecond) {
+  DriverBoard drivers;
+  drivers.startUp();
+  const std::vector<std::uint16_t> before = drivers.ask('A');
+  drivers.run(milliseconds(994));
+  const std::vector<std::uint16_t> after = drivers.ask('A');  // it takes 6 ms
+  ASSERT_EQ(after.size(), 2 * kInputs.size());
+  for (std::size_t input = 0; input < kInputs.size(); ++input) {
+    EXPECT_EQ(after[2 * input] - before[2 * input], 1000) << input;
+  }
+}
+
+/// @brief Each converter is calibrated before it converts for the first time, and the start takes less
+/// than 10 ms.
+/// @verifies FR-143
+TEST(K64AdcOnBoard, FR143_ConvertersAreCalibratedBeforeTheyConvert) {
+  DriverBoard drivers;
+  std::array<bool, 2> calibrated{};
+  std::array<bool, 2> converted{};
+  drivers.board.onWrite([&](std::uint32_t address, unsigned /*size*/, std::uint32_t value) {
+    for (std::size_t converter = 0; converter < 2; ++converter) {
+      const auto begin = static_cast<std::uint32_t>(kConverterBegin + converter * kDistance);
+      if (address == begin + kStatus3 && (value & kCalibrate) != 0) {
+        calibrated.at(converter) = true;
+      }
+      if (address == begin + kStatus1 && (value & kNoChannel) != kNoChannel) {
+        EXPECT_TRUE(calibrated.at(converter));
+        converted.at(converter) = true;
+      }
+    }
+  });
+  drivers.run(milliseconds(10));
+  EXPECT_TRUE(converted[0] && converted[1]);
+}
+
+/// @brief When the calibration fails the firmware starts all the same, and no input ever gives a value.
+/// @verifies FR-143
+TEST(K64AdcOnBoard, FR143_AfterAFailedCalibrationThereAreNoValues) {
+  DriverBoard drivers({.elf = {}, .calibrates = false});
+  drivers.startUp();
+  apply(drivers, 0, 1.0);
+  drivers.run(milliseconds(500));
+  const std::vector<std::uint16_t> samples = drivers.ask('A');
+  ASSERT_EQ(samples.size(), 2 * kInputs.size());
+  for (std::size_t input = 0; input < kInputs.size(); ++input) {
+    EXPECT_EQ(samples[2 * input], 0) << input;
+  }
+  drivers.ask('P', 0, 5000);
+  EXPECT_NEAR(drivers.board.pwmDuty(0, 0), 0.5, 1e-9) << "the other devices work";
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+#include "k64/DriverBoard.hpp"
+
+namespace wr::test {
+namespace {
+
+constexpr int kTimer = 0;
+constexpr int kChannels = 4;
+constexpr nanoseconds kPeriod{50'000};
+constexpr std::uint32_t kTimerBegin = 0x40038000;
+constexpr std::uint32_t kTimerEnd = 0x4003809C;
+constexpr double kCount = 1.0 / 3000;  // a bus clock, as a share of the period
+
+struct Share {
+  std::int16_t dutyCycle;  // [0.01 %]
+  double share;
+};
+
+/// @brief The output is high for the share that was set, to the nearest bus clock; all channels can be
+/// all off and all on, and what is beyond counts as the limit.
+/// @verifies FR-140
+TEST(K64FtmOnBoard, FR140_OutputIsHighForTheShareThatWasSet) {
+  constexpr std::array kShares{
+      Share{0, 0.0},    Share{1, 0.0},           Share{2, kCount},          Share{2500, 0.25},
+      Share{9999, 1.0}, Share{9998, 1 - kCount}, Share{10000, 1.0},         Share{10001, 1.0},
+      Share{-1, 0.0},   Share{5000, 0.5},        Share{3333, 1000 * kCount}};
+  DriverBoard drivers;
+  drivers.startUp();
+  for (int channel = 0; channel < kChannels; ++channel) {
+    for (const Share& row : kShares) {
+      drivers.ask('P', static_cast<std::uint8_t>(channel), row.dutyCycle);
+      EXPECT_NEAR(drivers.board.pwmDuty(kTimer, channel), row.share, 1e-9)
+          << "channel " << channel << ", " << row.dutyCycle;
+    }
+  }
+}
+
+/// @brief A channel that is set leaves the others as they are.
+/// @verifies FR-140
+TEST(K64FtmOnBoard, FR140_ChannelsAreIndependent) {
+  DriverBoard drivers;
+  drivers.startUp();
+  for (std::uint8_t channel = 0; channel < kChannels; ++channel) {
+    drivers.ask('P', channel, static_cast<std::int16_t>(1000 * (channel + 1)));
+  }
+  for (int channel = 0; channel < kChannels; ++channel) {
+    EXPECT_NEAR(drivers.board.pwmDuty(kTimer, channel), 0.1 * (channel + 1), 1e-9);
+  }
+}
+
+/// @brief Widths change only from one period of 50 us to the next, whenever they are set.
+/// @verifies FR-140
+TEST(K64FtmOnBoard, FR140_WidthsChangeAtTheBeginningOfAPeriod) {
+  DriverBoard drivers;
+  drivers.startUp();
+  std::vector<nanoseconds> changes;
+  std::vector<nanoseconds> writes;
+  drivers.board.onEvent([&](const k64::Event& event) {
+    if (event.kind == k64::Event::Kind::PwmChanged) {
+      changes.push_back(event.at);
+    }
+  });
+  drivers.board.onWrite([&](std::uint32_t address, unsigned /*size*/, std::uint32_t /*value*/) {
+    if (address >= kTimerBegin && address < kTimerEnd) {
+      writes.push_back(drivers.board.now());
+    }
+  });
+  constexpr int kSets = 20;
+  for (std::int16_t set = 1; set <= kSets; ++set) {
+    drivers.run(nanoseconds(7'300 * set));
+    drivers.ask('P', 1, static_cast<std::int16_t>(100 * set));
+  }
+  ASSERT_EQ(changes.size(), static_cast<std::size_t>(kSets));
+  ASSERT_EQ(writes.size(), static_cast<std::size_t>(kSets));
+  std::array<bool, 2> halves{};  // of a period, in which something was set
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    EXPECT_LE((changes[i] - changes[0]) % kPeriod, nanoseconds(1)) << i;
+    EXPECT_GE(changes[i], writes[i]);
+    EXPECT_LE(changes[i] - writes[i], kPeriod);
+    halves.at(changes[i] - writes[i] < kPeriod / 2 ? 0 : 1) = true;
+  }
+  EXPECT_TRUE(halves[0] && halves[1]) << "the test would not see a width that changes at once";
+}
+
+/// @brief From the first instruction that makes an output safe until a width is set, no output for the
+/// tension is ever high: neither as a plain output nor when the timer takes it over.
+/// @verifies FR-141
+TEST(K64FtmOnBoard, FR141_OutputsStayLowUntilAWidthIsSet) {
+  DriverBoard drivers;
+  bool wasOutput = false;
+  for (int slice = 0; slice < 15'000; ++slice) {
+    drivers.run(nanoseconds(1000));
+    for (int channel = 0; channel < kChannels; ++channel) {
+      wasOutput = wasOutput || drivers.board.isOutput('C', channel + 1);
+      ASSERT_FALSE(drivers.board.isOutput('C', channel + 1) && drivers.board.pin('C', channel + 1));
+      ASSERT_EQ(drivers.board.pwmDuty(kTimer, channel), 0.0);
+    }
+  }
+  EXPECT_TRUE(wasOutput);
+  EXPECT_FALSE(drivers.board.isOutput('C', 1)) << "the timer has the pin";
+}
+
+/// @brief A reset ends the pulses, and they do not come again by themselves.
+/// @verifies FR-141
+TEST(K64FtmOnBoard, FR141_ResetEndsThePulses) {
+  DriverBoard drivers({.elf = {}, .resetsAreFindings = false});
+  drivers.startUp();
+  drivers.ask('P', 2, 5000);
+  EXPECT_NEAR(drivers.board.pwmDuty(kTimer, 2), 0.5, 1e-9);
+  drivers.board.reset(k64::Reset::Pin);
+  EXPECT_EQ(drivers.board.pwmDuty(kTimer, 2), 0.0);
+  drivers.startUp();
+  EXPECT_EQ(drivers.board.pwmDuty(kTimer, 2), 0.0);
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,202 @@
+// A composition without a robot: the devices of the board do what bytes from the PC tell. Each
+// answer is a row of numbers of 16 bits, the low byte first.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "devices/EdgeInput.hpp"
+#include "k64/core.hpp"
+#include "k64/start_up/handlers.hpp"
+#include "k64/start_up/platform.hpp"
+#include "services/Command.hpp"
+
+namespace wr {
+
+namespace {
+
+struct Samples {
+  std::uint16_t count;
+  std::uint16_t last;
+};
+
+std::array<AnalogInput*, kWheelCount + 1> analogInputs{
+    &platform::wheels[0].current, &platform::wheels[1].current, &platform::wheels[2].current,
+    &platform::wheels[3].current, &platform::steeringAngle};
+std::array<Samples, analogInputs.size()> samples{};
+
+std::array<EdgeInput*, 2 * kWheelCount + 2> edgeInputs{
+    &platform::wheels[0].hallA, &platform::wheels[0].hallB, &platform::wheels[1].hallA,
+    &platform::wheels[1].hallB, &platform::wheels[2].hallA, &platform::wheels[2].hallB,
+    &platform::wheels[3].hallA, &platform::wheels[3].hallB, &platform::rcVelocityPin,
+    &platform::rcDirectionPin};
+std::array<std::uint16_t, edgeInputs.size()> edges{};
+
+std::array<std::uint16_t, 8> runs{};  // numbers of the threads, in the order in which they ran
+std::size_t runCount = 0;
+
+K64Uart secondPort(K64Uart::Port::Uart4);
+
+void note(std::uint16_t thread) {
+  runs[runCount % runs.size()] = thread;
+  ++runCount;
+}
+
+class WheelBody final : public Command {
+ public:
+  explicit WheelBody(std::uint16_t wheel) : wheel_(wheel) {}
+  void execute() override { note(wheel_); }
+
+ private:
+  std::uint16_t wheel_;
+};
+
+std::array<WheelBody, kWheelCount> wheelBodies{WheelBody(0), WheelBody(1), WheelBody(2),
+                                               WheelBody(3)};
+
+// Has the threads of all wheels run, the last one first.
+class MainBody final : public Command {
+ public:
+  MainBody() = default;
+  void execute() override {
+    for (std::size_t wheel = kWheelCount; wheel != 0; --wheel) {
+      platform::wheels[wheel - 1].thread.post();
+    }
+    note(kWheelCount);
+  }
+};
+
+MainBody mainBody;
+
+void answer(std::uint16_t number) {
+  const std::array bytes{static_cast<std::uint8_t>(number & 0xFFU),
+                         static_cast<std::uint8_t>(number >> 8U)};
+  platform::pcPort.write(bytes);
+}
+
+void countEdges() {
+  for (std::size_t input = 0; input < edgeInputs.size(); ++input) {
+    edges[input] =
+        static_cast<std::uint16_t>(edges[input] + (edgeInputs[input]->acknowledge() ? 1 : 0));
+  }
+}
+
+void takeSamples() {
+  for (std::size_t input = 0; input < analogInputs.size(); ++input) {
+    if (const auto value = analogInputs[input]->take()) {
+      samples[input] = {static_cast<std::uint16_t>(samples[input].count + 1), *value};
+    }
+    analogInputs[input]->convert();
+    analogInputs[input]->convert();  // it is asked for already: nothing happens
+  }
+}
+
+void obey(std::uint8_t order, std::uint8_t first, std::uint8_t second, std::uint8_t third) {
+  switch (order) {
+    case 'P':  // a channel, and its share in 0.01 %
+      platform::wheels[first].pwm.set(DutyCycle(static_cast<std::int16_t>(third << 8U | second)));
+      break;
+    case 'A':
+      for (const Samples& row : samples) {
+        answer(row.count);
+        answer(row.last);
+      }
+      break;
+    case 'E':
+      for (const std::uint16_t count : edges) {
+        answer(count);
+      }
+      break;
+    case 'L':
+      for (const EdgeInput* input : edgeInputs) {
+        answer(input->level() ? 1 : 0);
+      }
+      answer(platform::leftEnd.level() ? 1 : 0);
+      answer(platform::rightEnd.level() ? 1 : 0);
+      break;
+    case 'T':
+      platform::mainThread.post();
+      break;
+    case 'R':
+      for (const std::uint16_t thread : runs) {
+        answer(thread);
+      }
+      answer(static_cast<std::uint16_t>(runCount));
+      break;
+    default:  // bytes that were lost at the second port
+      answer(secondPort.lostBytes());
+      break;
+  }
+}
+
+void echo() {
+  std::array<std::uint8_t, 64> bytes{};
+  const std::size_t count =
+      secondPort.read(std::span(bytes).first(std::min(bytes.size(), secondPort.free())));
+  secondPort.write(std::span(bytes).first(count));
+}
+
+}  // namespace
+
+}  // namespace wr
+
+void tickTimerInterrupt() {
+  wr::platform::tickTimer.acknowledge();
+  wr::takeSamples();
+  wr::finishStores();
+}
+
+void cycleTimerInterrupt() {
+  wr::platform::watchdog.refresh();
+  wr::platform::cycleTimer.acknowledge();
+  wr::finishStores();
+}
+
+void hallSensorInterrupt() {
+  wr::countEdges();
+  wr::finishStores();
+}
+
+void remoteControlInterrupt() {
+  wr::countEdges();
+  wr::finishStores();
+}
+
+void secondPortInterrupt() {
+  wr::secondPort.serve();
+  wr::finishStores();
+}
+
+namespace wr {
+
+void runRobot() {
+  platform::startDevices();
+  secondPort.start();
+  for (EdgeInput* input : edgeInputs) {
+    input->start();
+  }
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    platform::wheels[wheel].thread.start(wheelBodies[wheel]);
+  }
+  platform::mainThread.start(mainBody);
+  platform::enableInterrupts();
+  K64Thread::enable(kSecondPortLine, kInterruptPriority);
+  K64Thread::enable(kSecondPortErrorLine, kInterruptPriority);
+  platform::cycleTimer.start(milliseconds(100));
+  platform::tickTimer.start(milliseconds(1));
+  std::array<std::uint8_t, 4> order{};
+  std::size_t count = 0;
+  for (;;) {
+    count += platform::pcPort.read(std::span(order).subspan(count));
+    if (count == order.size()) {
+      obey(order[0], order[1], order[2], order[3]);
+      count = 0;
+    }
+    echo();
+    sleepUntilInterrupt();
+  }
+}
+
+}  // namespace wr
