@@ -83,6 +83,7 @@ def metrics(model: Model) -> dict[str, Any]:
         "tests.passed": sum(run.result == "passed" for run in runs) if fresh else None,
         "coverage.line": _share(written, "lines_covered", "lines_total") if fresh else None,
         "coverage.branch": _share(written, "branches_covered", "branches_total") if fresh else None,
+        "coverage.drivers_on_board": _executed(model.board_lines),
         "firmware.flash_bytes": None,
         "firmware.ram_bytes": None,
         "firmware.stack_bytes": None,
@@ -99,6 +100,12 @@ def metrics(model: Model) -> dict[str, Any]:
 def _sum(modules: list[Module], name: str) -> int | None:
     values = [value for module in modules if (value := getattr(module, name)) is not None]
     return sum(values) if values else None
+
+
+def _executed(files: dict[str, dict[int, bool]] | None) -> float | None:
+    """In per cent, with one digit."""
+    hits = [hit for lines in (files or {}).values() for hit in lines.values()]
+    return round(100 * sum(hits) / len(hits), 1) if hits else None
 
 
 def _share(modules: list[Module], part: str, whole: str) -> float | None:

@@ -69,6 +69,7 @@ def overview_pages(portal: Portal) -> Iterator[Page]:
         "Findings of the virtual K64",
         "virtual_k64",
         "virtual_k64",
+        drivers=driver_coverage(portal),
         torture=[t for t in portal.model.tests.values() if t.place.file.startswith(TORTURE)],
     )
     yield portal.page("checks/index", "Checks", "checks", "checks")
@@ -105,6 +106,37 @@ def real_method(portal: Portal, node: TreeNode) -> Method | None:
     return method if method and method.body else None
 
 
+@dataclass
+class DriverFile:
+    """A file of the drivers, and its lines that no test executed on the virtual K64."""
+
+    path: str
+    executed: int
+    lines: int
+    missed: list[Place]  # runs of lines
+
+
+def driver_coverage(portal: Portal) -> list[DriverFile] | None:
+    if portal.model.board_lines is None:
+        return None
+    return [
+        DriverFile(path, sum(lines.values()), len(lines), missed_runs(path, lines))
+        for path, lines in sorted(portal.model.board_lines.items())
+    ]
+
+
+def missed_runs(path: str, lines: dict[int, bool]) -> list[Place]:
+    """Runs of missed lines; what lies between two and is no code does not part them."""
+    runs: list[Place] = []
+    missed_before = False
+    for line, hit in sorted(lines.items()):
+        if not hit:
+            first = runs.pop().line if missed_before else line
+            runs.append(Place(path, first, line))
+        missed_before = not hit
+    return runs
+
+
 # ---- modules -----------------------------------------------------------------
 
 
@@ -132,6 +164,7 @@ def module_page(portal: Portal, module: Module) -> Page:
         siblings=[name for name in (logic.modules if logic else []) if name != module.name],
         ancestors=ancestors(portal, module),
         bars=coverage_bars(portal, module),
+        on_board=[hit for lines in board_hits(portal, module).values() for hit in lines.values()],
     )
 
 
@@ -181,10 +214,20 @@ def requirement_methods(module: Module) -> dict[str, list[str]]:
 def coverage_bars(portal: Portal, module: Module) -> list[tuple[str, list[str]]]:
     """For each file a class for each of its lines: executed, missed, or not code."""
     bars = []
-    for path, hits in module.line_hits.items():
+    for path, hits in {**module.line_hits, **board_hits(portal, module)}.items():
         kinds = [line_kind(hits.get(n)) for n in range(1, portal.length(path) + 1)]
         bars.append((path, kinds))
     return bars
+
+
+def board_hits(portal: Portal, module: Module) -> dict[str, dict[int, int]]:
+    """File -> line -> 1 where the virtual K64 executed the line, for a module of the drivers."""
+    measured = portal.model.board_lines or {}
+    return {
+        path: {line: int(hit) for line, hit in sorted(measured[path].items())}
+        for path in (module.header, module.source)
+        if path in measured
+    }
 
 
 def line_kind(hits: int | None) -> str:
@@ -364,7 +407,8 @@ def source_page(portal: Portal, path: str) -> Page:
     modules = [m.name for m in portal.model.modules.values() if path in (m.header, m.source)]
     return portal.page(
         f"source/{path}", path, "source", "source", path=path, lines=lines, modules=modules,
-        measured=bool(hits), line_kind=line_kind,
+        measured=bool(hits), on_board=path in (portal.model.board_lines or {}),
+        line_kind=line_kind,
     )  # fmt: skip
 
 
@@ -372,6 +416,8 @@ def hits_of(portal: Portal, path: str) -> dict[int, int]:
     found: dict[int, int] = {}
     for module in portal.model.modules.values():
         found.update(module.line_hits.get(path, {}))
+    measured = portal.model.board_lines or {}
+    found.update({line: int(hit) for line, hit in measured.get(path, {}).items()})
     return found
 
 

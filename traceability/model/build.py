@@ -7,11 +7,13 @@ import subprocess
 from pathlib import Path
 
 from traceability.model.annotations import MemberText, Text, read_annotations
+from traceability.model.board_coverage import read_board_coverage
 from traceability.model.declared import read_declared
 from traceability.model.facts import Facts, gather_facts
 from traceability.model.results import read_coverage, read_sizes
 from traceability.model.schema import (
     BINDINGS,
+    VIRTUAL_K64,
     Call,
     Function,
     LogicModule,
@@ -403,6 +405,8 @@ def _add_uses(model: Model, facts: Facts) -> None:
 
 def _add_measures(model: Model, root: Path) -> None:
     coverage = read_coverage(root)
+    if not model.stale_on(VIRTUAL_K64):
+        model.board_lines = read_board_coverage(root)
     sizes = read_sizes(root)
     for module in model.modules.values():
         if module.datatype:

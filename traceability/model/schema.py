@@ -374,6 +374,8 @@ class Model:
     architecture: list[ArchitectureElement] = field(default_factory=list)
     board_findings: dict[str, BoardFinding] = field(default_factory=dict)
     driver_faults: list[DriverFault] | None = None  # of these sources
+    # File of the drivers -> line -> whether the tests executed it on the virtual K64.
+    board_lines: dict[str, dict[int, bool]] | None = None
     findings: list[Finding] = field(default_factory=list)
     files: list[str] = field(default_factory=list)  # sources that get a source page
     facts: Facts | None = field(default=None, repr=False)  # for the checks; no document reads it

@@ -354,3 +354,23 @@ def test_a_finding_is_shown_on_its_check(site: tuple[Path, Model]) -> None:
     page = (site[0] / "build/site/checks/tree-static.html").read_text()
     assert "no call" in page
     assert "RC.cpp.html#L4" in page
+
+
+def test_lines_of_drivers_that_the_board_did_not_execute_are_listed(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
+    path = model.modules["RC"].source
+    assert path
+
+    def page(name: str) -> str:
+        pages = all_pages(Portal(tmp_path, model, [], CHECKS))
+        return next(page.body for page in pages if page.name == name)
+
+    assert "not run on these sources" in page("virtual_k64").partition('id="drivers"')[2]
+    model.board_lines = {path: {1: True, 3: False, 5: False, 6: True, 7: False}}
+    table = page("virtual_k64").partition('id="drivers"')[2].partition("</section>")[0]
+    assert "2 of 5 lines" in table
+    for line, words in ((3, "3\N{EN DASH}5"), (7, "7")):
+        assert f'<a href="@/source/{path}.html#L{line}">{words}</a>' in table
+    assert "Coverage on the virtual K64" in page("modules/RC")
+    assert "2 of 5" in page("modules/RC")
+    assert "not executed by a test on the virtual K64" in page(f"source/{path}")
