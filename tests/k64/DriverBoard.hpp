@@ -28,9 +28,7 @@ class DriverBoard {
   ~DriverBoard() { EXPECT_FALSE(board.finding()) << text(); }
 
   /// Lets time pass.
-  void run(nanoseconds duration) {
-    ASSERT_TRUE(board.runUntil(board.now() + duration)) << text();
-  }
+  void run(nanoseconds duration) { ASSERT_TRUE(board.runUntil(board.now() + duration)) << text(); }
 
   /// Lets the program start.
   void startUp() { run(milliseconds(15)); }

@@ -28,11 +28,19 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
     ),
     "clock gate of the PIT left closed": (
         "clock-gate",
-        (Change("K64Board.cpp", "  sim::SCGC6.set(sim::SCGC6_PIT);\n", ""),),
+        (Change("K64Board.cpp", "sim::SCGC6_PIT | ", ""),),
     ),
     "clock gate of port E left closed": (
         "clock-gate",
-        (Change("K64Board.cpp", " | sim::SCGC5_PORTE", ""),),
+        (Change("K64Board.cpp", "sim::SCGC5_PORTD |\n                 sim::SCGC5_PORTE", "sim::SCGC5_PORTD"),),
+    ),
+    "clock gate of FTM0 left closed": (
+        "clock-gate",
+        (Change("K64Board.cpp", "sim::SCGC6_FTM0 | ", ""),),
+    ),
+    "clock gate of ADC1 left closed": (
+        "clock-gate",
+        (Change("K64Board.cpp", "  sim::SCGC3.set(sim::SCGC3_ADC1);\n", ""),),
     ),
     "distance of the pins of a port wrong": (
         "unmodelled-register",
@@ -84,15 +92,15 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
     ),
     "received byte of the UART not taken": (
         "uart-overrun",  # before the interrupt has come so often that it is a storm
-        (Change("K64Uart.cpp", "uart0::D.read().value", "uart0::BDL.read().value"),),
+        (Change("K64Uart.cpp", "uart::D.at(offset()).read()", "uart::BDL.at(offset()).read()"),),
     ),
     "transmit interrupt of the UART never switched off": (
         "interrupt-storm",
-        (Change("K64Uart.cpp", "    uart0::C2.write(kReceiving);\n", ""),),
+        (Change("K64Uart.cpp", "    uart::C2.at(offset()).write(kReceiving);\n", ""),),
     ),
     "baud divisor wrong": (
         "uart-baud",
-        (Change("K64Uart.cpp", "static_cast<std::uint8_t>(kDivider)", "std::uint8_t{130}"),),
+        (Change("K64Uart.cpp", "static_cast<std::uint8_t>(divisor.divider)", "std::uint8_t{130}"),),
     ),
     "interrupts closed for too long": (
         "uart-overrun",
@@ -106,6 +114,38 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
                 "  const std::size_t count = std::min",
             ),
         ),
+    ),
+    "converter not calibrated": (
+        "register-misuse",
+        (Change("K64Adc.cpp", "adc::SC3_CAL | adc::SC3_AVGE | adc::SC3_AVGS_32", "{0}"),),
+    ),
+    "calibration not waited for": (
+        "register-misuse",
+        (Change("K64Adc.cpp", "look < kLooks &&", "look < 10 &&"),),
+    ),
+    "clock of the converters too fast for their calibration": (
+        "register-misuse",
+        (Change("K64Adc.cpp", "adc::CFG1_ADLSMP | adc::CFG1_ADIV_8", "adc::CFG1_ADLSMP"),),
+    ),
+    "inputs b of the converters not chosen": (
+        "unmodelled-register",  # the inputs a of these channels
+        (Change("K64Adc.cpp", "write(adc::CFG2_MUXSEL_B)", "write({0})"),),
+    ),
+    "result of a converter not taken": (
+        "interrupt-storm",
+        (Change("K64Adc.cpp", "adc::RA.at(offset()).read()", "adc::PG.at(offset()).read()"),),
+    ),
+    "channels of the timer not set to pulses": (
+        "unmodelled-register",
+        (Change("K64Ftm.cpp", "ftm0::CnSC_MSB | ftm0::CnSC_ELSB", "ftm0::CnSC_ELSB"),),
+    ),
+    "edge of an input not acknowledged": (
+        "interrupt-storm",
+        (Change("K64Port.cpp", "    flags.write(own);\n", ""),),
+    ),
+    "vector of the Hall sensors missing": (
+        "reset-request",
+        (Change("start_up/vectors.cpp", "  lines[kHallSensorLine] = hallSensorInterrupt;\n", ""),),
     ),
     "FPU not enabled": (
         "fpu-off",
