@@ -1,0 +1,154 @@
+#include "wheel_control/WheelSystem.hpp"
+
+#include <gtest/gtest.h>
+
+#include "sim/host/HostScheduler.hpp"
+#include "sim/host/HostThread.hpp"
+#include "wheel_control/SensedWheel.hpp"
+
+namespace wr::test {
+namespace {
+
+constexpr int kMainPriority = 1;
+constexpr int kWheelPriority = 2;
+
+/// One wheel of the robot, from its interrupts to what the main controller collects.
+class WheelSystemTest : public testing::Test, protected SensedWheel {
+ protected:
+  static SetPoints orderOf(const WheelSetPoint& setPoint) {
+    SetPoints order;
+    order.wheels.at(kWheel) = setPoint;
+    return order;
+  }
+
+  static constexpr std::size_t kWheel = 2;
+
+  HostScheduler scheduler;
+  HostThread thread{scheduler, kWheelPriority};
+  WheelSystem system{{.wheel = kWheel,
+                      .thread = thread,
+                      .registerPosition = registerPosition,
+                      .readVelocity = readVelocity,
+                      .readCurrent = readCurrent,
+                      .applyControl = applyControl,
+                      .haltWheel = haltWheel}};
+};
+
+/// @brief Before its start a system does no work, completes no cycle, and gives no value.
+/// @verifies FR-92
+TEST_F(WheelSystemTest, FR92_NoWorkBeforeStart) {
+  system.control(orderOf(tensionOf(5000)), 1);
+  EXPECT_FALSE(system.completed(1));
+  Measurements measurements;
+  Outputs outputs;
+  system.collect(measurements, outputs);
+  EXPECT_EQ(measurements, Measurements{});
+  EXPECT_EQ(outputs, Outputs{});
+  EXPECT_FALSE(enable.isOn());
+}
+
+/// @brief The orders of a cycle are executed by the thread: not before its turn, and each cycle completes.
+/// @verifies FR-92
+TEST_F(WheelSystemTest, FR92_ThreadExecutesTheOrders) {
+  system.start();
+  pass(true, kMiddle);
+  scheduler.interrupt([this] {
+    system.control(orderOf(tensionOf(5000)), 7);
+    EXPECT_FALSE(system.completed(7));
+    EXPECT_EQ(output(), Tension(0));
+  });
+  EXPECT_TRUE(system.completed(7));
+  EXPECT_FALSE(system.completed(6));
+  EXPECT_NEAR(output().count(), 5000, 25);
+}
+
+/// @brief A thread of lower priority that orders finds the work done: the wheel's thread goes first.
+/// @verifies FR-92
+TEST_F(WheelSystemTest, FR92_WorkIsDoneWhenTheMainThreadGoesOn) {
+  class Order final : public Command {
+   public:
+    explicit Order(WheelSystem& ordered) : ordered_(ordered) {}
+    void execute() override {
+      ordered_.control(orderOf(tensionOf(5000)), 1);
+      done = ordered_.completed(1);
+    }
+    bool done = false;
+
+   private:
+    WheelSystem& ordered_;
+  };
+  Order order(system);
+  HostThread main(scheduler, kMainPriority);
+  system.start();
+  main.start(order);
+  pass(true, kMiddle);
+  main.post();
+  EXPECT_TRUE(order.done);
+}
+
+/// @brief What was measured and applied is collected at the place of the wheel; other places stay.
+/// @verifies FR-93
+/// @verifies FR-94
+TEST_F(WheelSystemTest, FR93_FR94_CollectsAtItsPlace) {
+  system.start();
+  pass(true, kTwoAmperes);
+  system.control(orderOf(tensionOf(5000)), 1);
+  pass(true, kTwoAmperes);
+  system.control(orderOf(tensionOf(5000)), 2);
+  Measurements measurements;
+  Outputs outputs;
+  measurements.wheels[0].velocity = Velocity(77);
+  outputs.tensions[1] = Tension(88);
+  system.collect(measurements, outputs);
+  const WheelMeasurements& wheelTwo = measurements.wheels.at(kWheel);
+  EXPECT_EQ(wheelTwo.position, HallCount(20));
+  EXPECT_EQ(wheelTwo.velocity, Velocity(1000));
+  ASSERT_TRUE(wheelTwo.current);
+  EXPECT_NEAR(wheelTwo.current->count(), 2000, 10);
+  EXPECT_EQ(outputs.tensions.at(kWheel), Tension(5000));
+  EXPECT_EQ(measurements.wheels[0].velocity, Velocity(77));
+  EXPECT_EQ(outputs.tensions[1], Tension(88));
+}
+
+/// @brief A cycle tells nothing of the one before: a current without samples is missing.
+/// @verifies FR-93
+TEST_F(WheelSystemTest, FR93_MissingValueIsReportedAsMissing) {
+  system.start();
+  pass(true, kTwoAmperes);
+  system.control(orderOf(tensionOf(5000)), 1);
+  time.advance(milliseconds(200));
+  system.control(orderOf(tensionOf(5000)), 2);
+  Measurements measurements;
+  Outputs outputs;
+  system.collect(measurements, outputs);
+  EXPECT_EQ(measurements.wheels.at(kWheel).current, std::nullopt);
+  EXPECT_EQ(outputs.tensions.at(kWheel), Tension(2600)) << "it is being stopped";
+}
+
+/// @brief A hold measures too, and stops the wheel.
+/// @verifies FR-88
+TEST_F(WheelSystemTest, FR88_HoldStopsTheWheel) {
+  system.start();
+  pass(true, kMiddle);
+  system.control(orderOf(tensionOf(5000)), 1);
+  for (std::uint32_t cycle = 2; cycle < 5; ++cycle) {
+    pass(true, kMiddle);
+    system.hold(cycle);
+    EXPECT_TRUE(system.completed(cycle));
+  }
+  Measurements measurements;
+  Outputs outputs;
+  system.collect(measurements, outputs);
+  EXPECT_EQ(outputs.tensions.at(kWheel), Tension(0));
+  EXPECT_EQ(measurements.wheels.at(kWheel).position, HallCount(40));
+  EXPECT_EQ(output(), Tension(0));
+}
+
+/// @brief A second start ends the program.
+TEST_F(WheelSystemTest, SecondStartEndsTheProgram) {
+  system.start();
+  EXPECT_DEATH(system.start(), "assertion 3 failed");
+}
+
+}  // namespace
+}  // namespace wr::test

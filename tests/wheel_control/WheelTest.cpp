@@ -1,0 +1,125 @@
+#include "wheel_control/Wheel.hpp"
+
+#include <gtest/gtest.h>
+
+#include "sim/host/HostDigitalOutput.hpp"
+#include "sim/host/HostPwmOutput.hpp"
+
+namespace wr::test {
+namespace {
+
+class WheelTest : public testing::Test {
+ protected:
+  HostPwmOutput pwm;
+  HostDigitalOutput orientation;
+  HostDigitalOutput enable;
+  Wheel wheel{pwm, orientation, enable};
+};
+
+/// @brief A new wheel leaves its driver off, oriented forwards.
+/// @verifies FR-88
+TEST_F(WheelTest, FR88_NewWheelIsOff) {
+  EXPECT_FALSE(enable.isOn());
+  EXPECT_FALSE(orientation.isOn());
+  EXPECT_FALSE(wheel.backwards());
+  EXPECT_FALSE(wheel.isCutOff());
+}
+
+/// @brief A tension becomes its share of the supply, rounded to the nearest 0.01 %.
+/// @verifies FR-80
+TEST_F(WheelTest, FR80_TensionBecomesShareOfTheSupply) {
+  const std::array<std::pair<int, int>, 6> cases{
+      {{0, 0}, {1, 0}, {2, 1}, {6000, 2500}, {12345, 5144}, {24000, 10000}}};
+  for (const auto& [tension, dutyCycle] : cases) {
+    wheel.setTension(Tension(tension));
+    EXPECT_EQ(pwm.dutyCycle(), DutyCycle(dutyCycle)) << tension;
+    EXPECT_TRUE(enable.isOn());
+  }
+}
+
+/// @brief What is beyond the supply counts as the supply, and less than nothing as nothing.
+/// @verifies FR-86
+TEST_F(WheelTest, FR86_TensionStaysWithinTheSupply) {
+  wheel.setTension(Tension(30000));
+  EXPECT_EQ(pwm.dutyCycle(), DutyCycle(10000));
+  wheel.setTension(Tension(-1));
+  EXPECT_EQ(pwm.dutyCycle(), DutyCycle(0));
+}
+
+/// @brief A stopped wheel is short-circuited: no duty cycle, and a driver that is on.
+/// @verifies FR-88
+TEST_F(WheelTest, FR88_StopShortCircuits) {
+  wheel.setTension(Tension(5000));
+  wheel.stop();
+  EXPECT_EQ(pwm.dutyCycle(), DutyCycle(0));
+  EXPECT_TRUE(enable.isOn());
+}
+
+/// @brief The orientation stands at its output.
+/// @verifies FR-87
+TEST_F(WheelTest, FR87_OrientationStandsAtItsOutput) {
+  wheel.setOrientation(true);
+  EXPECT_TRUE(orientation.isOn());
+  EXPECT_TRUE(wheel.backwards());
+  wheel.setOrientation(false);
+  EXPECT_FALSE(orientation.isOn());
+  EXPECT_FALSE(wheel.backwards());
+}
+
+/// @brief The cut-off switches the driver off at once; neither tension nor stop switches it on again.
+/// @verifies FR-89
+TEST_F(WheelTest, FR89_CutOffIsLatched) {
+  wheel.setTension(Tension(5000));
+  wheel.cutOff().execute();
+  EXPECT_FALSE(enable.isOn());
+  EXPECT_TRUE(wheel.isCutOff());
+  wheel.setTension(Tension(5000));
+  EXPECT_FALSE(enable.isOn());
+  wheel.stop();
+  EXPECT_FALSE(enable.isOn());
+}
+
+/// @brief A release alone switches nothing on; the next tension does.
+/// @verifies FR-89
+TEST_F(WheelTest, FR89_ReleaseLetsTheNextTensionSwitchOn) {
+  wheel.cutOff().execute();
+  wheel.release();
+  EXPECT_FALSE(wheel.isCutOff());
+  EXPECT_FALSE(enable.isOn());
+  wheel.setTension(Tension(5000));
+  EXPECT_TRUE(enable.isOn());
+}
+
+/// @brief A cut-off that comes while the driver is being switched on wins.
+/// @verifies FR-89
+TEST_F(WheelTest, FR89_CutOffWinsAgainstSwitchingOn) {
+  enable.onRise([this] { wheel.cutOff().execute(); });
+  wheel.setTension(Tension(5000));
+  EXPECT_FALSE(enable.isOn());
+  EXPECT_TRUE(wheel.isCutOff());
+}
+
+/// @brief A cut-off that comes between the look at the latch and the switch wins as well.
+/// @verifies FR-89
+TEST_F(WheelTest, FR89_CutOffWinsBeforeTheSwitch) {
+  // This output interrupts just before it takes its level.
+  class Interrupted final : public DigitalOutput {
+   public:
+    Wheel* wheel = nullptr;
+    bool on = false;
+    void set(bool level) override {
+      if (level) {
+        wheel->cutOff().execute();
+      }
+      on = level;
+    }
+  };
+  Interrupted output;
+  Wheel interrupted(pwm, orientation, output);
+  output.wheel = &interrupted;
+  interrupted.setTension(Tension(5000));
+  EXPECT_FALSE(output.on);
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,69 @@
+#include "wheel_control/algorithms/PiRegulator.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wr::test {
+namespace {
+
+class PiRegulatorTest : public testing::Test {
+ protected:
+  PiRegulator regulator{{.proportional = 3000, .integral = 500}};
+};
+
+/// @brief The tension is a share of the error plus a share of each error so far.
+/// @verifies FR-83
+TEST_F(PiRegulatorTest, FR83_AddsErrorAndSumOfErrors) {
+  EXPECT_EQ(regulator.regulate(100), Tension(350));
+  EXPECT_EQ(regulator.regulate(100), Tension(400));
+  EXPECT_EQ(regulator.regulate(0), Tension(100));
+  EXPECT_EQ(regulator.regulate(-200), Tension(-600));
+}
+
+/// @brief Fractions of a millivolt are kept: errors that give half of one each add up.
+/// @verifies FR-83
+TEST_F(PiRegulatorTest, FR83_KeepsFractions) {
+  PiRegulator integral({.proportional = 0, .integral = 500});
+  EXPECT_EQ(integral.regulate(1), Tension(0));
+  EXPECT_EQ(integral.regulate(1), Tension(1));
+  EXPECT_EQ(integral.regulate(-1), Tension(0));
+  EXPECT_EQ(integral.regulate(-1), Tension(0));
+}
+
+/// @brief The integral goes no further than the supply, on either side.
+/// @verifies FR-86
+TEST_F(PiRegulatorTest, FR86_IntegralStaysWithinTheSupply) {
+  for (int cycle = 0; cycle < 10; ++cycle) {
+    regulator.regulate(65535);
+  }
+  EXPECT_EQ(regulator.regulate(0), Tension(24000));
+  for (int cycle = 0; cycle < 10; ++cycle) {
+    regulator.regulate(-65535);
+  }
+  EXPECT_EQ(regulator.regulate(0), Tension(-24000));
+}
+
+/// @brief An error that a missing tension explains is not kept; an error of the other sign is.
+/// @verifies FR-86
+TEST_F(PiRegulatorTest, FR86_ExplainedErrorIsNotKept) {
+  regulator.regulate(1000);
+  regulator.missed(Tension(400));
+  EXPECT_EQ(regulator.regulate(100), Tension(300 + 500));
+  EXPECT_EQ(regulator.regulate(-100), Tension(-300 + 450));
+  regulator.missed(Tension(-400));
+  EXPECT_EQ(regulator.regulate(-100), Tension(-300 + 450));
+  EXPECT_EQ(regulator.regulate(100), Tension(300 + 500));
+  regulator.missed(Tension());
+  EXPECT_EQ(regulator.regulate(-100), Tension(-300 + 450));
+}
+
+/// @brief After a reset neither errors nor missing tension are known.
+/// @verifies FR-86
+TEST_F(PiRegulatorTest, FR86_ResetForgets) {
+  regulator.regulate(1000);
+  regulator.missed(Tension(400));
+  regulator.reset();
+  EXPECT_EQ(regulator.regulate(100), Tension(350));
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,76 @@
+#include "wheel_control/algorithms/VelocityAlgorithm.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wr::test {
+namespace {
+
+class VelocityAlgorithmTest : public testing::Test {
+ protected:
+  Tension calculate(std::int16_t setPoint, int velocity) {
+    return algorithm.calculate(setPoint, {.velocity = Velocity(velocity), .current = Current()});
+  }
+
+  VelocityAlgorithm algorithm;
+};
+
+/// @brief The first tension is what the motor needs at the set-point without load.
+/// @verifies FR-82
+TEST_F(VelocityAlgorithmTest, FR82_BeginsWithTheTensionOfTheSetPoint) {
+  EXPECT_EQ(calculate(1500, 0), Tension(7854));
+  algorithm.reset();
+  EXPECT_EQ(calculate(-3000, 0), Tension(-15708));
+  algorithm.reset();
+  EXPECT_EQ(calculate(0, 700), Tension(0));
+}
+
+/// @brief A wheel that follows the model gets that tension and no other.
+/// @verifies FR-82
+TEST_F(VelocityAlgorithmTest, FR82_WheelOfTheModelNeedsNoCorrection) {
+  double velocity = 0;
+  double mean = 0;
+  for (int cycle = 0; cycle < 20; ++cycle) {
+    const Tension tension = calculate(1500, static_cast<int>(mean));
+    EXPECT_NEAR(tension.count(), 7854, 60) << cycle;
+    algorithm.applied(tension);
+    mean = 1500 + (velocity - 1500) * 0.806;
+    velocity = 1500 + (velocity - 1500) * 0.637;
+  }
+}
+
+/// @brief A wheel that stays behind the model gets more tension with each cycle.
+/// @verifies FR-83
+TEST_F(VelocityAlgorithmTest, FR83_LoadRaisesTheTension) {
+  algorithm.applied(calculate(1500, 1500));
+  Tension before = calculate(1500, 1400);
+  EXPECT_EQ(before, Tension(7854 + 332 + 149));
+  for (int cycle = 0; cycle < 5; ++cycle) {
+    algorithm.applied(before);
+    const Tension tension = calculate(1500, 1400);
+    EXPECT_GE(tension - before, Tension(149));
+    EXPECT_LE(tension - before, Tension(150));
+    before = tension;
+  }
+}
+
+/// @brief After a tension that could not be applied the model goes on from what was measured.
+/// @verifies FR-86
+TEST_F(VelocityAlgorithmTest, FR86_ModelGoesOnFromTheMeasuredVelocity) {
+  calculate(3000, 0);
+  algorithm.applied(Tension(12000));
+  // From 0 the model has turned at 582.0 on the mean of this cycle: 58.2 rpm.
+  const Tension explained = calculate(3000, 400);
+  EXPECT_EQ(explained, Tension(15708 + 3320 * 182 / 1000));
+  algorithm.applied(explained);
+  EXPECT_GT(calculate(3000, 400), explained);
+}
+
+/// @brief The set-point of the cycle that ends counts for its error, not the new one.
+/// @verifies FR-82
+TEST_F(VelocityAlgorithmTest, FR82_ErrorBelongsToTheCycleThatEnds) {
+  algorithm.applied(calculate(1500, 1500));
+  EXPECT_EQ(calculate(2000, 1500), Tension(10472));
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,164 @@
+#include "wheel_control/behaviours/Reverse.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <random>
+
+#include "support/seed.hpp"
+#include "wheel_control/ControlledWheel.hpp"
+#include "wheel_control/behaviours/SpyCommand.hpp"
+
+namespace wr::test {
+namespace {
+
+class ReverseTest : public testing::Test, protected SpiedCommands {
+ protected:
+  Tension apply(int demand, int velocity) {
+    return reverse.apply(Tension(demand), Velocity(velocity));
+  }
+
+  Advance advance{setTension};
+  SoftStart softStart{advance};
+  Stop stop{setTension, stopWheel};
+  Reverse reverse{softStart, stop, setOrientation};
+};
+
+/// @brief A demand in the present orientation passes.
+/// @verifies FR-87
+TEST_F(ReverseTest, FR87_DemandInTheOrientationPasses) {
+  EXPECT_EQ(apply(5000, 900), Tension(5000));
+  EXPECT_EQ(apply(0, 900), Tension(0));
+  EXPECT_EQ(log, (CommandLog{{"tension", 5000}, {"tension", 0}}));
+}
+
+/// @brief A demand against the orientation stops the wheel; after two slow cycles without tension the
+/// orientation changes, and the demand is applied.
+/// @verifies FR-87
+TEST_F(ReverseTest, FR87_StopsThenTurns) {
+  apply(4000, 900);
+  log.clear();
+  EXPECT_EQ(apply(-5000, 800), Tension(1600));
+  EXPECT_EQ(apply(-5000, 400), Tension(0));
+  EXPECT_EQ(apply(-5000, 50), Tension(0));
+  EXPECT_EQ(apply(-5000, 49), Tension(0));
+  EXPECT_EQ(apply(-5000, 0), Tension(-5000));
+  EXPECT_EQ(log, (CommandLog{{"tension", 1600},
+                             {"stop", 0},
+                             {"stop", 0},
+                             {"stop", 0},
+                             {"orientation", -5000},
+                             {"tension", -5000}}));
+}
+
+/// @brief A cycle that is not slow, in either direction, begins the count again.
+/// @verifies FR-87
+TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
+  for (const int velocity : {10, 50, -10, -50, 10}) {
+    apply(-5000, velocity);
+  }
+  EXPECT_EQ(std::ranges::count(log, "orientation", &CommandLog::value_type::first), 0);
+  apply(-5000, 10);
+  EXPECT_EQ(std::ranges::count(log, "orientation", &CommandLog::value_type::first), 1);
+}
+
+/// @brief Slow cycles do not suffice while tension is left.
+/// @verifies FR-87
+TEST_F(ReverseTest, FR87_NoTurnWhileTensionIsLeft) {
+  reverse.resume(Tension(9600));
+  for (int cycle = 0; cycle < 4; ++cycle) {
+    apply(-5000, 0);
+  }
+  EXPECT_EQ(log,
+            (CommandLog{{"tension", 7200}, {"tension", 4800}, {"tension", 2400}, {"stop", 0}}));
+  EXPECT_EQ(apply(-5000, 0), Tension(-5000));
+}
+
+/// @brief From backwards it goes forwards in the same way.
+/// @verifies FR-87
+TEST_F(ReverseTest, FR87_BackToForwards) {
+  apply(-5000, 0);
+  apply(-5000, 0);
+  log.clear();
+  EXPECT_EQ(apply(3000, -700), Tension(-2600));
+  EXPECT_EQ(apply(3000, 0), Tension(-200));
+  EXPECT_EQ(apply(3000, 0), Tension(0));
+  EXPECT_EQ(apply(3000, 0), Tension(3000));
+  EXPECT_EQ(log.back(), (CommandLog::value_type{"tension", 3000}));
+}
+
+/// @brief A demand that agrees again ends the stop; a later reverse counts its slow cycles anew.
+/// @verifies FR-87
+TEST_F(ReverseTest, FR87_AgreementEndsTheStop) {
+  apply(-5000, 0);
+  EXPECT_EQ(apply(1000, 0), Tension(1000));
+  EXPECT_EQ(apply(-5000, 0), Tension(0));
+  EXPECT_EQ(apply(-5000, 0), Tension(-5000));
+}
+
+/// @brief The rise begins again after the flip, and after a stop that was given up.
+/// @verifies FR-81
+TEST_F(ReverseTest, FR81_RiseBeginsAtWhatIsLeft) {
+  apply(12000, 0);
+  apply(24000, 0);
+  EXPECT_EQ(apply(-1, 1000), Tension(21600));
+  EXPECT_EQ(apply(-1, 1000), Tension(19200));
+  for (int cycle = 0; cycle < 6; ++cycle) {
+    apply(-1, 1000);
+  }
+  EXPECT_EQ(apply(24000, 1000), Tension(16800));
+}
+
+/// @brief Whatever is demanded and measured, the output keeps to the three rules: the orientation changes
+/// at rest and without tension only, the tension rises by 12 V at most, and it falls by 2.4 V
+/// at most while the demand opposes.
+/// @verifies FR-87
+/// @verifies FR-81
+TEST_F(ReverseTest, FR87_FR81_RulesHoldForAnyDemand) {
+  std::mt19937 random(seed());
+  std::uniform_int_distribution<int> demands(-24000, 24000);
+  std::uniform_int_distribution<int> velocities(-120, 120);
+  std::uniform_int_distribution<int> lengths(1, 12);
+  int before = 0;
+  int slow = 0;
+  int flips = 0;
+  for (int run = 0; run < 2000; ++run) {
+    const int demand = demands(random);
+    for (int left = lengths(random); left > 0; --left) {
+      const int velocity = velocities(random);
+      slow = std::abs(velocity) < 50 ? slow + 1 : 0;
+      log.clear();
+      const int applied = apply(demand, velocity).count();
+      ASSERT_LE(std::abs(applied) - std::abs(before), 12000);
+      const bool turned = log.front().first == "orientation";
+      if (turned) {
+        ++flips;
+        ASSERT_GE(slow, 2);
+        ASSERT_EQ(before, 0);
+      }
+      ASSERT_GE(applied * static_cast<long long>(before), 0) << "the sign changes through 0 only";
+      if (static_cast<long long>(demand) * before < 0) {
+        ASSERT_GE(std::abs(applied), std::abs(before) - 2400);
+      }
+      before = applied;
+    }
+  }
+  EXPECT_GT(flips, 10);
+}
+
+/// @brief On the wheel itself the orientation changes with no tension at the output.
+/// @verifies FR-87
+TEST_F(ReverseTest, FR87_WheelTurnsWithoutTension) {
+  ControlledWheel one;
+  one.reverse.apply(Tension(2000), Velocity());
+  one.reverse.apply(Tension(-2000), Velocity());
+  EXPECT_FALSE(one.orientation.isOn());
+  EXPECT_EQ(one.output(), Tension(0));
+  one.reverse.apply(Tension(-2000), Velocity());
+  EXPECT_TRUE(one.orientation.isOn());
+  EXPECT_EQ(one.output(), Tension(-1999));  // 8.33 %
+}
+
+}  // namespace
+}  // namespace wr::test

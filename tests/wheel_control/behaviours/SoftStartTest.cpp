@@ -1,0 +1,69 @@
+#include "wheel_control/behaviours/SoftStart.hpp"
+
+#include <gtest/gtest.h>
+
+#include "wheel_control/behaviours/Advance.hpp"
+#include "wheel_control/behaviours/SpyCommand.hpp"
+
+namespace wr::test {
+namespace {
+
+class SoftStartTest : public testing::Test, protected SpiedCommands {
+ protected:
+  Tension apply(int demand) { return softStart.apply(Tension(demand), Velocity()); }
+
+  Advance advance{setTension};
+  SoftStart softStart{advance};
+};
+
+/// @brief The tension rises by 12 V a cycle at most, and reaches the demand.
+/// @verifies FR-81
+TEST_F(SoftStartTest, FR81_RisesStepByStep) {
+  EXPECT_EQ(apply(24000), Tension(12000));
+  EXPECT_EQ(apply(24000), Tension(24000));
+  EXPECT_EQ(apply(24000), Tension(24000));
+  EXPECT_EQ(log, (CommandLog{{"tension", 12000}, {"tension", 24000}, {"tension", 24000}}));
+}
+
+/// @brief Backwards the magnitude rises by 12 V a cycle at most.
+/// @verifies FR-81
+TEST_F(SoftStartTest, FR81_MagnitudeRisesStepByStep) {
+  EXPECT_EQ(apply(-20000), Tension(-12000));
+  EXPECT_EQ(apply(-20000), Tension(-20000));
+}
+
+/// @brief A lower tension passes at once, and the next rise begins there.
+/// @verifies FR-81
+TEST_F(SoftStartTest, FR81_FallPassesAtOnce) {
+  apply(12000);
+  apply(24000);
+  EXPECT_EQ(apply(1000), Tension(1000));
+  EXPECT_EQ(apply(24000), Tension(13000));
+}
+
+/// @brief A demand of the other sign starts again from nothing.
+/// @verifies FR-81
+TEST_F(SoftStartTest, FR81_FlipStartsAgain) {
+  apply(12000);
+  apply(24000);
+  EXPECT_EQ(apply(-24000), Tension(-12000));
+  EXPECT_EQ(apply(24000), Tension(12000));
+}
+
+/// @brief After another behaviour the rise begins at what that one applied.
+/// @verifies FR-81
+TEST_F(SoftStartTest, FR81_RisesFromWhatAnotherBehaviourApplied) {
+  softStart.resume(Tension(5000));
+  EXPECT_EQ(apply(24000), Tension(17000));
+}
+
+/// @brief Advance alone applies what is demanded, at once.
+/// @verifies FR-80
+TEST_F(SoftStartTest, FR80_AdvanceAppliesAtOnce) {
+  advance.resume(Tension(1000));
+  EXPECT_EQ(advance.apply(Tension(24000), Velocity()), Tension(24000));
+  EXPECT_EQ(log, (CommandLog{{"tension", 24000}}));
+}
+
+}  // namespace
+}  // namespace wr::test

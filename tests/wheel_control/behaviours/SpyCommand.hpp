@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wheel_control/commands/WheelCommand.hpp"
+
+namespace wr::test {
+
+/// What several commands were ordered to do, in sequence: name of the command and tension.
+using CommandLog = std::vector<std::pair<std::string, int>>;
+
+/// A command that notes what it is ordered to do.
+class SpyCommand final : public WheelCommand {
+ public:
+  SpyCommand(std::string name, CommandLog& log) : name_(std::move(name)), log_(log) {}
+
+  void execute(Tension tension) override { log_.emplace_back(name_, tension.count()); }
+
+ private:
+  std::string name_;
+  CommandLog& log_;
+};
+
+/// The behaviours of a wheel on commands that note what they are ordered to do.
+class SpiedCommands {
+ public:
+  CommandLog log;
+  SpyCommand setTension{"tension", log};
+  SpyCommand stopWheel{"stop", log};
+  SpyCommand setOrientation{"orientation", log};
+};
+
+}  // namespace wr::test

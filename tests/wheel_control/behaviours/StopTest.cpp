@@ -1,0 +1,41 @@
+#include "wheel_control/behaviours/Stop.hpp"
+
+#include <gtest/gtest.h>
+
+#include "wheel_control/behaviours/SpyCommand.hpp"
+
+namespace wr::test {
+namespace {
+
+class StopTest : public testing::Test, protected SpiedCommands {
+ protected:
+  Stop stop{setTension, stopWheel};
+};
+
+/// @brief The tension falls by 2.4 V a cycle; when nothing is left the wheel is stopped.
+/// @verifies FR-88
+TEST_F(StopTest, FR88_TensionFallsStepByStep) {
+  Tension applied(6000);
+  for (int cycle = 0; cycle < 4; ++cycle) {
+    applied = stop.apply(applied, Velocity(1000));
+  }
+  EXPECT_EQ(log, (CommandLog{{"tension", 3600}, {"tension", 1200}, {"stop", 0}, {"stop", 0}}));
+}
+
+/// @brief Backwards the magnitude falls as well.
+/// @verifies FR-88
+TEST_F(StopTest, FR88_MagnitudeFallsBackwards) {
+  EXPECT_EQ(stop.apply(Tension(-3000), Velocity(-1000)), Tension(-600));
+  EXPECT_EQ(stop.apply(Tension(-600), Velocity(-1000)), Tension(0));
+  EXPECT_EQ(log, (CommandLog{{"tension", -600}, {"stop", 0}}));
+}
+
+/// @brief What another behaviour applied before does not count: each call tells what stands.
+/// @verifies FR-88
+TEST_F(StopTest, FR88_StartsFromWhatItIsTold) {
+  stop.resume(Tension(20000));
+  EXPECT_EQ(stop.apply(Tension(5000), Velocity()), Tension(2600));
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,41 @@
+#include <gtest/gtest.h>
+
+#include "wheel_control/ControlledWheel.hpp"
+
+namespace wr::test {
+namespace {
+
+class WheelCommandTest : public testing::Test, protected ControlledWheel {};
+
+/// @brief The tension of a wheel has no sign: both signs give the same duty cycle.
+/// @verifies FR-80
+TEST_F(WheelCommandTest, FR80_SetTensionTakesTheMagnitude) {
+  for (const Tension tension : {Tension(6000), Tension(-6000)}) {
+    stopWheel.execute(tension);
+    setTension.execute(tension);
+    EXPECT_EQ(pwm.dutyCycle(), DutyCycle(2500));
+    EXPECT_FALSE(orientation.isOn());
+  }
+}
+
+/// @brief The sign of a tension is the orientation; its magnitude does not count.
+/// @verifies FR-87
+TEST_F(WheelCommandTest, FR87_SetOrientationTakesTheSign) {
+  setOrientation.execute(Tension(-1));
+  EXPECT_TRUE(wheel.backwards());
+  setOrientation.execute(Tension(0));
+  EXPECT_FALSE(wheel.backwards());
+  EXPECT_EQ(pwm.dutyCycle(), DutyCycle(0));
+}
+
+/// @brief StopWheel takes all tension away, whatever tension it is given.
+/// @verifies FR-88
+TEST_F(WheelCommandTest, FR88_StopWheelTakesAllTension) {
+  setTension.execute(Tension(6000));
+  stopWheel.execute(Tension(6000));
+  EXPECT_EQ(pwm.dutyCycle(), DutyCycle(0));
+  EXPECT_TRUE(enable.isOn());
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,162 @@
+#include <gtest/gtest.h>
+
+#include "wheel_control/SensedWheel.hpp"
+
+namespace wr::test {
+namespace {
+
+class WheelOrderTest : public testing::Test, protected SensedWheel {
+ protected:
+  void measureAll() {
+    registerPosition.execute(work);
+    readVelocity.execute(work);
+    readCurrent.execute(work);
+  }
+
+  WheelWork work;
+};
+
+/// @brief The position is the count of Hall edges; the edges that were rejected are told with it.
+/// @verifies FR-93
+TEST_F(WheelOrderTest, FR93_RegistersThePosition) {
+  pass(true, kMiddle);
+  edges.collect(1, time.now());  // both levels changed
+  registerPosition.execute(work);
+  EXPECT_EQ(work.measured.position, HallCount(10));
+  EXPECT_EQ(work.measured.rejectedEdges, 1);
+}
+
+/// @brief The velocity that was just measured is registered: 10 edges in 100 ms are 100 rpm.
+/// @verifies FR-93
+TEST_F(WheelOrderTest, FR93_ReadsTheVelocity) {
+  for (int cycle = 0; cycle < 2; ++cycle) {
+    pass(true, kMiddle);
+    readVelocity.execute(work);
+  }
+  EXPECT_EQ(work.measured.velocity, Velocity(1000));
+}
+
+/// @brief The current that was just measured is registered: the mean of the cycle.
+/// @verifies FR-93
+TEST_F(WheelOrderTest, FR93_ReadsTheCurrent) {
+  pass(false, kTwoAmperes);
+  readCurrent.execute(work);
+  ASSERT_TRUE(work.measured.current);
+  EXPECT_NEAR(work.measured.current->count(), 2000, 10);
+}
+
+/// @brief A current without new samples grows old, and is then reported as missing.
+/// @verifies FR-93
+TEST_F(WheelOrderTest, FR93_OldCurrentIsMissing) {
+  pass(false, kTwoAmperes);
+  readCurrent.execute(work);
+  time.advance(milliseconds(200));
+  readCurrent.execute(work);
+  EXPECT_EQ(work.measured.current, std::nullopt);
+}
+
+/// @brief ApplyControl brings the set-point to the wheel, and tells what was applied.
+/// @verifies FR-80
+/// @verifies FR-94
+TEST_F(WheelOrderTest, FR80_FR94_AppliesAndTells) {
+  pass(true, kMiddle);
+  measureAll();
+  work.setPoint = tensionOf(5000);
+  applyControl.execute(work);
+  EXPECT_EQ(work.applied, Tension(5000));
+  EXPECT_NEAR(output().count(), 5000, 25);
+  EXPECT_FALSE(work.measured.cutOff);
+  EXPECT_FALSE(work.measured.blind);
+}
+
+/// @brief Without a position the wheel counts as one that does not turn.
+/// @verifies FR-91
+TEST_F(WheelOrderTest, FR91_MissingPositionIsNoTurn) {
+  for (int cycle = 0; cycle < 12; ++cycle) {
+    pass(true, kMiddle);
+    measureAll();
+    work.setPoint = tensionOf(7000);
+    work.measured.position.reset();
+    applyControl.execute(work);
+  }
+  EXPECT_TRUE(work.measured.blind);
+}
+
+/// @brief Too much current switches the driver off in the interrupt; control leaves it off and says so.
+/// @verifies FR-89
+/// @verifies FR-94
+TEST_F(WheelOrderTest, FR89_FR94_ControlLeavesTheDriverOff) {
+  pass(true, kMiddle);
+  measureAll();
+  work.setPoint = tensionOf(5000);
+  applyControl.execute(work);
+  EXPECT_TRUE(enable.isOn());
+  pass(true, kTooMuch);
+  EXPECT_FALSE(enable.isOn());
+  for (int cycle = 0; cycle < 3; ++cycle) {
+    pass(false, kMiddle);
+    measureAll();
+    applyControl.execute(work);
+    EXPECT_FALSE(enable.isOn());
+    EXPECT_TRUE(work.measured.cutOff);
+    EXPECT_EQ(work.applied, std::nullopt);
+    EXPECT_EQ(pwm.dutyCycle(), DutyCycle(0));
+  }
+}
+
+/// @brief A halt of a wheel that turns leaves its driver off; one of a wheel that stands releases it.
+/// @verifies FR-89
+TEST_F(WheelOrderTest, FR89_HaltAtRestReleases) {
+  pass(true, kMiddle);
+  measureAll();
+  pass(true, kTooMuch);
+  pass(true, kMiddle);
+  measureAll();
+  haltWheel.execute(work);
+  EXPECT_TRUE(work.measured.cutOff);
+  EXPECT_EQ(work.applied, std::nullopt);
+  for (int cycle = 0; cycle < 5; ++cycle) {
+    pass(false, kMiddle);
+    measureAll();
+    haltWheel.execute(work);
+  }
+  EXPECT_FALSE(work.measured.cutOff);
+  EXPECT_EQ(work.applied, Tension(0));
+  EXPECT_TRUE(enable.isOn());
+  work.setPoint = tensionOf(3000);
+  applyControl.execute(work);
+  EXPECT_EQ(work.applied, Tension(3000));
+}
+
+/// @brief While the velocity is missing a halt releases nothing; nor does it while the wheel rolls back.
+/// @verifies FR-89
+TEST_F(WheelOrderTest, FR89_HaltWithoutVelocityReleasesNothing) {
+  wheel.cutOff().execute();
+  haltWheel.execute(work);
+  EXPECT_TRUE(work.measured.cutOff);
+  ControlledWheel::measure(Velocity(-50), Current());
+  haltWheel.execute(work);
+  EXPECT_TRUE(work.measured.cutOff);
+  ControlledWheel::measure(Velocity(-49), Current());
+  haltWheel.execute(work);
+  EXPECT_FALSE(work.measured.cutOff);
+}
+
+/// @brief A halt stops the wheel step by step.
+/// @verifies FR-88
+/// @verifies FR-94
+TEST_F(WheelOrderTest, FR88_FR94_HaltStopsStepByStep) {
+  pass(true, kMiddle);
+  measureAll();
+  work.setPoint = tensionOf(5000);
+  applyControl.execute(work);
+  for (const int left : {2600, 200, 0}) {
+    pass(true, kMiddle);
+    measureAll();
+    haltWheel.execute(work);
+    EXPECT_EQ(work.applied, Tension(left));
+  }
+}
+
+}  // namespace
+}  // namespace wr::test
