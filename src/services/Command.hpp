@@ -6,6 +6,9 @@ namespace wr {
 /// @function Lets interrupts and threads start an action without naming the module that acts.
 /// @secret Which module acts when a command is executed.
 /// @role{cycle-timer-interrupt, Command}
+/// @role{hall-interrupt, Command}
+/// @role{wheel-timer-interrupt, Command}
+/// @role{rc-pin-interrupt, Command}
 /// @role{steering-timer-interrupt, Command}
 class Command {
  public:

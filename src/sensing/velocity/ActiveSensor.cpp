@@ -6,6 +6,7 @@ ActiveSensor::ActiveSensor(EdgeInput& a, EdgeInput& b, Command& command)
     : a_(a), b_(b), command_(command) {}
 
 void ActiveSensor::start() {
+  command_.execute();
   a_.start();
   b_.start();
 }

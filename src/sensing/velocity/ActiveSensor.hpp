@@ -23,7 +23,8 @@ class ActiveSensor final {
   ActiveSensor(const ActiveSensor&) = delete;
   ActiveSensor& operator=(const ActiveSensor&) = delete;
 
-  /// @brief Makes the edges of both sensors interrupt from now on.
+  /// @brief Makes the edges of both sensors interrupt from now on. Executes the command once
+  /// before, so that who counts knows where the wheel stands.
   /// @isr{no}
   /// @satisfies FR-120
   void start();

@@ -1,0 +1,82 @@
+#include "devices/SecondTimer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace wr {
+namespace {
+
+std::vector<std::string> events;
+
+class LoggingTimer final : public PeriodicTimer {
+ public:
+  void start(Microseconds period) override { started = period; }
+  void stop() override {}
+  void acknowledge() override { events.emplace_back("acknowledge"); }
+
+  Microseconds started{};
+};
+
+class LoggingCommand final : public Command {
+ public:
+  explicit LoggingCommand(std::string name) : name_(std::move(name)) {}
+  void execute() override { events.push_back(name_); }
+
+ private:
+  std::string name_;
+};
+
+class SecondTimerTest : public testing::Test {
+ protected:
+  SecondTimerTest() { events.clear(); }
+
+  LoggingTimer timer;
+  SecondTimer secondTimer{timer};
+};
+
+/// @brief The timer beats once in each tick period of 1 ms.
+/// @verifies FR-100
+TEST_F(SecondTimerTest, FR100_BeatsEveryMillisecond) {
+  secondTimer.start();
+  EXPECT_EQ(timer.started, milliseconds(1));
+}
+
+/// @brief Each beat acknowledges the timer first, so that a beat during the commands is not lost,
+/// and then executes each command once, in the sequence in which they were added.
+/// @verifies FR-100
+TEST_F(SecondTimerTest, FR100_EachBeatExecutesAllCommands) {
+  LoggingCommand first("first");
+  LoggingCommand second("second");
+  secondTimer.add(first);
+  secondTimer.add(second);
+  secondTimer.expired();
+  secondTimer.expired();
+  const std::vector<std::string> beat = {"acknowledge", "first", "second"};
+  std::vector<std::string> twice = beat;
+  twice.insert(twice.end(), beat.begin(), beat.end());
+  EXPECT_EQ(events, twice);
+}
+
+/// @brief A beat without commands is acknowledged.
+/// @verifies FR-100
+TEST_F(SecondTimerTest, FR100_BeatWithoutCommands) {
+  secondTimer.expired();
+  EXPECT_EQ(events, std::vector<std::string>{"acknowledge"});
+}
+
+/// @brief The timer takes as many commands as it says; one more ends the program.
+/// @verifies FR-100
+TEST_F(SecondTimerTest, FR100_OneCommandTooMany) {
+  LoggingCommand command("command");
+  for (std::size_t i = 0; i < SecondTimer::kCapacity; ++i) {
+    secondTimer.add(command);
+  }
+  secondTimer.expired();
+  EXPECT_EQ(events.size(), SecondTimer::kCapacity + 1);
+  EXPECT_DEATH(secondTimer.add(command), "assertion 6 failed");
+}
+
+}  // namespace
+}  // namespace wr

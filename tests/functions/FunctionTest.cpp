@@ -1,0 +1,240 @@
+#include "functions/Function.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <random>
+
+#include "functions/HallVelocity.hpp"
+#include "functions/RcDirection.hpp"
+#include "functions/RcVelocity.hpp"
+#include "functions/SampledAngle.hpp"
+#include "functions/SampledCurrent.hpp"
+#include "functions/scaling.hpp"
+#include "support/seed.hpp"
+
+namespace wr::test {
+namespace {
+
+constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
+constexpr std::int32_t kLeast = std::numeric_limits<std::int32_t>::min();
+
+/// Arguments of which each may be missing.
+struct Given : Arguments {
+  virtual ~Given() = default;
+
+  [[nodiscard]] std::optional<std::int32_t> value(ArgumentId id) const override {
+    return values.at(static_cast<std::size_t>(id));
+  }
+
+  Given& with(ArgumentId id, std::optional<std::int32_t> number) {
+    values.at(static_cast<std::size_t>(id)) = number;
+    return *this;
+  }
+
+  Given(std::int32_t raw, std::int32_t elapsed, std::int32_t scale, std::int32_t divisor,
+        std::int32_t offset)
+      : values{raw, elapsed, scale, divisor, offset, std::nullopt, std::nullopt} {}
+
+  std::array<std::optional<std::int32_t>, 7> values;
+};
+
+/// @brief Velocity is edges * scale / (divisor * time), rounded to the nearest number.
+/// @verifies FR-120
+TEST(Function, FR120_HallVelocity) {
+  const HallVelocity function;
+  EXPECT_EQ(function.calculate(Given(30, 100'000, 600'000'000, 60, 0)), 3000);
+  EXPECT_EQ(function.calculate(Given(-30, 100'000, 600'000'000, 60, 0)), -3000);
+  EXPECT_EQ(function.calculate(Given(1, 200'000, 600'000'000, 60, 0)), 50);
+  EXPECT_EQ(function.calculate(Given(0, 1, 600'000'000, 60, 0)), 0);
+  EXPECT_EQ(function.calculate(Given(1, 3, 5, 1, 0)), 2);
+  EXPECT_EQ(function.calculate(Given(-1, 2, 5, 1, 0)), -3);
+}
+
+/// @brief Without time there is no velocity.
+/// @verifies FR-120
+TEST(Function, FR120_HallVelocityNeedsTime) {
+  EXPECT_FALSE(HallVelocity().calculate(Given(1, 0, 600'000'000, 60, 0)));
+}
+
+/// @brief A velocity at the bounds counts, one beyond does not.
+/// @verifies FR-124
+TEST(Function, FR124_HallVelocityIsBounded) {
+  const HallVelocity function;
+  for (const std::int32_t sign : {1, -1}) {
+    Given arguments(sign, 1, 4500, 1, 0);
+    arguments.with(ArgumentId::Lowest, -4500).with(ArgumentId::Highest, 4500);
+    EXPECT_EQ(function.calculate(arguments), sign * 4500);
+    EXPECT_FALSE(function.calculate(arguments.with(ArgumentId::Scale, 4501)));
+  }
+}
+
+/// @brief Current is (sum - offset) * scale / divisor, and refused beyond the bounds of the
+/// current.
+/// @verifies FR-125
+TEST(Function, FR125_SampledCurrent) {
+  const SampledCurrent function;
+  Given arguments(100 * 124, 100'000, 33000, 4096 * 100, 0);
+  EXPECT_EQ(function.calculate(arguments), 999);
+  arguments.with(ArgumentId::Lowest, -999).with(ArgumentId::Highest, 999);
+  EXPECT_EQ(function.calculate(arguments), 999);
+  EXPECT_FALSE(function.calculate(arguments.with(ArgumentId::Highest, 998)));
+  EXPECT_EQ(function.calculate(Given(-2, 0, 10, 8, 2)), -5);
+}
+
+/// @brief Angle is (sample - offset) * scale / divisor, and refused beyond the bounds of the
+/// sample.
+/// @verifies FR-129
+/// @verifies FR-130
+TEST(Function, FR129_SampledAngle) {
+  const SampledAngle function;
+  Given arguments(82, 1000, 8000, 4096, 2048);
+  arguments.with(ArgumentId::Lowest, 82).with(ArgumentId::Highest, 4013);
+  EXPECT_EQ(function.calculate(arguments), -3840);
+  EXPECT_EQ(function.calculate(arguments.with(ArgumentId::Raw, 4013)), 3838);
+  EXPECT_EQ(function.calculate(arguments.with(ArgumentId::Raw, 2048)), 0);
+  EXPECT_FALSE(function.calculate(arguments.with(ArgumentId::Raw, 81)));
+  EXPECT_FALSE(function.calculate(arguments.with(ArgumentId::Raw, 4014)));
+}
+
+/// Arguments of a pulse of the remote control.
+struct Pulse final : Given {
+  explicit Pulse(std::int32_t width) : Given(width, 20'000, 3000, 500, 1500) {
+    with(ArgumentId::Lowest, 900).with(ArgumentId::Highest, 2100);
+  }
+};
+
+template <class Lever>
+class LeverFunction : public testing::Test {
+ protected:
+  Lever function;
+};
+
+using Levers = testing::Types<RcVelocity, RcDirection>;
+TYPED_TEST_SUITE(LeverFunction, Levers);
+
+/// @brief The value of a pulse is in proportion to its distance from the middle.
+/// @verifies FR-52
+TYPED_TEST(LeverFunction, FR52_InProportion) {
+  for (std::int32_t width = 1000; width <= 2000; ++width) {
+    if (std::abs(width - 1500) > 20) {
+      EXPECT_EQ(this->function.calculate(Pulse(width)), (width - 1500) * 6);
+    }
+  }
+}
+
+/// @brief Up to 20 us from the middle the value is 0.
+/// @verifies FR-53
+TYPED_TEST(LeverFunction, FR53_MiddleIsZero) {
+  for (std::int32_t width = 1480; width <= 1520; ++width) {
+    EXPECT_EQ(this->function.calculate(Pulse(width)), 0);
+  }
+  EXPECT_EQ(this->function.calculate(Pulse(1479)), -126);
+  EXPECT_EQ(this->function.calculate(Pulse(1521)), 126);
+}
+
+/// @brief A little beyond full deflection counts as full deflection; far beyond there is no value.
+/// @verifies FR-54
+TYPED_TEST(LeverFunction, FR54_EndsOfTheLever) {
+  for (const std::int32_t width : {900, 999, 1000}) {
+    EXPECT_EQ(this->function.calculate(Pulse(width)), -3000);
+  }
+  for (const std::int32_t width : {2000, 2001, 2100}) {
+    EXPECT_EQ(this->function.calculate(Pulse(width)), 3000);
+  }
+  for (const std::int32_t width : {0, 899, 2101, 20000}) {
+    EXPECT_FALSE(this->function.calculate(Pulse(width)));
+  }
+}
+
+/// @brief No function gives a value when an argument that it needs is missing. Bounds may be
+/// missing.
+/// @verifies FR-52
+/// @verifies FR-120
+/// @verifies FR-125
+/// @verifies FR-129
+TEST(Function, FR120_MissingArgument) {
+  const HallVelocity velocity;
+  const SampledCurrent current;
+  const SampledAngle angle;
+  const RcVelocity rcVelocity;
+  const RcDirection rcDirection;
+  const std::array<const Function*, 5> functions = {&velocity, &current, &angle, &rcVelocity,
+                                                    &rcDirection};
+  for (const Function* const function : functions) {
+    const auto without = [&](ArgumentId missing, std::optional<std::int32_t> instead = {}) {
+      Given arguments(1600, 20'000, 3000, 500, 1500);
+      return function->calculate(arguments.with(missing, instead));
+    };
+    ASSERT_TRUE(without(ArgumentId::Lowest));
+    for (const ArgumentId missing : {ArgumentId::Raw, ArgumentId::Scale, ArgumentId::Divisor}) {
+      EXPECT_FALSE(without(missing));
+    }
+    const bool timed = function == &velocity;
+    EXPECT_EQ(without(ArgumentId::Elapsed).has_value(), !timed);
+    EXPECT_EQ(without(ArgumentId::Offset).has_value(), timed);
+    EXPECT_FALSE(without(ArgumentId::Divisor, 0));
+    EXPECT_FALSE(without(ArgumentId::Divisor, -1));
+  }
+}
+
+/// @brief Arguments at the ends of their range never overflow: the result is right, or missing when
+/// it has more than 32 bits.
+/// @verifies FR-120
+/// @verifies FR-125
+TEST(Function, FR120_NoOverflow) {
+  std::mt19937 random(seed());
+  std::uniform_int_distribution<std::int32_t> any(kLeast, kMost);
+  std::uniform_int_distribution<int> choice(0, 3);
+  const auto number = [&] {
+    switch (choice(random)) {
+      case 0:
+        return kLeast;
+      case 1:
+        return kMost;
+      default:
+        return any(random);
+    }
+  };
+  for (int i = 0; i < 100'000; ++i) {
+    const std::int32_t raw = number();
+    const std::int32_t elapsed = std::max(0, number());
+    const std::int32_t scale = number();
+    const std::int32_t divisor = std::max(1, number());
+    const std::int32_t offset = number();
+    const Given arguments(raw, elapsed, scale, divisor, offset);
+    const auto check = [&](std::optional<std::int32_t> result, long double exact) {
+      if (result) {
+        ASSERT_NEAR(static_cast<double>(*result), static_cast<double>(exact), 0.5001);
+      } else {
+        ASSERT_GT(std::abs(exact), 2147483647.0L);
+      }
+    };
+    const auto product = static_cast<long double>(scale);
+    check(HallVelocity().calculate(arguments),
+          product * raw / static_cast<long double>(divisor) / static_cast<long double>(elapsed));
+    check(SampledCurrent().calculate(arguments),
+          (static_cast<long double>(raw) - offset) * product / divisor);
+  }
+}
+
+/// @brief A quotient is rounded to the nearest number, a half away from zero.
+/// @verifies FR-125
+TEST(Scaling, FR125_RoundsToNearest) {
+  EXPECT_EQ(quotient(7, 2), 4);
+  EXPECT_EQ(quotient(-7, 2), -4);
+  EXPECT_EQ(quotient(6, 4), 2);
+  EXPECT_EQ(quotient(5, 4), 1);
+  EXPECT_EQ(quotient(-5, 4), -1);
+  EXPECT_EQ(quotient(0, 4), 0);
+  EXPECT_FALSE(quotient(1, 0));
+  EXPECT_FALSE(quotient(1, -1));
+  EXPECT_FALSE(quotient(std::int64_t{kMost} + 1, 1));
+  EXPECT_EQ(quotient(std::int64_t{kLeast}, 1), kLeast);
+}
+
+}  // namespace
+}  // namespace wr::test

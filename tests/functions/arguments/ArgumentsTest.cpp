@@ -1,0 +1,71 @@
+#include "functions/arguments/Arguments.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "functions/arguments/BaseArguments.hpp"
+#include "functions/arguments/RangeArguments.hpp"
+#include "functions/arguments/ScaleArguments.hpp"
+
+namespace wr {
+namespace {
+
+constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
+
+/// @brief The basic arguments are a raw value and a time, and nothing else.
+/// @verifies FR-120
+TEST(Arguments, FR120_BaseHasRawAndElapsed) {
+  const BaseArguments base(-7, Microseconds(20));
+  EXPECT_EQ(base.value(ArgumentId::Raw), -7);
+  EXPECT_EQ(base.value(ArgumentId::Elapsed), 20);
+  for (const ArgumentId other : {ArgumentId::Scale, ArgumentId::Divisor, ArgumentId::Offset,
+                                 ArgumentId::Lowest, ArgumentId::Highest}) {
+    EXPECT_FALSE(base.value(other));
+  }
+}
+
+/// @brief A time that an argument cannot hold counts as the nearest one that it can.
+/// @verifies FR-120
+TEST(Arguments, FR120_TimeIsLimited) {
+  EXPECT_EQ(BaseArguments(0, Microseconds(std::int64_t{kMost} + 1)).value(ArgumentId::Elapsed),
+            kMost);
+  EXPECT_EQ(BaseArguments(0, Microseconds(kMost)).value(ArgumentId::Elapsed), kMost);
+  EXPECT_EQ(BaseArguments(0, Microseconds(-1)).value(ArgumentId::Elapsed), 0);
+}
+
+/// @brief Each decorator answers for its own names and asks what it wraps for the others, in any
+/// order of wrapping.
+/// @verifies FR-120
+/// @verifies FR-124
+TEST(Arguments, FR120_DecoratorsAddUp) {
+  const BaseArguments base(1, Microseconds(2));
+  const ScaleArguments scale(base, 3, 4, 5);
+  const RangeArguments rangeOutside(scale, 6, 7);
+  const RangeArguments range(base, 6, 7);
+  const ScaleArguments scaleOutside(range, 3, 4, 5);
+  for (const Arguments* const all : {static_cast<const Arguments*>(&rangeOutside),
+                                     static_cast<const Arguments*>(&scaleOutside)}) {
+    EXPECT_EQ(all->value(ArgumentId::Raw), 1);
+    EXPECT_EQ(all->value(ArgumentId::Elapsed), 2);
+    EXPECT_EQ(all->value(ArgumentId::Scale), 3);
+    EXPECT_EQ(all->value(ArgumentId::Divisor), 4);
+    EXPECT_EQ(all->value(ArgumentId::Offset), 5);
+    EXPECT_EQ(all->value(ArgumentId::Lowest), 6);
+    EXPECT_EQ(all->value(ArgumentId::Highest), 7);
+  }
+  EXPECT_FALSE(scale.value(ArgumentId::Lowest));
+  EXPECT_FALSE(range.value(ArgumentId::Scale));
+}
+
+/// @brief The outermost of two scales counts.
+/// @verifies FR-120
+TEST(Arguments, FR120_OutermostCounts) {
+  const BaseArguments base(1, Microseconds(2));
+  const ScaleArguments inner(base, 3, 4, 5);
+  const ScaleArguments outer(inner, 30, 40, 50);
+  EXPECT_EQ(outer.value(ArgumentId::Scale), 30);
+}
+
+}  // namespace
+}  // namespace wr

@@ -1,0 +1,287 @@
+#include "sensing/current/ValueCollector.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "devices/SecondTimer.hpp"
+#include "functions/SampledCurrent.hpp"
+#include "sensing/FakeAnalogInput.hpp"
+#include "sensing/SpyCommand.hpp"
+#include "sensing/current/CntSensor.hpp"
+#include "sensing/current/ReadCnt.hpp"
+#include "support/FakeTimebase.hpp"
+#include "support/seed.hpp"
+#include "wheel_control/Wheel.hpp"
+
+namespace wr::test {
+namespace {
+
+/// The timer beats when the test says so.
+class BeatTimer final : public PeriodicTimer {
+ public:
+  void start(Microseconds /*period*/) override {}
+  void stop() override {}
+  void acknowledge() override {}
+};
+
+class CurrentTest : public testing::Test {
+ protected:
+  CurrentTest() { timer.add(readCnt); }
+
+  /// One tick, at which the conversion of the tick before has given a sample.
+  void tick(std::optional<int> sample) {
+    time.advance(milliseconds(1));
+    if (sample) {
+      input.result = static_cast<std::uint16_t>(*sample);
+    }
+    timer.expired();
+  }
+
+  void ticks(int count, int sample) {
+    for (int i = 0; i < count; ++i) {
+      tick(sample);
+    }
+  }
+
+  /// Measures after some ticks with the same sample.
+  std::optional<Stamped<Current>> measured() {
+    sensor.measure();
+    return pipe.read();
+  }
+
+  FakeTimebase time;
+  FakeAnalogInput input;
+  SpyCommand overcurrent;
+  ValueCollector collector{overcurrent};
+  ReadCnt readCnt{input, collector, time};
+  BeatTimer beat;
+  SecondTimer timer{beat};
+  SampledCurrent function;
+  Pipe<Current> pipe;
+  CntSensor sensor{collector, function, pipe};
+};
+
+/// @brief Each beat of the second timer takes the sample of the beat before and asks for the next.
+/// @verifies FR-100
+/// @verifies FR-125
+TEST_F(CurrentTest, FR100_EachBeatSamples) {
+  for (int i = 1; i <= 70; ++i) {
+    tick(2048);
+    EXPECT_EQ(input.conversions, i);
+    EXPECT_FALSE(input.result);
+  }
+  EXPECT_EQ(collector.record().number, 70 - 64);
+  EXPECT_EQ(collector.record().at, time.now());
+}
+
+/// @brief A beat at which no conversion has ended has no sample, and asks again.
+/// @verifies FR-125
+TEST_F(CurrentTest, FR125_BeatWithoutSample) {
+  ticks(70, 2048);
+  tick(std::nullopt);
+  EXPECT_EQ(collector.record().number, 6);
+  EXPECT_EQ(input.conversions, 71);
+}
+
+/// @brief The current of a cycle is the mean of its samples: 0.1 V is 1 A, and 3.3 V are 4096.
+/// @verifies FR-125
+TEST_F(CurrentTest, FR125_MeanOfTheCycle) {
+  ticks(64, 2048);
+  for (const double amperes : {0.0, 1.0, 5.0, 10.0, 14.9, -1.0, -7.77, -14.9}) {
+    const double exact = 2048 + amperes * 0.1 / 3.3 * 4096;
+    double carried = 0;
+    for (int i = 0; i < 100; ++i) {  // samples whose mean is the exact value
+      carried += exact;
+      const int sample = static_cast<int>(std::lround(carried));
+      carried -= sample;
+      tick(sample);
+    }
+    ASSERT_TRUE(measured());
+    EXPECT_NEAR(pipe.read()->value.count(), amperes * 1000, 1);
+    EXPECT_EQ(pipe.read()->at, time.now());
+  }
+  EXPECT_EQ(overcurrent.executions, 0);
+}
+
+/// @brief Samples of one cycle do not reach into the next.
+/// @verifies FR-125
+TEST_F(CurrentTest, FR125_EachCycleOfItsOwn) {
+  ticks(64, 2048);
+  ticks(100, 2048 + 1000);
+  EXPECT_EQ(measured()->value, Current(8057));
+  ticks(7, 2048);
+  EXPECT_EQ(measured()->value, Current(0));
+}
+
+/// @brief Without a sample since the measurement before nothing is written: the value grows old.
+/// @verifies FR-125
+TEST_F(CurrentTest, FR125_NothingWithoutSamples) {
+  EXPECT_FALSE(measured());
+  ticks(64, 2048);
+  EXPECT_FALSE(measured());
+  ticks(100, 2148);
+  const Stamped<Current> before = *measured();
+  time.advance(milliseconds(100));
+  const Stamped<Current> after = *measured();
+  EXPECT_EQ(after.at, before.at);
+  EXPECT_EQ(after.value, before.value);
+}
+
+/// @brief The noise of the sensor averages out: 50 mA rms leave 5 mA of the zero and 5 mA of a
+/// cycle.
+/// @verifies FR-125
+/// @verifies FR-126
+TEST_F(CurrentTest, FR125_NoiseAveragesOut) {
+  std::mt19937 random(seed());
+  std::normal_distribution<double> noise(0, 50.0 / 8.0566);
+  const auto noisy = [&](double value) {
+    return static_cast<int>(std::lround(value + noise(random)));
+  };
+  for (int i = 0; i < 64; ++i) {
+    tick(noisy(2100.3));
+  }
+  for (int i = 0; i < 100; ++i) {
+    tick(noisy(2100.3 + 4 / 0.0080566));
+  }
+  EXPECT_NEAR(measured()->value.count(), 4000, 50);
+}
+
+/// @brief The first 64 samples are the zero, wherever it lies within 5 % of the range.
+/// @verifies FR-126
+TEST_F(CurrentTest, FR126_ZeroIsLearned) {
+  for (const int zero : {2048 - 204, 2000, 2048 + 204}) {
+    ValueCollector fresh(overcurrent);
+    for (int i = 0; i < 64 + 10; ++i) {
+      fresh.collect(static_cast<std::uint16_t>(zero), time.now());
+    }
+    EXPECT_EQ(fresh.record().number, 10);
+    EXPECT_EQ(fresh.record().sum, 0);
+  }
+}
+
+/// @brief A zero further off is that of a broken sensor: no sample counts ever after.
+/// @verifies FR-126
+TEST_F(CurrentTest, FR126_ImplausibleZero) {
+  for (const int zero : {0, 2048 - 205, 2048 + 205, 4095}) {
+    ValueCollector fresh(overcurrent);
+    CntSensor reader(fresh, function, pipe);
+    for (int i = 0; i < 64; ++i) {
+      fresh.collect(static_cast<std::uint16_t>(zero), time.now());
+    }
+    for (int i = 0; i < 1000; ++i) {
+      fresh.collect(2048, time.now());
+    }
+    reader.measure();
+    EXPECT_FALSE(pipe.read());
+  }
+}
+
+/// @brief The zero is the mean, rounded to the nearest number.
+/// @verifies FR-126
+TEST_F(CurrentTest, FR126_ZeroIsTheMean) {
+  ticks(32, 2040);
+  ticks(32, 2050);
+  tick(2045);
+  EXPECT_EQ(collector.record().sum, 0);
+}
+
+/// @brief Five samples in a row beyond 15 A cut the driver off, forwards and backwards; the command
+/// is executed in the interrupt of the fifth, and as long as they go on.
+/// @verifies FR-128
+TEST_F(CurrentTest, FR128_FiveInARow) {
+  ticks(64, 2048);
+  for (const int sample : {2048 + 1862, 2048 - 1862}) {
+    overcurrent.executions = 0;
+    ticks(4, sample);
+    EXPECT_EQ(overcurrent.executions, 0);
+    tick(sample);
+    EXPECT_EQ(overcurrent.executions, 1);
+    ticks(3, sample);
+    EXPECT_EQ(overcurrent.executions, 4);
+    tick(2048);
+    EXPECT_EQ(overcurrent.executions, 4);
+  }
+}
+
+/// @brief One sample within 15 A begins the count anew.
+/// @verifies FR-128
+TEST_F(CurrentTest, FR128_NotInARow) {
+  ticks(64, 2048);
+  for (int i = 0; i < 20; ++i) {
+    ticks(4, 2048 + 1862);
+    tick(2048 + 1861);
+  }
+  EXPECT_EQ(overcurrent.executions, 0);
+}
+
+/// @brief A sensor at an end of its range is too high, also when its zero leaves less than 15 A to
+/// it.
+/// @verifies FR-128
+TEST_F(CurrentTest, FR128_EndOfTheRange) {
+  ticks(64, 2048 + 204);
+  ticks(5, 4095);
+  EXPECT_EQ(overcurrent.executions, 1);
+  tick(2048);
+  overcurrent.executions = 0;
+  ticks(4, 0);
+  EXPECT_EQ(overcurrent.executions, 0);
+  tick(0);
+  EXPECT_EQ(overcurrent.executions, 1);
+}
+
+/// @brief A cycle at an end of the range has no current: the value of a broken sensor is not
+/// reported.
+/// @verifies FR-125
+TEST_F(CurrentTest, FR125_EndOfTheRangeIsNoMeasurement) {
+  ticks(64, 2048);
+  ticks(100, 0);
+  EXPECT_FALSE(measured());
+}
+
+class FakePwm final : public PwmOutput {
+ public:
+  void set(DutyCycle dutyCycle) override { duty = dutyCycle; }
+  DutyCycle duty{};
+};
+
+class FakeSwitch final : public DigitalOutput {
+ public:
+  void set(bool level) override { on = level; }
+  bool on = false;
+};
+
+/// @brief From the beat of the timer to the driver: the fifth sample switches it off, before any
+/// control cycle.
+/// @verifies FR-128
+TEST(Overcurrent, FR128_SwitchesTheDriverOff) {
+  FakeTimebase time;
+  FakePwm pwm;
+  FakeSwitch orientation;
+  FakeSwitch enable;
+  Wheel wheel(pwm, orientation, enable);
+  FakeAnalogInput input;
+  ValueCollector collector(wheel.cutOff());
+  ReadCnt readCnt(input, collector, time);
+  BeatTimer beat;
+  SecondTimer timer(beat);
+  timer.add(readCnt);
+  const auto ticks = [&](int count, std::uint16_t sample) {
+    for (int i = 0; i < count; ++i) {
+      time.advance(milliseconds(1));
+      input.result = sample;
+      timer.expired();
+    }
+  };
+  ticks(64, 2048);
+  wheel.setTension(Tension(24000));
+  ticks(4, 4095);
+  EXPECT_TRUE(enable.on);
+  ticks(1, 4095);
+  EXPECT_FALSE(enable.on);
+  EXPECT_TRUE(wheel.isCutOff());
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,173 @@
+#include "sensing/velocity/SensorCollector.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "sensing/instants/BasicCollector.hpp"
+#include "sensing/instants/CountCollector.hpp"
+#include "sensing/velocity/TurningWheel.hpp"
+
+namespace wr::test {
+namespace {
+
+class SensorCollectorTest : public testing::Test {
+ protected:
+  /// An edge some time after the one before.
+  void edge(std::uint8_t phase, std::int64_t microseconds = 10000) {
+    at = at + Microseconds(microseconds);
+    collector.collect(phase, at);
+  }
+
+  [[nodiscard]] int count() { return collector.record().instants.count; }
+  [[nodiscard]] int rejected() { return collector.record().rejected; }
+
+  Instant at{};
+  BasicCollector basic;
+  CountCollector counter{basic};
+  SensorCollector collector{counter};
+};
+
+/// @brief Before the first edge the record is empty, and the first levels alone are no edge.
+/// @verifies FR-121
+TEST_F(SensorCollectorTest, FR121_FirstLevelsAreNoEdge) {
+  EXPECT_FALSE(collector.record().instants.last);
+  edge(3);
+  EXPECT_FALSE(collector.record().instants.last);
+  EXPECT_EQ(count(), 0);
+  EXPECT_EQ(rejected(), 0);
+}
+
+/// @brief The levels 0, 1, 3, 2 are forwards, from wherever they begin; the other way round they
+/// are backwards.
+/// @verifies FR-121
+TEST_F(SensorCollectorTest, FR121_TellsTheDirection) {
+  const std::array<std::uint8_t, 4> forwards = {0, 1, 3, 2};
+  edge(2);
+  int expected = 0;
+  for (int turn = 0; turn < 3; ++turn) {
+    for (const std::uint8_t phase : forwards) {
+      edge(phase);
+      EXPECT_EQ(count(), ++expected);
+    }
+  }
+  for (int turn = 0; turn < 6; ++turn) {
+    for (const std::uint8_t phase :
+         {std::uint8_t{3}, std::uint8_t{1}, std::uint8_t{0}, std::uint8_t{2}}) {
+      edge(phase);
+      EXPECT_EQ(count(), --expected);
+    }
+  }
+  EXPECT_EQ(rejected(), 0);
+}
+
+/// @brief The record tells when the last edge came.
+/// @verifies FR-120
+TEST_F(SensorCollectorTest, FR120_TellsTheLastEdge) {
+  edge(0);
+  edge(1);
+  EXPECT_EQ(collector.record().instants.last, at);
+}
+
+/// @brief An interrupt without a changed level is rejected.
+/// @verifies FR-123
+TEST_F(SensorCollectorTest, FR123_RejectsNoChange) {
+  edge(1);
+  edge(1);
+  EXPECT_EQ(count(), 0);
+  EXPECT_EQ(rejected(), 1);
+}
+
+/// @brief A change of both levels is rejected: nobody knows its direction. What follows counts from
+/// the new levels.
+/// @verifies FR-123
+TEST_F(SensorCollectorTest, FR123_RejectsDoubleChange) {
+  edge(0);
+  edge(3);
+  edge(2);
+  EXPECT_EQ(count(), 1);
+  edge(1);
+  edge(0);
+  EXPECT_EQ(count(), 0);
+  EXPECT_EQ(rejected(), 2);
+}
+
+/// @brief An edge of the same direction that comes sooner than at 450 rpm, which is every 2222 us,
+/// is rejected; one at 450 rpm is not.
+/// @verifies FR-123
+TEST_F(SensorCollectorTest, FR123_RejectsTooSoon) {
+  edge(0);
+  edge(1);
+  edge(3, 2222);
+  EXPECT_EQ(count(), 2);
+  edge(2, 2221);
+  EXPECT_EQ(count(), 2);
+  EXPECT_EQ(rejected(), 1);
+  edge(0, 1);
+  EXPECT_EQ(count(), 3);
+}
+
+/// @brief A disturbance on one line that vanishes at once changes nothing, and neither does a wheel
+/// that rocks on an edge.
+/// @verifies FR-121
+/// @verifies FR-123
+TEST_F(SensorCollectorTest, FR123_DisturbanceLeavesThePosition) {
+  edge(0);
+  edge(1);
+  edge(0, 3);
+  edge(1, 3);
+  edge(0, 3);
+  EXPECT_EQ(count(), 0);
+  edge(1);
+  EXPECT_EQ(count(), 1);
+  EXPECT_EQ(rejected(), 0);
+}
+
+/// @brief The count of rejected edges stops at its greatest number.
+/// @verifies FR-123
+TEST_F(SensorCollectorTest, FR123_CountStops) {
+  for (int i = 0; i < 70000; ++i) {
+    edge(1);
+  }
+  EXPECT_EQ(rejected(), 65535);
+}
+
+/// @brief Each edge of either sensor goes through its interrupt to the collector; both are
+/// acknowledged.
+/// @verifies FR-121
+/// @verifies FR-123
+TEST(HallInterrupt, FR121_EdgeOfEitherSensorIsCollected) {
+  TurningWheel wheel;
+  EXPECT_TRUE(wheel.a.started);
+  EXPECT_TRUE(wheel.b.started);
+  wheel.turn(0, milliseconds(5));
+  wheel.edge(1);
+  EXPECT_EQ(wheel.collector.record().instants.count, 1);
+  EXPECT_EQ(wheel.collector.record().instants.last, wheel.time.now());
+  wheel.turn(0, milliseconds(5));
+  wheel.edge(1);
+  EXPECT_EQ(wheel.collector.record().instants.count, 2);
+  EXPECT_FALSE(wheel.a.pending);
+  EXPECT_FALSE(wheel.b.pending);
+}
+
+/// @brief An interrupt of another pin of the port is no edge of this wheel.
+/// @verifies FR-123
+TEST(HallInterrupt, FR123_InterruptOfAnotherPinIsNoEdge) {
+  TurningWheel wheel;
+  wheel.active.serve();
+  EXPECT_EQ(wheel.collector.record().rejected, 0);
+}
+
+/// @brief Two edges before one interrupt are one, with a double change.
+/// @verifies FR-123
+TEST(HallInterrupt, FR123_TwoEdgesBeforeOneInterrupt) {
+  TurningWheel wheel;
+  wheel.turn(0, milliseconds(5));
+  wheel.show(3);
+  EXPECT_EQ(wheel.collector.record().rejected, 1);
+  EXPECT_EQ(wheel.collector.record().instants.count, 0);
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,211 @@
+#include "sensing/velocity/VelSensor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "functions/Function.hpp"
+#include "sensing/velocity/TurningWheel.hpp"
+#include "support/seed.hpp"
+
+namespace wr::test {
+namespace {
+
+constexpr Microseconds kCycle = milliseconds(100);
+
+class VelSensorTest : public testing::Test {
+ protected:
+  /// Turns for some cycles, with a measurement at the end of each.
+  void cycles(double rpm, int count) {
+    for (int i = 0; i < count; ++i) {
+      wheel.turn(rpm, kCycle);
+      measured = wheel.measure();
+    }
+  }
+
+  TurningWheel wheel;
+  double measured = 0;  // the last measurement [0.1 rpm]
+};
+
+class VelocityAccuracy : public VelSensorTest, public testing::WithParamInterface<double> {};
+
+/// @brief Each measurement of an even movement is within 0.2 % and the rounding of the unit.
+/// @verifies FR-120
+TEST_P(VelocityAccuracy, FR120_EvenEdges) {
+  const double rpm = GetParam();
+  cycles(rpm, 10);
+  for (int i = 0; i < 50; ++i) {
+    cycles(rpm, 1);
+    ASSERT_NEAR(measured, rpm * 10, std::abs(rpm) * 0.02 + 0.5) << "measurement " << i;
+  }
+}
+
+/// @brief With a sensor that is 5 % of the distance between two edges off its place, each
+/// measurement is within 1 % from 60 rpm on, and within 6 % at any velocity.
+/// @verifies FR-120
+TEST_P(VelocityAccuracy, FR120_MisplacedSensor) {
+  const double rpm = GetParam();
+  wheel.misplacement = 0.05;
+  cycles(rpm, 10);
+  const double share = std::abs(rpm) < 60 ? 0.06 : 0.01;
+  for (int i = 0; i < 50; ++i) {
+    cycles(rpm, 1);
+    ASSERT_NEAR(measured, rpm * 10, std::abs(rpm) * 10 * share + 0.5) << "measurement " << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rpm, VelocityAccuracy,
+                         testing::Values(5, 7.3, 9.9, 10, 10.1, 20, 49.9, 60, 100, 150, 299.7, 300,
+                                         -5, -20, -150, -300));
+
+/// @brief Before any edge the wheel stands.
+/// @verifies FR-122
+TEST_F(VelSensorTest, FR122_StandsAtStart) {
+  cycles(0, 1);
+  EXPECT_EQ(measured, 0);
+}
+
+/// @brief The first edges after a standstill are measured over the time since the measurement
+/// before, not since the last edge of an earlier movement.
+/// @verifies FR-120
+TEST_F(VelSensorTest, FR120_StartsFromStandstill) {
+  cycles(100, 3);
+  cycles(0, 100);
+  ASSERT_EQ(measured, 0);
+  cycles(50, 1);
+  EXPECT_NEAR(measured, 500, 100);
+  cycles(50, 1);
+  EXPECT_NEAR(measured, 500, 1.5);
+}
+
+/// @brief While edges stay away the velocity is at most one edge in the time since the last one.
+/// @verifies FR-122
+TEST_F(VelSensorTest, FR122_FallsWhileEdgesStayAway) {
+  for (const int direction : {1, -1}) {
+    cycles(200 * direction, 10);
+    for (int cycle = 1; cycle < 5; ++cycle) {
+      cycles(0, 1);
+      const double milliseconds = 100.0 * cycle;
+      EXPECT_LE(measured * direction, 10000 / milliseconds + 0.5);
+      EXPECT_GE(measured * direction, 10000 / (milliseconds + 5) - 0.5);
+    }
+    cycles(0, 1);
+    EXPECT_EQ(measured, 0);
+  }
+}
+
+/// @brief A slow wheel keeps its velocity between two edges, since no edge is overdue.
+/// @verifies FR-122
+TEST_F(VelSensorTest, FR122_KeepsAVelocityThatNoEdgeDenies) {
+  cycles(4, 20);
+  for (int cycle = 0; cycle < 20; ++cycle) {
+    cycles(4, 1);
+    EXPECT_NEAR(measured, 40, 0.5);
+  }
+}
+
+/// @brief A measurement right after the one before finds nothing that denies its velocity.
+/// @verifies FR-122
+TEST_F(VelSensorTest, FR122_MeasuresTwiceInARow) {
+  cycles(300, 3);
+  const double before = measured;
+  wheel.turn(0, Microseconds(1));
+  EXPECT_EQ(wheel.measure(), before);
+}
+
+/// @brief The velocity is zero once no edge came for 500 ms, and not sooner.
+/// @verifies FR-122
+TEST_F(VelSensorTest, FR122_StandsAfterHalfASecond) {
+  wheel.turn(0, kCycle);
+  wheel.measure();
+  for (int i = 0; i < 4; ++i) {
+    wheel.turn(0, milliseconds(10));
+    wheel.edge(1);
+  }
+  EXPECT_GT(wheel.measure(), 0);
+  wheel.turn(0, Microseconds(499999));
+  EXPECT_EQ(wheel.measure(), 20);
+  wheel.turn(0, Microseconds(1));
+  EXPECT_EQ(wheel.measure(), 0);
+}
+
+/// @brief A wheel that turns back within a cycle has the velocity of the way it made.
+/// @verifies FR-120
+TEST_F(VelSensorTest, FR120_TurnsBack) {
+  cycles(100, 5);
+  wheel.turn(100, milliseconds(50));
+  wheel.turn(-100, milliseconds(50));
+  EXPECT_NEAR(wheel.measure(), 0, 110);
+  cycles(-100, 1);
+  EXPECT_NEAR(measured, -1000, 2.5);
+}
+
+/// @brief One lost edge leaves two edges out of one measurement; the next one is right again.
+/// @verifies FR-120
+/// @verifies FR-123
+TEST_F(VelSensorTest, FR123_OneLostEdge) {
+  cycles(100, 5);
+  const HallCount before = wheel.velocity.position();
+  wheel.turn(100, milliseconds(45));
+  wheel.passed += 1;  // passes without an interrupt
+  wheel.turn(100, milliseconds(55));
+  EXPECT_NEAR(wheel.measure(), 1000, 210);
+  EXPECT_EQ(wheel.velocity.rejectedEdges(), 1);
+  cycles(100, 1);
+  EXPECT_NEAR(measured, 1000, 2.5);
+  EXPECT_EQ(wheel.velocity.position() - before, HallCount(18));
+}
+
+/// @brief A velocity beyond 450 rpm is not written, and the next one that can be is. Such a one
+/// comes of a wheel that rocks on an edge at the moment of a measurement.
+/// @verifies FR-124
+TEST_F(VelSensorTest, FR124_RefusesWhatCannotBe) {
+  cycles(100, 5);
+  wheel.edge(1);
+  wheel.measure();
+  const Stamped<Velocity> before = *wheel.pipe.read();
+  wheel.turn(0, Microseconds(2222));
+  wheel.edge(-1);
+  wheel.measure();
+  EXPECT_NE(wheel.pipe.read()->at, before.at);
+  EXPECT_EQ(wheel.pipe.read()->value, Velocity(-4500));
+  const Instant written = wheel.pipe.read()->at;
+  wheel.turn(0, Microseconds(2221));
+  wheel.edge(1);
+  wheel.measure();
+  EXPECT_EQ(wheel.pipe.read()->at, written);
+  cycles(100, 2);
+  EXPECT_NEAR(measured, 1000, 2.5);
+}
+
+/// @brief A value carries the time of its measurement.
+/// @verifies FR-120
+TEST_F(VelSensorTest, FR120_TellsWhenItWasMeasured) {
+  cycles(100, 3);
+  EXPECT_EQ(wheel.pipe.read()->at, wheel.time.now());
+}
+
+/// @brief The position counts forwards up and backwards down, however the wheel turns.
+/// @verifies FR-121
+TEST_F(VelSensorTest, FR121_FollowsAnyMovement) {
+  std::mt19937 random(seed());
+  std::uniform_real_distribution<double> velocity(-300, 300);
+  std::uniform_int_distribution<int> duration(1, 200000);
+  for (int i = 0; i < 300; ++i) {
+    wheel.turn(velocity(random), Microseconds(duration(random)));
+    ASSERT_EQ(wheel.velocity.position().count(), wheel.passed);
+  }
+  EXPECT_EQ(wheel.velocity.rejectedEdges(), 0);
+}
+
+/// @brief Both Hall sensors make the first edge count: the position is known from the start.
+/// @verifies FR-121
+TEST_F(VelSensorTest, FR121_CountsFromTheFirstEdge) {
+  wheel.turn(0, milliseconds(10));
+  wheel.edge(-1);
+  EXPECT_EQ(wheel.velocity.position(), HallCount(-1));
+}
+
+}  // namespace
+}  // namespace wr::test
