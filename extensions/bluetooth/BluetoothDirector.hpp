@@ -36,6 +36,7 @@ class BluetoothDirector final {
   /// @post start() can be called.
   /// @errors A second call ends the program with the assertion PartDouble.
   /// @satisfies FR-150
+  /// @satisfies NFR-1
   /// @isr{no}
   void construct();
 

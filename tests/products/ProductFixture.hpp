@@ -1,0 +1,110 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <optional>
+
+#include "construction/ControlSystemBuilder.hpp"
+#include "construction/ControlSystemPoolBuilder.hpp"
+#include "construction/MainControllerBuilder.hpp"
+#include "main_control/SpySystem.hpp"
+#include "sim/host/HostEdgeInput.hpp"
+#include "sim/host/HostScheduler.hpp"
+#include "sim/host/HostSerialPort.hpp"
+#include "sim/host/HostThread.hpp"
+#include "sim/host/HostTimebase.hpp"
+#include "sim/host/HostTimer.hpp"
+#include "sim/host/HostWatchdog.hpp"
+#include "sim/scenario/PcFrames.hpp"
+
+namespace wr::test {
+
+/// Gives a control system that notes its orders, and does nothing at a beat of the second timer.
+class SpyBuilder final : public ControlSystemBuilder, public Command {
+ public:
+  SpySystem spy;
+
+  void buildActuator() override {}
+  void buildSensors() override {}
+  void buildController() override {}
+  void buildSystem() override {}
+  void start() override {}
+  [[nodiscard]] ControlSystem& system() override { return spy; }
+  [[nodiscard]] Command& tickCommand() override { return *this; }
+  void execute() override {}
+};
+
+/// The builders of a robot on the host, and its cycles. A test brings the director of a product.
+class ProductFixture : public testing::Test {
+ protected:
+  template <class Director>
+  void begin(Director& director) {
+    director.construct();
+    cycleTimer.connect([this] { builder.clock().expired(); });
+    tickTimer.connect([this] { poolBuilder.timer().expired(); });
+    director.start();
+  }
+
+  // Lets the PC connect, in two cycles.
+  void connect() {
+    port.arrive(pc.hello());
+    cycle();
+    port.arrive(pc.confirm(welcome.value().session));
+    cycle();
+  }
+
+  // A cycle, and its report when the PC is connected.
+  PcReport cycle() {
+    time.advance(milliseconds(100));
+    spy.calls.clear();
+    cycleTimer.periodPassed();
+    PcReport report;
+    for (const Bytes& body : bodies(port.takeSent())) {
+      if (const auto sent = reportOf(body)) {
+        report = *sent;
+      } else {
+        welcome = welcomeOf(body);
+      }
+    }
+    return report;
+  }
+
+  // The same while the PC keeps the connection.
+  PcReport cycleWithPc() {
+    port.arrive(pc.keepAlive());
+    return cycle();
+  }
+
+  HostTimebase time;
+  HostSerialPort port;
+  HostScheduler scheduler;
+  HostThread thread{scheduler, 1};
+  HostTimer cycleTimer{scheduler};
+  HostTimer tickTimer{scheduler};
+  HostWatchdog watchdog{time};
+  StartRecord start;
+  HostEdgeInput velocityPin{scheduler, false};
+  HostEdgeInput directionPin{scheduler, false};
+  Pipe<Velocity> velocity;
+  Pipe<Angle> direction;
+  SpyBuilder spyBuilder;
+  SpySystem& spy = spyBuilder.spy;
+  std::array<ControlSystemBuilder*, 1> builders{&spyBuilder};
+  ControlSystemPoolBuilder poolBuilder{tickTimer, builders};
+  MainControllerBuilder builder{
+      {.thread = thread,
+       .cycleTimer = cycleTimer,
+       .timebase = time,
+       .pcPort = port,
+       .watchdog = watchdog,
+       .start = start,
+       .remoteControl = MainControllerBuilder::RemoteControlDevices{.velocityPin = velocityPin,
+                                                                    .directionPin = directionPin,
+                                                                    .velocity = velocity,
+                                                                    .direction = direction}}};
+  PcSender pc;
+  std::optional<PcWelcome> welcome;
+};
+
+}  // namespace wr::test

@@ -1,0 +1,154 @@
+#include "bluetooth/BluetoothDirector.hpp"
+
+#include "products/ProductFixture.hpp"
+#include "services/SystemConstants.hpp"
+
+namespace wr::test {
+namespace {
+
+const int kN = SystemConstants::instance().waitingCycles();
+constexpr int kPc = 1;
+constexpr int kBluetooth = 2;
+
+// A robot that the PC and a Bluetooth device command. The PC is connected, the mode is PC.
+class BluetoothRobot : public ProductFixture {
+ protected:
+  BluetoothRobot() {
+    begin(director);
+    connect();
+  }
+
+  void pcOrder(std::uint16_t id, bool stop = false) {
+    port.arrive(pc.order({.id = id, .stop = stop}));
+  }
+
+  void bluetoothOrder(std::uint16_t id, bool stop = false) {
+    devicePort.arrive(device.order({.id = id, .steering = 250, .stop = stop}));
+  }
+
+  // Cycles without orders until the robot reads in a mode.
+  void waitForMode(int mode) {
+    int cycles = 0;
+    while (cycleWithPc().mode != mode) {
+      ASSERT_LT(++cycles, 2 * (kN + 2));
+    }
+  }
+
+  HostSerialPort devicePort;
+  BluetoothDirector director{poolBuilder, builder, devicePort, time};
+  PcSender device;
+};
+
+/// @brief The mode at start is PC; without orders the two modes follow each other.
+/// @verifies FR-150
+TEST_F(BluetoothRobot, FR150_ModesFollowEachOtherWithoutOrders) {
+  pcOrder(1);
+  EXPECT_EQ(cycle().mode, kPc);
+  waitForMode(kBluetooth);
+  EXPECT_EQ(cycleWithPc().mode, kPc);
+  EXPECT_EQ(cycleWithPc().mode, kBluetooth);
+}
+
+/// @brief An order of the device reaches the set-points, and the report tells that it is of Bluetooth.
+/// @verifies FR-150
+TEST_F(BluetoothRobot, FR150_OrderOfTheDeviceIsApplied) {
+  waitForMode(kBluetooth);
+  EXPECT_EQ(cycleWithPc().mode, kPc);
+  EXPECT_EQ(cycleWithPc().mode, kBluetooth);
+  bluetoothOrder(77);
+  cycleWithPc();
+  bluetoothOrder(78);
+  const PcReport report = cycleWithPc();
+  EXPECT_EQ(report.mode, kBluetooth);
+  EXPECT_EQ(report.source, kBluetooth);
+  EXPECT_EQ(report.orderId, 78);
+  EXPECT_TRUE(report.orderRead());
+  EXPECT_EQ(spy.applied.steering, Angle(250));
+  EXPECT_EQ(spy.calls, kControlled);
+}
+
+/// @brief While the PC orders, the device does not command; when the PC is silent, it does, and when the
+/// device is silent, the PC does again.
+/// @verifies FR-150
+TEST_F(BluetoothRobot, FR150_WhoOrdersKeepsTheCommand) {
+  for (std::uint16_t order = 1; order <= 3 * kN; ++order) {
+    pcOrder(order);
+    bluetoothOrder(900);
+    const PcReport report = cycle();
+    EXPECT_EQ(report.source, kPc);
+    EXPECT_EQ(report.orderId, order);
+  }
+  for (int cycles = 0; cycles < kN + 2; ++cycles) {
+    bluetoothOrder(901);
+    cycleWithPc();
+  }
+  bluetoothOrder(902);
+  EXPECT_EQ(cycleWithPc().orderId, 902);
+  for (int cycles = 0; cycles < kN + 2; ++cycles) {
+    pcOrder(3);
+    cycle();
+  }
+  pcOrder(4);
+  EXPECT_EQ(cycle().orderId, 4);
+}
+
+/// @brief A stop of the device holds the robot while the PC commands, until the device orders otherwise.
+/// @verifies FR-151
+TEST_F(BluetoothRobot, FR151_StopOfTheDeviceActsInAnyMode) {
+  pcOrder(1);
+  EXPECT_FALSE(cycle().stop());
+  EXPECT_EQ(spy.calls, kControlled);
+  bluetoothOrder(2, true);
+  pcOrder(3);
+  const PcReport stopped = cycle();
+  EXPECT_EQ(stopped.mode, kPc);
+  EXPECT_TRUE(stopped.stop());
+  EXPECT_TRUE(stopped.held());
+  EXPECT_EQ(spy.calls, kHeld);
+  pcOrder(4);
+  EXPECT_TRUE(cycle().stop());
+  bluetoothOrder(5);
+  pcOrder(6);
+  EXPECT_FALSE(cycle().stop());
+  EXPECT_EQ(spy.calls, kControlled);
+}
+
+/// @brief A stop of the device acts in its own mode too.
+/// @verifies FR-151
+TEST_F(BluetoothRobot, FR151_StopOfTheDeviceActsInItsMode) {
+  waitForMode(kBluetooth);
+  bluetoothOrder(2, true);
+  EXPECT_TRUE(cycleWithPc().stop());
+  EXPECT_EQ(spy.calls, kHeld);
+}
+
+/// @brief What the device sends beside orders changes nothing, and the PC goes on.
+/// @verifies FR-151
+TEST_F(BluetoothRobot, FR151_NoiseOfTheDeviceChangesNothing) {
+  for (std::uint16_t order = 1; order < 20; ++order) {
+    devicePort.arrive(Bytes(1000, static_cast<std::uint8_t>(order * 13)));
+    devicePort.arrive(device.hello());
+    pcOrder(order);
+    const PcReport report = cycle();
+    EXPECT_EQ(report.orderId, order);
+    EXPECT_FALSE(report.stop());
+  }
+  EXPECT_EQ(devicePort.takeSent(), Bytes{});
+}
+
+/// @brief The robot is made without a remote control, and all the same runs its cycles.
+/// @verifies NFR-1
+TEST_F(BluetoothRobot, NFR1_HasNoRemoteControl) {
+  EXPECT_DEATH(static_cast<void>(builder.velocityPin()), "assertion .* failed");
+  EXPECT_DEATH(static_cast<void>(builder.directionPin()), "assertion .* failed");
+  EXPECT_EQ(watchdog.refreshes(), 2U);
+}
+
+/// @brief A robot is made once.
+/// @verifies FR-78
+TEST_F(BluetoothRobot, FR78_ConstructionTwiceEndsTheProgram) {
+  EXPECT_DEATH(director.construct(), "assertion .* failed");
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,81 @@
+#include "bluetooth/Bluetooth.hpp"
+
+#include "main_control/ControllerFixture.hpp"
+#include "main_control/operation_modes/BasicMode.hpp"
+
+namespace wr::test {
+namespace {
+
+class BluetoothTest : public ControllerFixture {
+ protected:
+  // An order of the device, taken in.
+  void order(std::uint16_t id, bool stop = false) {
+    devicePort.arrive(device.order({.id = id, .stop = stop}));
+    mode.serve();
+  }
+
+  int source() {
+    return data.report(OperationStateId::Working, mode.id(), connection.counts()).source;
+  }
+
+  HostSerialPort devicePort;
+  SerialReader reader{time};
+  BluetoothLink bluetoothLink{devicePort, reader};
+  BasicMode basic{reader};
+  Bluetooth mode{basic, second, bluetoothLink};
+  PcSender device;
+};
+
+/// @brief The mode has a message as long as an order of its device is fresh.
+/// @verifies FR-150
+TEST_F(BluetoothTest, FR150_HasAMessageWhileAnOrderIsFresh) {
+  EXPECT_FALSE(mode.newMessage());
+  order(4);
+  EXPECT_TRUE(mode.newMessage());
+  time.advance(milliseconds(200));
+  EXPECT_TRUE(mode.newMessage());
+  time.advance(Microseconds(1));
+  EXPECT_FALSE(mode.newMessage());
+}
+
+/// @brief The mode reads an order once, and marks its set-points as given by Bluetooth.
+/// @verifies FR-150
+TEST_F(BluetoothTest, FR150_ReadsAnOrderOnceAndMarksTheSource) {
+  order(21);
+  mode.read(controller);
+  EXPECT_EQ(data.setPoints()->orderId, 21);
+  EXPECT_EQ(source(), 2);
+  EXPECT_FALSE(mode.newMessage());
+}
+
+/// @brief The mode changes to the mode that it was given.
+/// @verifies FR-150
+TEST_F(BluetoothTest, FR150_ChangesToTheOtherMode) {
+  mode.changeMode(controller);
+  EXPECT_EQ(&controller.getMode(), &second);
+}
+
+/// @brief Who is served serves the mode that it extends.
+/// @verifies FR-151
+TEST_F(BluetoothTest, FR151_ServesTheWrappedMode) {
+  FakeMode wrapped(ModeId::None);
+  int served = 0;
+  wrapped.onServe = [&] { ++served; };
+  Bluetooth extension(wrapped, second, bluetoothLink);
+  extension.serve();
+  EXPECT_EQ(served, 1);
+}
+
+/// @brief A stop of the device is seen through the mode, also when the order is old.
+/// @verifies FR-151
+TEST_F(BluetoothTest, FR151_PassesTheStopOn) {
+  EXPECT_FALSE(mode.stopOrdered());
+  order(1, true);
+  time.advance(milliseconds(5000));
+  EXPECT_TRUE(mode.stopOrdered());
+  order(2);
+  EXPECT_FALSE(mode.stopOrdered());
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,70 @@
+#include "warning/WaitingK.hpp"
+
+#include "main_control/ControllerFixture.hpp"
+#include "sim/host/HostDigitalOutput.hpp"
+
+namespace wr::test {
+namespace {
+
+class WaitingKTest : public ControllerFixture {
+ protected:
+  WaitingKTest() { controller.changeOpState(waitingK); }
+
+  void read(bool message) {
+    first.message = message;
+    controller.read();
+  }
+
+  // Whether a fake state controls.
+  bool isCurrent(FakeState& fake) {
+    fake.steps.clear();
+    controller.control();
+    return fake.steps == std::vector<std::string>{"control"};
+  }
+
+  HostDigitalOutput warning;
+  WaitingK waitingK{state, other, warning};
+};
+
+/// @brief The state warns when it controls, and the control systems follow the last set-points.
+/// @verifies FR-152
+TEST_F(WaitingKTest, FR152_WarnsAndGoesOn) {
+  EXPECT_FALSE(warning.isOn());
+  data.saveSetPoints({.orderId = 5, .steering = Angle(30)});
+  controller.control();
+  EXPECT_TRUE(warning.isOn());
+  EXPECT_EQ(system.calls, kControlled);
+  EXPECT_EQ(system.applied.steering, Angle(30));
+}
+
+/// @brief A message ends the warning: it is read, and the working state follows.
+/// @verifies FR-152
+TEST_F(WaitingKTest, FR152_MessageEndsTheWarning) {
+  controller.control();
+  read(true);
+  EXPECT_FALSE(warning.isOn());
+  EXPECT_EQ(first.reads, 1);
+  EXPECT_TRUE(isCurrent(state));
+}
+
+/// @brief A failed read ends the warning: the next state follows, the mode stays.
+/// @verifies FR-152
+TEST_F(WaitingKTest, FR152_FailedReadSetsTheNextState) {
+  controller.control();
+  read(false);
+  EXPECT_FALSE(warning.isOn());
+  EXPECT_EQ(first.reads, 0);
+  EXPECT_EQ(first.changes, 0);
+  EXPECT_TRUE(isCurrent(other));
+}
+
+/// @brief The report tells the state by its number.
+/// @verifies FR-152
+TEST_F(WaitingKTest, FR152_ReportTellsTheState) {
+  connect();
+  controller.write();
+  EXPECT_EQ(sentReport().state, 4);
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,88 @@
+#include "warning/WarningDirector.hpp"
+
+#include "products/ProductFixture.hpp"
+#include "services/SystemConstants.hpp"
+#include "sim/host/HostDigitalOutput.hpp"
+
+namespace wr::test {
+namespace {
+
+const int kN = SystemConstants::instance().waitingCycles();
+constexpr int kWorking = 0;
+constexpr int kWaiting = 1;
+constexpr int kWaitingN = 2;
+constexpr int kReconnecting = 3;
+constexpr int kWaitingK = 4;
+
+// A robot that warns. The PC is connected and has ordered.
+class WarningRobot : public ProductFixture {
+ protected:
+  WarningRobot() {
+    begin(director);
+    connect();
+    for (int cycles = 0; cycles < kN + 3 && order().state != kWorking; ++cycles) {
+    }
+  }
+
+  PcReport order(std::uint16_t id = 1) {
+    port.arrive(pc.order({.id = id, .steering = 120}));
+    return cycle();
+  }
+
+  HostDigitalOutput warning;
+  WarningDirector director{poolBuilder, builder, warning};
+};
+
+/// @brief The warning is on at the failed read before the last waiting state, and at no other one; the
+/// robot goes on with its set-points until the last waiting state ends.
+/// @verifies FR-152
+TEST_F(WarningRobot, FR152_WarnsOneCycleBeforeTheLastWaitingState) {
+  EXPECT_EQ(order(8).orderId, 8);
+  for (int failed = 1; failed < kN - 1; ++failed) {
+    EXPECT_EQ(cycleWithPc().state, kWaiting) << failed;
+    EXPECT_FALSE(warning.isOn()) << failed;
+  }
+  EXPECT_EQ(cycleWithPc().state, kWaitingK);
+  EXPECT_TRUE(warning.isOn());
+  EXPECT_EQ(spy.calls, kControlled);
+  EXPECT_EQ(spy.applied.steering, Angle(120));
+  EXPECT_EQ(cycleWithPc().state, kWaitingN);
+  EXPECT_FALSE(warning.isOn());
+  EXPECT_EQ(cycleWithPc().state, kReconnecting);
+  EXPECT_FALSE(warning.isOn());
+}
+
+/// @brief A message ends the warning at once, and the next failed reads are counted anew.
+/// @verifies FR-152
+TEST_F(WarningRobot, FR152_MessageEndsTheWarning) {
+  for (int round = 0; round < 2; ++round) {
+    for (int failed = 1; failed < kN; ++failed) {
+      cycleWithPc();
+    }
+    EXPECT_TRUE(warning.isOn());
+    const PcReport report = order(9);
+    EXPECT_EQ(report.state, kWorking);
+    EXPECT_EQ(report.orderId, 9);
+    EXPECT_FALSE(warning.isOn());
+  }
+}
+
+/// @brief The remote control commands this robot as well.
+/// @verifies FR-17
+TEST_F(WarningRobot, FR17_RemoteControlFollowsThePc) {
+  for (int failed = 0; failed < kN + 1; ++failed) {
+    cycleWithPc();
+  }
+  PcReport report;
+  for (int cycles = 0; cycles < 2; ++cycles) {
+    velocity.write(Velocity(40), time.now() + milliseconds(100));
+    direction.write(Angle(-10), time.now() + milliseconds(100));
+    report = cycleWithPc();
+  }
+  EXPECT_EQ(report.source, 0);
+  EXPECT_EQ(report.steering, -10);
+  EXPECT_EQ(report.state, kWorking);
+}
+
+}  // namespace
+}  // namespace wr::test
