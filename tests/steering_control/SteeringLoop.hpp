@@ -1,0 +1,179 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <random>
+
+#include "devices/AnalogInput.hpp"
+#include "devices/SecondTimer.hpp"
+#include "functions/SampledAngle.hpp"
+#include "main_control/control_systems/ControlSystemPool.hpp"
+#include "sensing/position/DirSensor.hpp"
+#include "steering_control/DirControllerFixture.hpp"
+#include "steering_control/DirCtrlTimeOut.hpp"
+#include "steering_control/DirSystem.hpp"
+
+namespace wr::test {
+
+/// @brief The mechanics of the steering: 0.05 degrees a step, switches at 33.5 degrees, stops at 34.
+struct SteeringPlant {
+  void step(bool left) {
+    if (!stalled) {
+      const int next = steps + (left ? 1 : -1);
+      steps = std::clamp(next, -680, 680);
+    }
+  }
+
+  [[nodiscard]] double degrees() const { return steps * 0.05; }
+
+  int steps = 0;  // from the middle, positive to the left
+  bool stalled = false;
+};
+
+/// @brief Converter of the angle sensor: 12 bits over 80 degrees, with noise, or with a broken cable.
+class FakeAngleInput final : public AnalogInput {
+ public:
+  /// @brief Binds the converter to the mechanics.
+  FakeAngleInput(const SteeringPlant& plant, unsigned seed) : plant_(plant), random_(seed) {}
+
+  void convert() override {
+    onConvert();
+    const double raw = 2048 + (plant_.degrees() + noise_(random_) * noise) / 80 * 4096;
+    const double seen = std::clamp(std::round(raw), 0.0, 4095.0);
+    sample_ = broken ? std::uint16_t{0} : static_cast<std::uint16_t>(seen);
+  }
+
+  [[nodiscard]] std::optional<std::uint16_t> take() override {
+    return std::exchange(sample_, std::nullopt);
+  }
+
+  double noise = 0;  // standard deviation of a sample, degrees
+  bool broken = false;
+  std::function<void()> onConvert = [] {};
+
+ private:
+  const SteeringPlant& plant_;
+  std::mt19937 random_;
+  std::normal_distribution<> noise_;
+  std::optional<std::uint16_t> sample_;
+};
+
+/// @brief Timer whose beats the test makes.
+class FakePeriodicTimer final : public PeriodicTimer {
+ public:
+  void start(Microseconds /*period*/) override {}
+  void stop() override {}
+  void acknowledge() override {}
+};
+
+/// @brief The whole steering in a closed loop: control system, timer, sensor, controller, motor, and
+/// the mechanics.
+class SteeringLoop {
+ public:
+  /// @brief Closes the loop, and lets the sensor find the position.
+  /// @param seed seed of the noise
+  explicit SteeringLoop(unsigned seed = 0) : input(plant, seed) {
+    pool.add(system);
+    timer.add(timeOut);
+    control.motor.step.onRise = [this] { step(); };
+    run(20);
+  }
+
+  /// @brief Lets ticks pass. Each 100th begins a control cycle with the present order.
+  void run(int milliseconds) {
+    for (int i = 0; i < milliseconds; ++i) {
+      if (time % 100 == 0) {
+        order();
+      }
+      ++time;
+      control.clock.advance(wr::milliseconds(1));
+      control.motor.leftEnd.reached = plant.degrees() >= 33.5;
+      control.motor.rightEnd.reached = plant.degrees() <= -33.5;
+      timer.expired();
+    }
+  }
+
+  /// @brief Follows an angle from now on.
+  void follow(std::int32_t angle) {
+    angle_ = angle;
+    holds_ = false;
+    ordering = true;
+    order();
+  }
+
+  /// @brief Holds from now on.
+  void hold() {
+    holds_ = true;
+    ordering = true;
+    order();
+  }
+
+  /// @brief State and values as Main Control sees them now.
+  Measurements measured() {
+    order();
+    Measurements measurements;
+    Outputs outputs;
+    pool.collect(measurements, outputs);
+    return measurements;
+  }
+
+  [[nodiscard]] SteeringState state() { return control.status.read()->value.state; }
+  [[nodiscard]] bool powered() const { return control.motor.enable.on; }
+
+  /// @brief Forgets the moves that were made.
+  void forget() {
+    moves = 0;
+    reversals = 0;
+    lastLeft_.reset();
+  }
+
+  DirControl control;
+  SteeringPlant plant;
+  FakeAngleInput input;
+  SampledAngle function;
+  DirSensor sensor{input, function, control.clock, control.position};
+  DirCtrlTimeOut timeOut{sensor, control.controller, control.motor.device};
+  FakePeriodicTimer beat;
+  SecondTimer timer{beat};
+  DirSystem system{{.target = control.target, .status = control.status, .timebase = control.clock}};
+  ControlSystemPool pool;
+  int time = 0;  // ms
+  std::uint32_t cycle = 0;
+  bool ordering = true;  // false: no control cycle comes
+  int moves = 0;         // pauses of more than 100 ms part them
+  int reversals = 0;     // steps to the other side than the step before
+
+ private:
+  void order() {
+    if (!ordering) {
+      return;
+    }
+    ++cycle;
+    if (holds_) {
+      pool.hold(cycle);
+    } else {
+      pool.control({.steering = Angle(angle_)}, cycle);
+    }
+  }
+
+  void step() {
+    const bool left = control.motor.direction.on;
+    if (powered()) {
+      plant.step(left);
+    }
+    reversals += lastLeft_ && *lastLeft_ != left ? 1 : 0;
+    moves += !lastLeft_ || time - lastStep_ > 100 ? 1 : 0;
+    lastLeft_ = left;
+    lastStep_ = time;
+  }
+
+  bool holds_ = true;
+  std::int32_t angle_ = 0;
+  std::optional<bool> lastLeft_;
+  int lastStep_ = 0;
+};
+
+}  // namespace wr::test

@@ -1,0 +1,233 @@
+#include <gtest/gtest.h>
+
+#include "steering_control/SteeringLoop.hpp"
+#include "support/seed.hpp"
+
+namespace wr::test {
+namespace {
+
+/// @brief Standard deviation of a sample, degrees. The mean of 8 stays within about 0.05.
+constexpr double kNoise = 0.07;
+
+struct SteeringLoopTest : testing::Test {
+  SteeringLoop loop;
+  SteeringPlant& plant = loop.plant;
+};
+
+/// @brief At each tick the sensor measures first, then the controller orders, then the motor moves.
+/// @verifies FR-114
+TEST_F(SteeringLoopTest, FR114_MeasureControlActuate) {
+  std::string sequence;
+  loop.input.onConvert = [&] { sequence += "measure "; };
+  loop.control.motor.enable.onRise = [&] { sequence += "order "; };
+  loop.follow(1000);
+  loop.timer.expired();
+  EXPECT_EQ(sequence, "measure order ");
+  EXPECT_FALSE(loop.control.motor.device.ready());
+  for (int tick = 1; tick < 50; ++tick) {
+    loop.timer.expired();
+  }
+  EXPECT_TRUE(loop.control.motor.device.ready()) << "the motor ticks in the tick of the order";
+}
+
+/// @brief A new angle turns the steering after the motor has settled.
+/// @verifies FR-101
+/// @verifies FR-107
+TEST_F(SteeringLoopTest, FR101_ANewAngleTurnsTheSteering) {
+  loop.follow(1000);
+  loop.run(51);
+  EXPECT_EQ(loop.control.motor.device.rate(), StepRate(1));
+  EXPECT_EQ(loop.state(), SteeringState::Turning);
+}
+
+/// @brief From stop to stop: the steering arrives within 0.5 degrees, in one move, does not pass
+/// the angle by more than 0.1 degrees, and then stands still for a minute.
+/// @verifies FR-101
+/// @verifies FR-102
+/// @verifies FR-103
+TEST_F(SteeringLoopTest, FR101_ArrivesInOneMoveAndStandsStill) {
+  for (const std::int32_t angle : {3200, -3200, 0, 50, -50}) {
+    loop.follow(angle);
+    loop.forget();
+    const bool left = angle > plant.degrees() * 100;
+    double passed = 0;
+    for (int i = 0; i < 5000; ++i) {
+      loop.run(1);
+      const double beyond = plant.degrees() - angle / 100.0;
+      passed = std::max(passed, left ? beyond : -beyond);
+    }
+    EXPECT_LE(passed, 0.1) << angle;
+    EXPECT_NEAR(plant.degrees(), angle / 100.0, 0.2);
+    EXPECT_EQ(loop.state(), SteeringState::Holding);
+    const int arrived = plant.steps;
+    loop.run(60000);
+    EXPECT_EQ(plant.steps, arrived) << angle;
+    EXPECT_EQ(loop.moves, 1) << angle;
+    EXPECT_EQ(loop.reversals, 0) << angle;
+  }
+}
+
+/// @brief With the noise of a real sensor random angles are reached within 0.5 degrees and without
+/// hunting: in a minute at most one further move, and never one in the other direction.
+/// @verifies FR-101
+TEST(SteeringLoopNoiseTest, FR101_NoHuntingWithNoise) {
+  const unsigned first = seed();
+  std::mt19937 random(first);
+  std::uniform_int_distribution<std::int32_t> anyAngle(-3200, 3200);
+  for (unsigned i = 0; i < 10; ++i) {
+    SteeringLoop loop(first + i);
+    loop.input.noise = kNoise;
+    const std::int32_t angle = anyAngle(random);
+    loop.follow(angle);
+    loop.run(4000);
+    EXPECT_NEAR(loop.plant.degrees(), angle / 100.0, 0.5);
+    EXPECT_LE(loop.moves, 1) << angle;
+    loop.run(60000);
+    EXPECT_LE(loop.moves, 2) << angle;
+    EXPECT_EQ(loop.reversals, 0) << angle;
+    EXPECT_NEAR(loop.plant.degrees(), angle / 100.0, 0.5);
+  }
+}
+
+/// @brief A steering that follows an angle which changes in every cycle keeps within 2 degrees of an
+/// angle that moves by 10 degrees in a second, and is never found to be stalled.
+/// @verifies FR-101
+/// @verifies FR-111
+TEST_F(SteeringLoopTest, FR101_FollowsAnAngleThatMoves) {
+  loop.input.noise = kNoise;
+  loop.follow(0);
+  loop.run(1000);
+  for (std::int32_t angle = 0; angle <= 3000; angle += 100) {
+    loop.follow(angle);
+    loop.run(100);
+    EXPECT_NEAR(plant.degrees(), angle / 100.0, 2.0);
+    EXPECT_NE(loop.state(), SteeringState::Fault);
+  }
+  EXPECT_EQ(loop.reversals, 0);
+}
+
+/// @brief An angle beyond the end stop ends at its switch: no step more, no fault, and the way back
+/// is open.
+/// @verifies FR-105
+TEST_F(SteeringLoopTest, FR105_StopsAtTheEnd) {
+  for (const std::int32_t side : {1, -1}) {
+    loop.follow(side * 4000);
+    loop.run(6000);
+    EXPECT_EQ(plant.steps, side * 670);
+    EXPECT_EQ(loop.state(), SteeringState::Holding);
+    EXPECT_TRUE(side > 0 ? loop.measured().leftEnd : loop.measured().rightEnd);
+    loop.follow(0);
+    loop.run(3000);
+    EXPECT_NEAR(plant.degrees(), 0, 0.5);
+  }
+}
+
+/// @brief An order to hold in the middle of a turn brings the steering to rest within 0.5 s, with
+/// limited acceleration; then it keeps its place with the motor on.
+/// @verifies FR-108
+TEST_F(SteeringLoopTest, FR108_HoldEndsATurn) {
+  loop.follow(3000);
+  loop.run(900);
+  ASSERT_EQ(loop.control.motor.device.rate(), StepRate(500));
+  loop.hold();
+  for (std::int32_t rate = 499; rate >= 0; --rate) {
+    loop.run(1);
+    ASSERT_EQ(loop.control.motor.device.rate(), StepRate(rate));
+  }
+  const int place = plant.steps;
+  loop.run(10000);
+  EXPECT_EQ(plant.steps, place);
+  EXPECT_EQ(loop.state(), SteeringState::Holding);
+  EXPECT_TRUE(loop.powered());
+}
+
+/// @brief When the control cycles end, the motor is switched off after 300 ms; when they come again
+/// it is switched on, and the steering goes on to its angle.
+/// @verifies FR-109
+TEST_F(SteeringLoopTest, FR109_WithoutCyclesTheMotorIsOff) {
+  loop.follow(3000);
+  loop.run(500);
+  loop.ordering = false;
+  loop.run(280);  // the last cycle was 20 ms ago
+  EXPECT_TRUE(loop.powered());
+  loop.run(1);
+  EXPECT_FALSE(loop.powered());
+  EXPECT_EQ(loop.state(), SteeringState::Off);
+  const int place = plant.steps;
+  loop.run(1000);
+  EXPECT_EQ(plant.steps, place);
+  loop.follow(3000);
+  loop.run(3000);
+  EXPECT_NEAR(plant.degrees(), 30, 0.5);
+}
+
+/// @brief A cable of the sensor that breaks ends the turn within 30 ms. Nothing but an order to hold
+/// ends the fault; then the next order to follow turns again.
+/// @verifies FR-110
+/// @verifies FR-112
+/// @verifies FR-113
+TEST_F(SteeringLoopTest, FR110_ABrokenCableIsAFault) {
+  loop.follow(3000);
+  loop.run(500);
+  loop.input.broken = true;
+  loop.run(30);
+  EXPECT_EQ(loop.state(), SteeringState::Fault);
+  EXPECT_FALSE(loop.powered());
+  EXPECT_EQ(loop.control.motor.device.rate(), StepRate(0));
+  const int place = plant.steps;
+  loop.input.broken = false;
+  loop.run(1000);
+  EXPECT_EQ(loop.measured().steeringState, SteeringState::Fault);
+  EXPECT_EQ(plant.steps, place);
+  loop.hold();
+  loop.run(10);
+  EXPECT_EQ(loop.state(), SteeringState::Off);
+  loop.follow(3000);
+  loop.run(3000);
+  EXPECT_NEAR(plant.degrees(), 30, 0.5);
+}
+
+/// @brief A motor that stalls at full rate is off within 0.7 s.
+/// @verifies FR-111
+TEST_F(SteeringLoopTest, FR111_AStallAtFullRateIsFound) {
+  loop.input.noise = kNoise;
+  loop.follow(3000);
+  loop.run(900);
+  plant.stalled = true;
+  loop.run(700);
+  EXPECT_EQ(loop.state(), SteeringState::Fault);
+  EXPECT_FALSE(loop.powered());
+}
+
+/// @brief A steering that is blocked before it begins to turn is found, however near the angle is.
+/// @verifies FR-111
+TEST_F(SteeringLoopTest, FR111_ABlockedSteeringIsFound) {
+  for (const std::int32_t angle : {3000, 100, 25, -25}) {
+    SteeringLoop blocked;
+    blocked.plant.stalled = true;
+    blocked.follow(angle);
+    blocked.run(1500);
+    EXPECT_EQ(blocked.state(), SteeringState::Fault) << angle;
+    EXPECT_FALSE(blocked.powered());
+  }
+}
+
+/// @brief While the steering works, Main Control finds the work of each cycle complete, and the
+/// position as it is. A steering that ticks no more completes nothing.
+/// @verifies FR-116
+/// @verifies FR-117
+TEST_F(SteeringLoopTest, FR117_AWorkingSteeringCompletesEachCycle) {
+  loop.follow(1000);
+  loop.run(3000);
+  const Measurements measured = loop.measured();
+  EXPECT_EQ(measured.steeringState, SteeringState::Holding);
+  ASSERT_TRUE(measured.steering);
+  EXPECT_NEAR(measured.steering->count() / 100.0, plant.degrees(), 0.05);
+  EXPECT_TRUE(loop.pool.completed(loop.cycle));
+  loop.control.clock.advance(milliseconds(100));
+  loop.hold();
+  EXPECT_FALSE(loop.pool.completed(loop.cycle));
+}
+
+}  // namespace
+}  // namespace wr::test
