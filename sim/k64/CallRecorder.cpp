@@ -30,6 +30,7 @@ void CallRecorder::note(std::uint64_t event) {
 
 void CallRecorder::enter(const Call& call) {
   calls_.push_back(call);
+  calls_.back().begin = events_.size();
   note(call.function);
 }
 
@@ -44,22 +45,32 @@ void CallRecorder::block(std::uint32_t address, std::uint32_t stack, std::uint32
     leave();
   }
   if (std::ranges::binary_search(functions_, address)) {
-    enter({address, link & ~1U, stack});
+    enter({.function = address, .returnsTo = link & ~1U, .stack = stack});
   }
 }
 
 void CallRecorder::exceptionEntered(std::uint32_t handler, std::uint32_t stack) {
-  enter({handler, 0, stack});
+  enter({.function = handler, .returnsTo = 0, .stack = stack});
 }
 
 void CallRecorder::exceptionLeft() {
   // What was left by jumps before the return of the handler, and the handler itself.
   while (!calls_.empty()) {
     const bool handler = calls_.back().returnsTo == 0;
+    const std::size_t begin = calls_.back().begin;
     leave();
     if (handler) {
+      forgetRepeated(begin);
       return;
     }
+  }
+}
+
+// The interrupts of fast timers call the same again and again: it is recorded once.
+void CallRecorder::forgetRepeated(std::size_t begin) {
+  const auto first = events_.begin() + static_cast<std::ptrdiff_t>(begin);
+  if (!truncated_ && !handled_.emplace(first, events_.end()).second) {
+    events_.erase(first, events_.end());
   }
 }
 
@@ -71,7 +82,11 @@ void CallRecorder::reset() {
 
 void CallRecorder::clear() {
   events_.clear();
+  handled_.clear();
   truncated_ = false;
+  for (Call& call : calls_) {
+    call.begin = 0;
+  }
 }
 
 void CallRecorder::write(const std::filesystem::path& file) const {

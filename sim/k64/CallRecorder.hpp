@@ -3,11 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <vector>
 
 namespace wr::k64 {
 
-/// @brief Records which functions of an image are entered and left.
+/// @brief Records which functions of an image are entered and left. An interrupt that calls the same as one
+/// before is not recorded again.
 ///
 /// The file has one little-endian number of 64 bits for each event: the address of the function,
 /// with bit 63 set when it is left, as the traces of the tests on the host.
@@ -47,15 +49,18 @@ class CallRecorder {
     std::uint32_t function;
     std::uint32_t returnsTo;  ///< 0 for the handler of an exception
     std::uint32_t stack;
+    std::size_t begin = 0;  ///< events before it
   };
 
   void enter(const Call& call);
   void leave();
+  void forgetRepeated(std::size_t begin);
   void note(std::uint64_t event);
 
   std::vector<std::uint32_t> functions_;  ///< sorted
   std::vector<Call> calls_;
   std::vector<std::uint64_t> events_;
+  std::set<std::vector<std::uint64_t>> handled_;  ///< what each interrupt called
   std::size_t most_;
   bool truncated_ = false;
 };

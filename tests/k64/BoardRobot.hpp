@@ -51,16 +51,10 @@ inline constexpr std::array<SafePin, 17> kSafePins{{
 /// is tested: they do not stop the board.
 class BoardRobot : public SteppedRobot {
  public:
-  explicit BoardRobot(bool externalClock = true)
-      : BoardRobot(switchBoardOn({.elf = {},
-                                  .externalClock = externalClock,
-                                  .resetsAreFindings = false,
-                                  .faultsAreFindings = false})) {}
+  explicit BoardRobot(k64::Options options = {})
+      : BoardRobot(switchBoardOn(testsResets(std::move(options)))) {}
   explicit BoardRobot(std::vector<std::uint8_t> image)
-      : BoardRobot(switchBoardOn(std::move(image), {.elf = {},
-                                                    .externalClock = true,
-                                                    .resetsAreFindings = false,
-                                                    .faultsAreFindings = false})) {}
+      : BoardRobot(switchBoardOn(std::move(image), testsResets({}))) {}
 
   /// Lets time pass; a finding ends the test.
   void run(nanoseconds duration) {
@@ -93,6 +87,11 @@ class BoardRobot : public SteppedRobot {
   }
 
  private:
+  static k64::Options testsResets(k64::Options options) {
+    options.resetsAreFindings = false;
+    options.faultsAreFindings = false;
+    return options;
+  }
   explicit BoardRobot(std::unique_ptr<BoardLine> robot) : BoardRobot(*robot, robot) {}
   BoardRobot(BoardLine& robot, std::unique_ptr<BoardLine>& owner)
       : SteppedRobot(std::move(owner)), line(robot), board(robot.board) {}

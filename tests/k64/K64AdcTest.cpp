@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "k64/BoardRobot.hpp"
 #include "k64/DriverBoard.hpp"
 
 namespace wr::test {
@@ -102,6 +103,34 @@ TEST(K64AdcOnBoard, FR143_AfterAFailedCalibrationThereAreNoValues) {
   }
   drivers.ask('P', 0, 5000);
   EXPECT_NEAR(drivers.board.pwmDuty(0, 0), 0.5, 1e-9) << "the other devices work";
+}
+
+constexpr std::uint16_t kAllCurrents = 0b010'010'010'010;  // bits of PcReport::measured
+constexpr std::uint16_t kSteeringPosition = 1U << 12U;
+
+/// @brief The reports of a robot that stands have the currents of all wheels and the angle of the steering.
+/// @verifies FR-142
+TEST(K64AdcInTheRobot, FR142_ReportsHaveTheCurrentsAndTheAngle) {
+  BoardRobot robot;
+  robot.startUp();
+  robot.connect();
+  EXPECT_EQ(robot.report().measured & kAllCurrents, kAllCurrents);
+  EXPECT_NE(robot.report().measured & kSteeringPosition, 0);
+  for (const std::int16_t current : robot.report().current) {
+    EXPECT_NEAR(current, 0, 100);
+  }
+}
+
+/// @brief With calibrated converters the reports have the currents; when the calibration failed the
+/// robot runs, and the currents and the angle are missing.
+/// @verifies FR-143
+TEST(K64AdcInTheRobot, FR143_AfterAFailedCalibrationTheCurrentsAreMissing) {
+  BoardRobot robot({.calibrates = false});
+  robot.startUp();
+  robot.connect();
+  robot.cycles(3);
+  EXPECT_EQ(robot.report().measured & (kAllCurrents | kSteeringPosition), 0);
+  EXPECT_EQ(robot.report().overruns, 0);
 }
 
 }  // namespace

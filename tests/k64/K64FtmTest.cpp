@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "k64/BoardRobot.hpp"
 #include "k64/DriverBoard.hpp"
 
 namespace wr::test {
@@ -117,6 +118,22 @@ TEST(K64FtmOnBoard, FR141_ResetEndsThePulses) {
   EXPECT_EQ(drivers.board.pwmDuty(kTimer, 2), 0.0);
   drivers.startUp();
   EXPECT_EQ(drivers.board.pwmDuty(kTimer, 2), 0.0);
+}
+
+/// @brief A tension that the PC orders comes out as pulses: 6 V of 24 V are a quarter of the period.
+/// @verifies FR-140
+TEST(K64FtmInTheRobot, FR140_OrderedTensionComesOutAsPulses) {
+  constexpr PcOrder::Wheel kQuarter{.quantity = 1, .value = 6000};
+  const PcOrder order{.id = 1, .wheels = {{{}, {}, {}, kQuarter}}};
+  BoardRobot robot;
+  robot.startUp();
+  robot.commandByPc(order);
+  for (int cycle = 0; cycle < 3; ++cycle) {
+    robot.order(order);
+    robot.cycle();
+  }
+  EXPECT_EQ(robot.report().tension[3], 6000);
+  EXPECT_NEAR(robot.board.pwmDuty(kTimer, 3), 0.25, 1e-9);
 }
 
 }  // namespace

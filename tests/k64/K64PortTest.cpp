@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "k64/BoardRobot.hpp"
 #include "k64/DriverBoard.hpp"
 
 namespace wr::test {
@@ -113,6 +114,22 @@ TEST_F(K64PortOnBoard, FR144_LevelsAreThoseOfThePins) {
   for (const Wire& wire : kEndStops) {
     raise(wire);
   }
+}
+
+/// @brief A wheel that the PC lets turn is measured: its Hall sensors interrupt at each edge.
+/// @verifies FR-144
+TEST(K64PortInTheRobot, FR144_EdgesOfAWheelThatTurnsAreMeasured) {
+  const PcOrder order{.id = 1, .wheels = {{{.quantity = 0, .value = 500}, {}, {}, {}}}};
+  BoardRobot robot;
+  robot.startUp();
+  robot.commandByPc(order);
+  for (int cycle = 0; cycle < 30; ++cycle) {
+    robot.order(order);
+    robot.cycle();
+  }
+  EXPECT_GT(robot.report().position[0], 10);
+  EXPECT_NEAR(robot.report().velocity[0], 500, 100);
+  EXPECT_EQ(robot.report().rejectedEdges[0], 0);
 }
 
 }  // namespace

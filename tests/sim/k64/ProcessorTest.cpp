@@ -164,5 +164,24 @@ TEST(ProcessorOfBoard, CallsAreRecorded) {
                           handler, handler | kLeft, inner, inner | kLeft));
 }
 
+/// @brief An interrupt that calls the same as before is recorded once, until the record is cleared.
+TEST(ProcessorOfBoard, CallsOfAnInterruptThatRepeatsAreRecordedOnce) {
+  Guest guest("callsFunctions");
+  guest.handleLine(1, "handlerThatAcknowledgesNothing");
+  VirtualBoard board(guest.image());
+  k64::CallRecorder recorder(Guest::elf());
+  board.record(recorder);
+  ASSERT_TRUE(board.runUntil(1ms));
+  const std::vector<std::uint64_t> before = recorder.events();
+  const std::uint64_t handler = guest.addressOf("handlerThatAcknowledgesNothing");
+  board.raise(16 + 1);
+  ASSERT_TRUE(board.runUntil(2ms));
+  EXPECT_EQ(recorder.events(), before);
+  recorder.clear();
+  board.raise(16 + 1);
+  ASSERT_TRUE(board.runUntil(3ms));
+  EXPECT_THAT(recorder.events(), ElementsAre(handler, handler | std::uint64_t{1} << 63U));
+}
+
 }  // namespace
 }  // namespace wr::test
