@@ -28,6 +28,7 @@ class BufferReader final : public Reader {
   /// @isr{no}
   /// @satisfies FR-20
   /// @satisfies FR-50
+  /// @satisfies FR-56
   [[nodiscard]] bool available() const override;
 
   /// @brief Tells that the remote control does not stop the robot.

@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include "steering_control/DirSystem.hpp"
+#include "wheel_control/SensedWheel.hpp"
+
+namespace wr::test {
+namespace {
+
+constexpr Microseconds kLifetime = milliseconds(150);
+
+/// @brief The velocity of a sensor that stops to write is missing after 150 ms.
+/// @verifies FR-127
+TEST(MeasurementLifetime, FR127_Velocity) {
+  SensedWheel wheel;
+  WheelWork work;
+  wheel.readVelocity.execute(work);
+  EXPECT_EQ(work.measured.velocity, Velocity(0));
+  wheel.time.advance(kLifetime);
+  EXPECT_EQ(wheel.controller.velocity(), Velocity(0));
+  wheel.time.advance(Microseconds(1));
+  EXPECT_FALSE(wheel.controller.velocity());
+}
+
+/// @brief The current of a converter that gives no more samples is missing after 150 ms.
+/// @verifies FR-127
+TEST(MeasurementLifetime, FR127_Current) {
+  SensedWheel wheel;
+  WheelWork work;
+  wheel.pass(false, SensedWheel::kMiddle);
+  wheel.time.advance(kLifetime);
+  wheel.readCurrent.execute(work);
+  EXPECT_EQ(work.measured.current, Current(0));
+  wheel.time.advance(Microseconds(1));
+  wheel.readCurrent.execute(work);
+  EXPECT_FALSE(work.measured.current);
+}
+
+/// @brief The angle of a sensor that gives no more samples is missing after 150 ms.
+/// @verifies FR-127
+TEST(MeasurementLifetime, FR127_Angle) {
+  FakeTimebase time;
+  Pipe<DirTarget> targets;
+  Pipe<DirStatus> statuses;
+  DirSystem system({.target = targets, .status = statuses, .timebase = time});
+  const auto angle = [&] {
+    Measurements measurements;
+    Outputs outputs;
+    system.hold(1);
+    system.collect(measurements, outputs);
+    return measurements.steering;
+  };
+  statuses.write({.position = Stamped<Angle>{Angle(70), time.now()}}, time.now());
+  time.advance(kLifetime);
+  EXPECT_EQ(angle(), Angle(70));
+  time.advance(Microseconds(1));
+  EXPECT_FALSE(angle());
+}
+
+}  // namespace
+}  // namespace wr::test
