@@ -11,11 +11,12 @@ from pathlib import Path
 from typing import TextIO
 
 from traceability.commands.steps import FailureError, run
-from traceability.sources import DESIGN, file_hash, hash_of, source_hash
+from traceability.products import DEFAULT, PRODUCTS, image_of
+from traceability.sources import DESIGN, hash_of, source_hash
 
 # CMake keeps what it once read of them, so that a change needs a fresh configuration.
 SETTINGS = ("CMakePresets.json", "setup/k64-toolchain.cmake")
-IMAGE = "build/k64/weeding_robot.bin"
+IMAGE = str(image_of(DEFAULT, ".bin"))
 # The tests on the virtual K64 are a run of their own, built with the preset of this machine.
 BOARD, BOARD_TESTS, BOARD_PRESET = "board", "board_tests", "host"
 BOARD_PROGRAM = "weeding_robot_board"
@@ -95,8 +96,10 @@ def results_of(root: Path, run_name: str) -> Path:
 
 def tested(root: Path, run_name: str) -> dict[str, str]:
     """What the results depend on."""
-    image = {"image": file_hash(root / IMAGE)} if run_name == BOARD else {}
-    return {"sources": source_hash(root), **image}
+    now = {"sources": source_hash(root)}
+    if run_name == BOARD:
+        now["images"] = hash_of(root, [root / image_of(one, ".bin") for one in PRODUCTS])
+    return now
 
 
 def is_current(root: Path, run_name: str) -> bool:

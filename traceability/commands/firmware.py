@@ -1,4 +1,4 @@
-"""./wr firmware: the firmware for this machine, and its image for the K64."""
+"""./wr firmware: the firmware for this machine, and the images of all products for the K64."""
 
 from __future__ import annotations
 
@@ -7,10 +7,18 @@ from pathlib import Path
 from typing import TextIO
 
 from traceability.commands.builds import IMAGE, build
-from traceability.commands.sizes import ELF, PARTS, Size, output, total, write_sizes
+from traceability.commands.sizes import (
+    ELF,
+    PARTS,
+    Size,
+    output,
+    total,
+    write_products,
+    write_sizes,
+)
 from traceability.commands.steps import FailureError, Steps
+from traceability.products import DEFAULT, PRODUCTS, image_of
 
-TARGET = "weeding_robot"
 BIN = Path(IMAGE)
 FILES = {
     ".elf": "for a debugger",
@@ -24,8 +32,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "firmware",
         help="build the firmware for this machine and for the K64",
-        description="Builds the firmware for this machine (run it with ./wr sim), and the image "
-        "for the K64 (write it with ./wr flash). Prints the flash and RAM of each module.",
+        description="Builds the firmware for this machine (run it with ./wr sim), and the images "
+        "of all products for the K64 (write one with ./wr flash). Prints the flash and RAM of each "
+        "module, and of each product.",
     )
     parser.set_defaults(run=lambda root, _options: firmware(root))
 
@@ -33,14 +42,15 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 def firmware(root: Path) -> int:
     steps = Steps(root, 2)
     build_host(root, steps)
-    sizes = build_k64(root, steps)
-    if steps.failed or sizes is None:
+    build_k64(root, steps)
+    if steps.failed:
         return 1
-    print_sizes(sizes)
+    print_sizes(write_sizes(root))
+    print_products(write_products(root))
     version, build_id = identity(root / ELF, root / BIN)
     print(f"\nversion {version}, build id {build_id}")
     for suffix, use in FILES.items():
-        print(f"  {ELF.with_suffix(suffix)}  {use}")
+        print(f"  {image_of('PRODUCT', suffix)}  {use}")
     print("For this machine: build/host/sim/weeding_robot_host (./wr sim)")
     return 0
 
@@ -55,23 +65,23 @@ def build_host(root: Path, steps: Steps) -> None:
     steps.run("firmware (this machine)", lambda log: build(root, "host", log, "weeding_robot_host"))
 
 
-def build_k64(root: Path, steps: Steps) -> dict[str, Size] | None:
-    """Builds the image and measures it; None when that failed."""
-    sizes: dict[str, Size] | None = None
+def build_k64(root: Path, steps: Steps) -> None:
+    """Builds the images of all products and measures them."""
 
     def k64(log: TextIO) -> str:
-        nonlocal sizes
-        build(root, "k64", log, TARGET)
-        sizes = write_sizes(root)
-        return summary(sizes)
+        build(root, "k64", log, *PRODUCTS)
+        write_sizes(root)
+        whole = write_products(root)[DEFAULT]
+        return f"{len(PRODUCTS)} products; {DEFAULT}: {whole.flash} bytes flash, {whole.ram} RAM"
 
     steps.run("firmware (K64)", k64)
-    return sizes
 
 
-def summary(sizes: dict[str, Size]) -> str:
-    whole = total(sizes)
-    return f"{whole.flash} bytes flash, {whole.ram} bytes RAM"
+def add_product(parser: argparse.ArgumentParser, does: str) -> None:
+    """The option that chooses a product."""
+    parser.add_argument(
+        "--product", choices=PRODUCTS, default=DEFAULT, help=f"{does} (default: {DEFAULT})"
+    )
 
 
 def print_sizes(sizes: dict[str, Size]) -> None:
@@ -82,6 +92,13 @@ def print_sizes(sizes: dict[str, Size]) -> None:
         print(f"{name:32} {sizes[name].flash:8} {sizes[name].ram:8}")
     whole = total(sizes)
     print(f"{'the image':32} {whole.flash:8} {whole.ram:8}")
+
+
+def print_products(wholes: dict[str, Size]) -> None:
+    """A table: what each product takes, and what commands it."""
+    print(f"\n{'product':32} {'flash':>8} {'RAM':>8}  commanded by")
+    for product, whole in wholes.items():
+        print(f"{product:32} {whole.flash:8} {whole.ram:8}  {PRODUCTS[product]}")
 
 
 def identity(elf: Path, image: Path) -> tuple[str, str]:

@@ -10,9 +10,10 @@ from pathlib import Path
 from typing import TextIO
 
 from traceability.commands import usb_drive
-from traceability.commands.firmware import BIN, build_k64
+from traceability.commands.firmware import add_product, build_k64
 from traceability.commands.steps import FailureError, MissingError, Steps, run
 from traceability.image import lock_problems
+from traceability.products import image_of
 
 USB = Path("/sys/bus/usb/devices")
 ARM = "0d28"  # vendor of the debug probe that is on the FRDM-K64F
@@ -50,8 +51,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--drive", type=Path, metavar="PATH", help="where the drive of the board is mounted"
     )
+    add_product(parser, "build and write the image of this product")
     parser.add_argument(
-        "--image", type=Path, metavar="BIN", help=f"write this image (default: {BIN}, built first)"
+        "--image", type=Path, metavar="BIN", help="write this image, and build nothing"
     )
     parser.add_argument(
         "--dry-run", action="store_true", help="check the image, and say what would be done"
@@ -63,7 +65,7 @@ def flash(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
     name = "drive" if options.drive else options.way
     if options.way not in (None, name):
         parser.error(f"--drive does not go with --with {options.way}")
-    image: Path = options.image or root / BIN
+    image: Path = options.image or root / image_of(options.product, ".bin")
     steps = Steps(root, 2 if options.image else 3)
     if not options.image:
         build_k64(root, steps)

@@ -9,9 +9,9 @@ from pathlib import Path
 from weeding_robot_client.options import positive
 
 from traceability.commands.builds import BOARD_PROGRAM, build, build_for_board
-from traceability.commands.firmware import BIN, build_k64
-from traceability.commands.sizes import ELF
+from traceability.commands.firmware import add_product, build_k64
 from traceability.commands.steps import FailureError, Steps
+from traceability.products import DEFAULT, image_of
 
 PROGRAM = "weeding_robot_host"
 
@@ -28,6 +28,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--board", action="store_true", help="run the image for the K64 on the virtual K64"
     )
+    add_product(parser, "with --board: the product whose image is run")
     parser.add_argument(
         "--link",
         type=Path,
@@ -55,6 +56,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
     """Builds what is asked for, and becomes it."""
+    if options.product != DEFAULT and not options.board:
+        parser.error(f"--product {options.product} needs --board")
     if options.trace and not options.board:
         parser.error(f"--trace {options.trace} needs --board")
     if options.fast and not (options.board and options.cycles):
@@ -82,7 +85,8 @@ def command(root: Path, options: argparse.Namespace) -> list[str]:
     program = BOARD_PROGRAM if options.board else PROGRAM
     words = [str(root / "build" / "host" / "sim" / program)]
     if options.board:
-        words += ["--image", str(root / BIN), "--elf", str(root / ELF)]
+        image, elf = (root / image_of(options.product, suffix) for suffix in (".bin", ".elf"))
+        words += ["--image", str(image), "--elf", str(elf)]
     link = options.link
     if link is None and not stepped:
         link = root / "build" / "pc-link"

@@ -13,9 +13,9 @@ from pathlib import Path
 
 from traceability.commands.steps import FailureError
 from traceability.image import FIELD, TOTALS, sources_of_image
+from traceability.products import DEFAULT, PRODUCTS, RESULTS, image_of, module_names, modules_in
 
-ELF = Path("build/k64/weeding_robot.elf")
-MAP = ELF.with_suffix(".map")
+ELF = image_of(DEFAULT, ".elf")
 SIZES = Path("build/results/size_k64.json")
 # Parts of the image that are no module.
 VECTORS, CONFIGURATION = "vectors", "flash configuration field"
@@ -128,9 +128,30 @@ def total(sizes: dict[str, Size]) -> Size:
     )
 
 
+def sizes_of(root: Path, product: str) -> dict[str, Size]:
+    return image_sizes(root / image_of(product, ".elf"), root / image_of(product, ".map"))
+
+
+def write_products(root: Path) -> dict[str, Size]:
+    """Measures the images of all products, and leaves what each holds."""
+    wholes, records = {}, {}
+    known = module_names(root)
+    for product in PRODUCTS:
+        sizes = sizes_of(root, product)
+        whole = wholes[product] = total(sizes)
+        records[product] = {
+            "flash": whole.flash,
+            "ram": whole.ram,
+            "stack": sizes[STACK].ram if STACK in sizes else 0,
+            "modules": modules_in(root / image_of(product, ".elf"), known),
+        }
+    write_json(root / RESULTS, records)
+    return wholes
+
+
 def write_sizes(root: Path) -> dict[str, Size]:
     """Measures the image that was built, and leaves the sizes for the model and the figures."""
-    sizes = image_sizes(root / ELF, root / MAP)
+    sizes = sizes_of(root, DEFAULT)
     whole = total(sizes)
     write_json(root / SIZES, {name: vars(size) for name, size in sorted(sizes.items())})
     totals = {"flash": whole.flash, "ram": whole.ram, "sources": sources_of_image(root)}

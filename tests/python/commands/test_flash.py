@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from traceability.commands import cli, flash, usb_drive
+from traceability.commands.steps import Steps
 from traceability.image import WANTED, lock_problems
 
 CODE = bytes(0x400) + WANTED + bytes(100)
@@ -317,3 +318,18 @@ def test_a_drive_and_another_way_contradict_each_other(
         run(tools, "--with", "pyocd", "--drive", str(tools))
     assert ended.value.code == 2
     assert "--with pyocd" in capsys.readouterr().err
+
+
+def test_the_image_of_a_product_is_built_and_written(
+    tools: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def build(root: Path, _steps: Steps) -> None:
+        image = root / "build/k64/weeding_robot_warning.bin"
+        image.parent.mkdir(parents=True)
+        image.write_bytes(CODE)
+
+    monkeypatch.setattr(flash, "build_k64", build)
+    add_tool(tools, "pyocd")
+    add_probe(tools)
+    assert cli.main(["flash", "--product", "weeding_robot_warning"]) == 0
+    assert called(tools)[-1] == str(tools.parent / "build/k64/weeding_robot_warning.bin")

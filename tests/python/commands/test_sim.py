@@ -102,3 +102,19 @@ def test_without_an_image_the_board_is_not_switched_on(
     monkeypatch.setattr(sim, "build_k64", broken)
     assert cli.main(["sim", "--board"]) == 1
     assert not (root / "called").exists()
+
+
+def test_the_image_of_a_product_can_be_run(root: Path) -> None:
+    assert cli.main(["sim", "--board", "--product", "weeding_robot_pc"]) == 0
+    image = str(root / "build/k64/weeding_robot_pc")
+    assert called(root)[1:5] == ["--image", f"{image}.bin", "--elf", f"{image}.elf"]
+
+
+@pytest.mark.parametrize(
+    "options", [["--product", "weeding_robot_pc"], ["--board", "--product", "x"]]
+)
+def test_a_product_is_one_of_those_on_the_board(root: Path, options: list[str]) -> None:
+    with pytest.raises(SystemExit) as ended:
+        cli.main(["sim", *options])
+    assert ended.value.code == 2
+    assert not (root / "called").exists()
