@@ -122,6 +122,10 @@ class Robot {
   /// @return rpm, positive forwards
   [[nodiscard]] double velocityRpm(std::size_t wheel) const;
 
+  /// @brief True position of a wheel's motor shaft.
+  /// @return turns since start, positive forwards
+  [[nodiscard]] double turns(std::size_t wheel) const { return trains_.at(wheel).turns(); }
+
   /// @brief True current of a wheel's motor.
   /// @return A, positive forwards
   [[nodiscard]] double currentAmperes(std::size_t wheel) const {

@@ -86,14 +86,73 @@ TEST(ScenarioTest, ErrorsNameFileAndLine) {
       {"at 0 order velocity 1 2\n", "text:1: a number is missing"},
       {"at 0 bytes 0 1\n", "text:1: '0' is not a byte of two hexadecimal digits"},
       {"at 0 bytes\n", "text:1: a byte in hexadecimal is missing"},
-      {"at 0 expect mood 1\n", "text:1: neither Welcome nor Report nor the robot has a field 'mood'"},
+      {"at 0 expect mood 1\n",
+       "text:1: neither Welcome nor Report nor the robot has a field 'mood'"},
       {"at 0 expect state Happy\n", "text:1: 'Happy' is no value of state"},
+      {"at 0 expect velocity0 between 1\n", "text:1: the value of velocity0 is missing"},
+      {"at 0 expect way 1.5\n", "text:1: '1.5' is no value of way"},
+      {"at 0 expect way\n", "text:1: the value of way is missing"},
+      {"at 0 rc on\n", "text:1: 'velocity' is expected here, not 'on'"},
+      {"at 0 rc velocity 1\n", "text:1: 'steering' is missing"},
+      {"at 0 noise maybe\n", "text:1: 'off' is expected here, not 'maybe'"},
+      {"at 0 slope steep\n", "text:1: 'steep' is no slope in percent"},
+      {"at 0 fault\n", "text:1: what breaks is missing"},
+      {"at 0 fault brain\n", "text:1: nothing that can break is called 'brain'"},
+      {"at 0 mend hall 4\n", "text:1: '4' is no wheel from 0 to 3"},
+      {"at 0 fault angle 1\n", "text:1: '1' is too much"},
+      {"seed x\n", "text:1: 'x' is no seed"},
+      {"at 0 hello\nseed 1\n", "text:2: a seed stands before all lines that have a time"},
       {"at 0 end\nat 1 hello\n", "text:2: nothing may follow 'end'"},
       {"at 5 hello\nat 4 end\n", "text:1: this is after the end"},
   };
   for (const auto& [text, error] : wrong) {
     EXPECT_EQ(errorOf(text), error) << text;
   }
+}
+
+/// @brief Sticks of the remote control are told in the units of orders, faults by name and wheel.
+TEST(ScenarioTest, ActionsOfTheWorld) {
+  const Scenario scenario = scenarioOf(
+      "seed 9\nat 0 rc velocity -1500 steering 1600\nat 1 rc off\nat 2 slope -2.5\n"
+      "at 3 fault block 3\nat 4 mend angle\nat 5 noise off\nat 6 mark\nat 7 end\n");
+  EXPECT_EQ(scenario.seed(), 9U);
+  const auto& steps = scenario.steps();
+  ASSERT_EQ(steps.size(), 7U);
+  const auto& sticks = std::get<Scenario::RemoteControl>(steps[0].action).sticks;
+  EXPECT_EQ(sticks.value().velocity, -0.5);
+  EXPECT_EQ(sticks.value().steering, 0.5);
+  EXPECT_FALSE(std::get<Scenario::RemoteControl>(steps[1].action).sticks.has_value());
+  EXPECT_EQ(std::get<Scenario::Slope>(steps[2].action).percent, -2.5);
+  const auto& fault = std::get<Scenario::Fault>(steps[3].action);
+  EXPECT_EQ(fault.fault, sim::Fault::Block);
+  EXPECT_EQ(fault.wheel, 3U);
+  EXPECT_TRUE(fault.present);
+  EXPECT_FALSE(std::get<Scenario::Fault>(steps[4].action).present);
+  EXPECT_FALSE(std::get<Scenario::Noise>(steps[5].action).on);
+}
+
+/// @brief What the world does reaches the robot, and true values can be expected of it.
+TEST(ScenarioPlayerTest, WorldActsOnTheRobot) {
+  const auto outcome = played(
+      "seed 5\nat 0 noise off\nat 100 slope 20\nat 1100 expect way between -2000 -10\n"
+      "at 1100 expect slope 20\nat 1100 mark\nat 1100 expect way 0\nat 1150 slope 0\n"
+      "at 5000 expect ground_speed 0\nat 5000 rc velocity 500 steering 0\n"
+      "at 8000 expect true_velocity2 between 490 510\nat 8000 expect true_current2 between 500 "
+      "2000\n"
+      "at 8000 expect true_steering 0\nat 8000 end\n");
+  EXPECT_EQ(outcome.failures, std::vector<std::string>{});
+}
+
+/// @brief A value out of its range is told, of a report and of the robot.
+TEST(ScenarioPlayerTest, RangesThatDoNotHoldAreTold) {
+  const auto outcome = played(
+      "at 0 connect\nat 350 expect cycle between 4 5\nat 350 expect cycle between 1 2\n"
+      "at 350 expect distance between 1 2\nat 350 expect distance between -2 -1\nat 400 end\n");
+  EXPECT_EQ(outcome.failures, (std::vector<std::string>{
+                                  "text:2: cycle is 3, not between 4 and 5, at 350 ms",
+                                  "text:3: cycle is 3, not between 1 and 2, at 350 ms",
+                                  "text:4: distance is 0.0, not between 1 and 2, at 350 ms",
+                                  "text:5: distance is 0.0, not between -2 and -1, at 350 ms"}));
 }
 
 /// @brief A connected PC gets reports, which hold what is expected of them.
@@ -128,6 +187,8 @@ TEST(ScenarioPlayerTest, RawBytesAndTableOfReports) {
   EXPECT_EQ(outcome.failures, std::vector<std::string>{});
   const std::string text = table.str();
   EXPECT_TRUE(text.starts_with("cycle,time_ms,state,mode,source,stop,")) << text;
+  EXPECT_NE(text.find(",at_ms,true_velocity0,"), std::string::npos) << text;
+  EXPECT_TRUE(text.ends_with(",300,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0\n")) << text;
   EXPECT_NE(text.find("\n2,200,1,0,255,0,0,1,0,"), std::string::npos) << text;
   EXPECT_NE(text.find("\n3,300,1,0,255,0,0,1,0,"), std::string::npos) << text;
 }

@@ -26,8 +26,14 @@ TEST_P(ExampleScenarios, RobotDoesWhatIsExpected) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, ExampleScenarios,
-                         testing::Values("loss_of_the_pc.scenario", "stop.scenario",
-                                         "ten_minutes.scenario"));
+                         testing::Values("current_step.scenario", "downhill.scenario",
+                                         "loss_of_the_pc.scenario", "one_hall_sensor.scenario",
+                                         "rc_drive.scenario", "sensors_broken.scenario",
+                                         "steering.scenario", "steering_faults.scenario",
+                                         "stop.scenario", "stop_from_full_speed.scenario",
+                                         "ten_minutes.scenario", "tension_step.scenario",
+                                         "uphill.scenario", "velocity_step.scenario",
+                                         "wheel_blocked.scenario"));
 
 }  // namespace
 }  // namespace wr::test

@@ -1,0 +1,121 @@
+#include "sim/host/HostWorld.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "sim/host/HostSerialPort.hpp"
+#include "sim/scenario/HostLine.hpp"
+#include "sim/scenario/PcFrames.hpp"
+
+namespace wr::test {
+namespace {
+
+constexpr Instant at(std::uint64_t ms) {
+  return Instant(ms * 1000);
+}
+
+// The whole firmware in the simulated robot, and a PC that orders in each cycle.
+class HostWorldTest : public testing::Test {
+ protected:
+  HostWorldTest() { line.start(); }
+
+  void connect() {
+    line.send(pc.hello());
+    line.runThroughPulse();
+    for (const Bytes& body : bodies(line.takeSent())) {
+      if (const auto welcome = welcomeOf(body)) {
+        line.send(pc.confirm(welcome->session));
+      }
+    }
+    line.runThroughPulse();
+  }
+
+  void cycles(int count, const PcOrder& order) {
+    for (int i = 0; i < count; ++i) {
+      line.send(pc.order(order));
+      line.runThroughPulse();
+      for (const Bytes& body : bodies(line.takeSent())) {
+        if (const auto read = reportOf(body)) {
+          report = *read;
+        }
+      }
+    }
+  }
+
+  static PcOrder velocity(std::int16_t value) {
+    PcOrder order{.id = 1};
+    order.wheels.fill({0, value});
+    return order;
+  }
+
+  HostLine line;
+  HostWorld& world = line.world;
+  PcSender pc;
+  PcReport report;
+};
+
+/// @brief Time passes in the order of what happens in it, up to the instant that was asked for.
+TEST_F(HostWorldTest, TimeStandsWhereItWasAskedFor) {
+  world.runUntil(Instant(1'234'567));
+  EXPECT_EQ(world.time.now(), Instant(1'234'567));
+  EXPECT_EQ(world.nextPulse(), at(1'300));
+  world.runUntil(at(1'300));
+  EXPECT_EQ(world.nextPulse(), at(1'400));
+  EXPECT_EQ(world.robot.watchdog().refreshes(), 13U);
+  EXPECT_FALSE(world.robot.watchdog().missed());
+}
+
+/// @brief A robot that gets no order stands, and its sensors tell nothing that is not.
+TEST_F(HostWorldTest, WithoutOrdersTheRobotStands) {
+  connect();
+  world.runUntil(at(5'000));
+  EXPECT_EQ(world.physics.distance(), 0.0);
+  EXPECT_EQ(world.physics.steeringDegrees(), 0.0);
+}
+
+/// @brief Edges come at their own times: what the firmware counts is the way of the wheel, 60 in a
+/// turn of the shaft, and what it measures is the speed of the wheel.
+TEST_F(HostWorldTest, FirmwareCountsTheWayOfTheWheels) {
+  connect();
+  cycles(30, velocity(1000));
+  const std::int32_t before = report.position.at(2);
+  const double from = world.physics.turns(2);
+  cycles(50, velocity(1000));
+  const double turned = world.physics.turns(2) - from;
+  EXPECT_GT(turned, 5);
+  EXPECT_NEAR(report.position.at(2) - before, 60 * turned, 1.5);
+  EXPECT_NEAR(report.velocity.at(2), 10 * world.physics.velocityRpm(2), 10);
+}
+
+/// @brief The remote control drives the robot through the pulses on its pins.
+TEST_F(HostWorldTest, RemoteControlDrivesTheRobot) {
+  world.remoteControl.set(sim::Sticks{.velocity = 1.0 / 3, .steering = 0.25});
+  world.runUntil(at(4'000));
+  EXPECT_NEAR(world.physics.velocityRpm(3), 100, 2);
+  EXPECT_NEAR(world.physics.steeringDegrees(), 8.0, 0.5);
+  world.remoteControl.set(std::nullopt);
+  world.runUntil(at(7'000));
+  EXPECT_NEAR(world.physics.groundSpeed(), 0, 0.001);
+}
+
+/// @brief Two runs of the same world are the same to the last bit.
+TEST_F(HostWorldTest, RunsRepeatExactly) {
+  HostSerialPort port;
+  HostWorld other(port);
+  HostWorld third(port);
+  const auto run = [](HostWorld& robot) {
+    robot.remoteControl.set(sim::Sticks{.velocity = 0.5, .steering = -0.5});
+    robot.runUntil(at(3'000));
+    EXPECT_GT(robot.physics.distance(), 0.5);
+    return robot.physics.distance() + robot.physics.velocityRpm(1);
+  };
+  other.start();
+  third.start();
+  EXPECT_EQ(run(other), run(third));
+}
+
+}  // namespace
+}  // namespace wr::test
