@@ -70,8 +70,8 @@ TEST_F(WheelControllerTest, FR86_DemandStaysWithinTheSupply) {
     control(currentOf(10000), Velocity(3000), Current(4000));
   }
   EXPECT_EQ(controller.applied(), Tension(24000));
-  control(currentOf(10000), Velocity(0), Current(10000));
-  EXPECT_EQ(controller.applied(), Tension(0)) << "15 V - 31.4 V, which opposes: stopped or less";
+  control(currentOf(0), Velocity(3000), Current(4000));
+  EXPECT_EQ(controller.applied(), Tension(15708)) << "what the motor makes at 300 rpm, and no more";
 }
 
 /// @brief A measured value can be used for 150 ms.

@@ -10,7 +10,7 @@ namespace {
 constexpr std::int64_t kThousand = 1000;
 constexpr std::int64_t kDecay = 637;  // [1/1000] what is left of a deviation after a cycle
 constexpr std::int64_t kMean = 806;   // [1/1000] mean of a deviation during a cycle
-constexpr PiGains kGains{.proportional = 3320, .integral = 1496};
+constexpr PiGains kGains{.proportional = 4650, .integral = 2094};
 
 }  // namespace
 

@@ -20,7 +20,7 @@ class WheelOrderTest : public testing::Test, protected SensedWheel {
 /// @verifies FR-93
 TEST_F(WheelOrderTest, FR93_RegistersThePosition) {
   pass(true, kMiddle);
-  edges.collect(1, time.now());  // both levels changed
+  edges.collect(0, time.now());  // both levels changed
   registerPosition.execute(work);
   EXPECT_EQ(work.measured.position, HallCount(10));
   EXPECT_EQ(work.measured.rejectedEdges, 1);
