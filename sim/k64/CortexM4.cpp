@@ -27,6 +27,8 @@ constexpr unsigned kUsageFault = 6;
 constexpr unsigned kSupervisorCall = 11;
 constexpr unsigned kFirstLine = 16;
 
+constexpr std::uint32_t kPage = 4096;
+
 constexpr std::uint64_t kEntryCycles = 12;
 constexpr std::uint64_t kExitCycles = 10;
 constexpr std::uint64_t kTailCycles = 6;
@@ -40,9 +42,6 @@ constexpr int kEngineCall = 2;
 constexpr int kEngineNoExecution = 3;
 constexpr int kEngineBreakpoint = 7;
 constexpr int kEngineReturn = 8;
-
-// Nothing is there, and nothing jumps there unless it is lost.
-constexpr std::uint32_t kNowhere = 0xF0000000;
 
 constexpr std::uint32_t kAlignedBit = 1U << 9;
 constexpr std::uint32_t kThumbBit = 1U << 24;
@@ -75,17 +74,10 @@ struct CortexM4::Hooks {
   static void code(uc_engine* engine, std::uint64_t address, std::uint32_t /*size*/, void* user) {
     CortexM4& cpu = *static_cast<CortexM4*>(user);
     cpu.pc_ = static_cast<std::uint32_t>(address);
-    if (cpu.cycles_ >= cpu.stopAt_ || (cpu.careful_ && !cpu.mayRun(cpu.pc_))) {
-      // The engine may go on to the end of an IT block and call again, so this must stay so.
-      cpu.stopAt_ = 0;
-      cpu.stoppedByHook_ = true;
-      uc_emu_stop(engine);
-      return;
-    }
-    ++cpu.cycles_;
-    ++cpu.instructions_;
-    if (cpu.executed_ != nullptr) {
-      cpu.executed_->note(cpu.pc_);
+    if (cpu.cycles_ < cpu.stopAt_ && !cpu.looks_) [[likely]] {
+      ++cpu.cycles_;
+    } else {
+      cpu.lookAt(engine);
     }
   }
 
@@ -102,23 +94,25 @@ struct CortexM4::Hooks {
     uc_emu_stop(engine);
   }
 
-  static bool invalid(uc_engine* /*engine*/, uc_mem_type type, std::uint64_t address, int /*size*/,
-                      std::int64_t /*value*/, void* user) {
+  static bool invalid(uc_engine* /*engine*/, uc_mem_type type, std::uint64_t address, int size,
+                      std::int64_t value, void* user) {
     CortexM4& cpu = *static_cast<CortexM4*>(user);
-    cpu.badAccess_ = type;
-    cpu.badAddress_ = static_cast<std::uint32_t>(address);
-    return false;
-  }
-
-  static void border(uc_engine* /*engine*/, uc_mem_type type, std::uint64_t address, int size,
-                     std::int64_t /*value*/, void* user) {
-    CortexM4& cpu = *static_cast<CortexM4*>(user);
-    if (address < cpu.borderAt_ && address + static_cast<unsigned>(size) > cpu.borderAt_) {
-      cpu.refuse(static_cast<std::uint32_t>(address), "unmapped-memory",
-                 std::string(type == UC_MEM_WRITE ? "store" : "load") + " at " +
-                     hex(static_cast<std::uint32_t>(address)) +
-                     " across the border of two memories");
+    const auto first = static_cast<std::uint32_t>(address);
+    if ((type == UC_MEM_READ_PROT || type == UC_MEM_WRITE_PROT) && first < cpu.borderAt_ &&
+        cpu.borderAt_ - first <= kPage) {
+      const auto bytes = static_cast<unsigned>(size);
+      if (first + bytes > cpu.borderAt_) {
+        cpu.refuse(first, "unmapped-memory",
+                   (type == UC_MEM_WRITE_PROT ? "store at " : "load at ") + hex(first) +
+                       " across the border of two memories");
+      } else if (type == UC_MEM_WRITE_PROT) {
+        std::memcpy(cpu.at(first, bytes), &value, bytes);  // the engine does not
+      }
+      return true;
     }
+    cpu.badAccess_ = type;
+    cpu.badAddress_ = first;
+    return false;
   }
 
   static std::uint64_t read(uc_engine* /*engine*/, std::uint64_t offset, unsigned size,
@@ -149,9 +143,8 @@ CortexM4::CortexM4(unsigned lines, unsigned priorityBits)
   // UC_MODE_MCLASS would make a Cortex-M33; the model is set before any other call.
   check(uc_open(UC_ARCH_ARM, UC_MODE_THUMB, &engine_), "uc_open");
   check(uc_ctl_set_cpu_model(engine_, UC_CPU_ARM_CORTEX_M4), "uc_ctl_set_cpu_model");
+  // No address ends a run. With one, the engine would throw its translation away after each run.
   check(uc_ctl_exits_enable(engine_), "uc_ctl_exits_enable");
-  std::uint64_t nowhere = kNowhere;
-  check(uc_ctl_set_exits(engine_, &nowhere, 1), "uc_ctl_set_exits");
   Hooks::add(*this, UC_HOOK_CODE, Hooks::code);
   Hooks::add(*this, UC_HOOK_INTR, Hooks::interrupt);
   Hooks::add(*this, UC_HOOK_MEM_INVALID, Hooks::invalid);
@@ -192,10 +185,15 @@ CortexM4::~CortexM4() {
 }
 
 void CortexM4::mapMemory(std::uint32_t address, std::uint32_t size, Access access) {
-  const std::uint32_t rights = access == Access::ReadWrite     ? UC_PROT_READ | UC_PROT_WRITE
-                               : access == Access::ReadExecute ? UC_PROT_READ | UC_PROT_EXEC
-                                                               : UC_PROT_ALL;
-  constexpr std::size_t kPage = 4096;
+  mapMemory(address, size,
+            access == Access::ReadWrite     ? UC_PROT_READ | UC_PROT_WRITE
+            : access == Access::ReadExecute ? UC_PROT_READ | UC_PROT_EXEC
+                                            : UC_PROT_ALL,
+            access);
+}
+
+void CortexM4::mapMemory(std::uint32_t address, std::uint32_t size, std::uint32_t rights,
+                         Access access) {
   std::unique_ptr<std::uint8_t, Release> bytes(
       static_cast<std::uint8_t*>(std::aligned_alloc(kPage, size)));
   if (bytes == nullptr) {
@@ -213,9 +211,10 @@ void CortexM4::mapWindow(std::uint32_t address, std::uint32_t size, Read read, W
   check(uc_mmio_map(engine_, address, size, Hooks::read, user, Hooks::write, user), "uc_mmio_map");
 }
 
-void CortexM4::setBorder(std::uint32_t address) {
+// The engine asks before each access of a page without rights, and no other access gets slower.
+void CortexM4::mapBorder(std::uint32_t address) {
   borderAt_ = address;
-  Hooks::add(*this, UC_HOOK_MEM_READ | UC_HOOK_MEM_WRITE, Hooks::border, address - 7, address - 1);
+  mapMemory(address - kPage, kPage, UC_PROT_NONE, Access::ReadWrite);
 }
 
 void CortexM4::load(std::uint32_t address, std::span<const std::uint8_t> bytes) {
@@ -290,7 +289,7 @@ std::uint64_t CortexM4::cycles() const {
 }
 
 std::uint64_t CortexM4::instructions() const {
-  return instructions_;
+  return cycles_ - otherCycles_;
 }
 
 const std::optional<CortexM4::Problem>& CortexM4::problem() const {
@@ -361,7 +360,9 @@ void CortexM4::exit() {
 }
 
 void CortexM4::skipTo(std::uint64_t cycle) {
+  const std::uint64_t before = cycles_;
   cycles_ = std::max(cycles_, cycle);
+  otherCycles_ += cycles_ - before;
 }
 
 void CortexM4::setLine(unsigned line, bool high) {
@@ -432,7 +433,7 @@ CortexM4::Stop CortexM4::run(std::uint64_t limit) {
       if (system_.nextEvent() >= limit_) {
         return Stop::Sleep;
       }
-      cycles_ = std::max(cycles_, system_.nextEvent());
+      skipTo(system_.nextEvent());
       continue;
     }
     execute();
@@ -463,14 +464,32 @@ bool CortexM4::enterNext() {
     return false;
   }
   const int wanted = nvic_.group(nvic_.priority(next));
+  if (wanted >= nvic_.activePriority()) {
+    return false;  // until an exception returns or a register of the NVIC is written
+  }
   // WFI ends also for an interrupt that PRIMASK alone keeps away: ARMv7-M ARM, B1.5.18.
   sleeping_ = sleeping_ && wanted >= executionPriority(false);
   if (wanted >= executionPriority()) {
-    maskedPending_ = true;
+    maskedPending_ = true;  // until the program changes a mask, which only the program sees
     return false;
   }
   enter(next, pc());
   return true;
+}
+
+// What the hook of each instruction does when there is more to do than to count it.
+void CortexM4::lookAt(uc_struct* engine) {
+  if (cycles_ >= stopAt_ || (careful_ && !mayRun(pc_))) {
+    // The engine may go on to the end of an IT block and call again, so this must stay so.
+    stopAt_ = 0;
+    stoppedByHook_ = true;
+    uc_emu_stop(engine);
+    return;
+  }
+  ++cycles_;
+  if (executed_ != nullptr) {
+    executed_->note(pc_);
+  }
 }
 
 bool CortexM4::mayRun(std::uint32_t address) {
@@ -494,12 +513,13 @@ bool CortexM4::mayRun(std::uint32_t address) {
 void CortexM4::execute() {
   stopAt_ = std::min(limit_, system_.nextEvent());
   careful_ = maskedPending_ || !system_.fpuOn();
+  looks_ = careful_ || executed_ != nullptr;
   stoppedByHook_ = false;
   interrupt_ = -1;
   badAccess_ = -1;
   pc_ = reg(UC_ARM_REG_PC);
   running_ = true;
-  const uc_err error = uc_emu_start(engine_, pc_ | 1U, kNowhere, 0, 0);
+  const uc_err error = uc_emu_start(engine_, pc_ | 1U, 0, 0, 0);
   running_ = false;
   resumed_ = blockCall_ != nullptr;
   stopped(error);
@@ -568,11 +588,6 @@ void CortexM4::hint(std::uint32_t past) {
   }
   if (pc_ == past - 2 && (before == kWfe || before == kYield)) {
     return;  // WFE may end at any time: ARMv7-M ARM, B1.5.17
-  }
-  if (past == kNowhere) {
-    fault(kBusFault, SystemControl::kInstructionBus, past, "unmapped-memory",
-          "execution at " + hex(past));
-    return;
   }
   fault(kUsageFault, SystemControl::kUndefined, past, "unhandled-fault",
         "undefined instruction " + hex(halfword(past)));
@@ -720,7 +735,7 @@ bool CortexM4::stack(std::uint32_t returnsTo, std::uint32_t& link) {
 }
 
 void CortexM4::enter(unsigned exception, std::uint32_t returnsTo) {
-  cycles_ += kEntryCycles;
+  pass(kEntryCycles);
   sleeping_ = false;
   std::uint32_t link = 0;
   if (!stack(returnsTo, link)) {
@@ -808,11 +823,11 @@ void CortexM4::exceptionReturn(std::uint32_t link) {
   }
   const unsigned next = nvic_.first();
   if (next != 0 && nvic_.group(nvic_.priority(next)) < executionPriority()) {
-    cycles_ += kTailCycles;
+    pass(kTailCycles);
     vector(next, link);
     return;
   }
-  cycles_ += kExitCycles;
+  pass(kExitCycles);
   unstack(link);
 }
 

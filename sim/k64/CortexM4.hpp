@@ -77,9 +77,9 @@ class CortexM4 {
   /// @param write takes what the program writes
   void mapWindow(std::uint32_t address, std::uint32_t size, Read read, Write write);
 
-  /// @brief Makes accesses across an address fault, as across the border of two memories.
-  /// @param address the border
-  void setBorder(std::uint32_t address);
+  /// @brief Adds the last page of a memory, 4096 bytes, from which an access across its end faults.
+  /// @param address the border of the two memories, at the end of the page
+  void mapBorder(std::uint32_t address);
 
   /// @brief Writes memory from outside, also where the program may not.
   void load(std::uint32_t address, std::span<const std::uint8_t> bytes);
@@ -181,6 +181,7 @@ class CortexM4 {
     std::unique_ptr<std::uint8_t, Release> bytes;  // what the engine reads and writes
   };
 
+  void mapMemory(std::uint32_t address, std::uint32_t size, std::uint32_t rights, Access access);
   [[nodiscard]] std::uint32_t reg(int id) const;
   void setReg(int id, std::uint32_t value) const;
   [[nodiscard]] std::uint8_t* at(std::uint32_t address, std::uint32_t size) const;
@@ -197,6 +198,8 @@ class CortexM4 {
   bool enterNext();
   void execute();
   void stopped(int error);
+  void pass(std::uint64_t cycles) { skipTo(cycles_ + cycles); }
+  void lookAt(uc_struct* engine);
   bool mayRun(std::uint32_t address);
   void hint(std::uint32_t past);
   void enter(unsigned exception, std::uint32_t returnsTo);
@@ -219,13 +222,14 @@ class CortexM4 {
   std::vector<std::unique_ptr<Window>> windows_;
   std::vector<Memory> memories_;
   std::uint64_t cycles_ = 0;
-  std::uint64_t instructions_ = 0;
+  std::uint64_t otherCycles_ = 0;  ///< those in which no instruction ran
   std::uint64_t limit_ = 0;
   std::uint64_t stopAt_ = 0;
   std::uint32_t pc_ = 0;
   bool running_ = false;  ///< inside the engine
   bool stoppedByHook_ = false;
-  bool careful_ = false;  ///< each instruction is looked at before it runs
+  bool careful_ = false;  ///< it is asked for each instruction whether it may run
+  bool looks_ = false;    ///< there is more to do for each instruction than to count it
   bool maskedPending_ = false;
   bool resumed_ = false;  ///< the next block was begun before
   bool sleeping_ = false;

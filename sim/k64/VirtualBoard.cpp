@@ -33,6 +33,7 @@ namespace {
 constexpr std::uint32_t kFlashSize = 0x100000;
 constexpr std::uint32_t kRamLower = 0x1FFF0000;
 constexpr std::uint32_t kRamLowerSize = 0x10000;
+constexpr std::uint32_t kPage = 0x1000;
 constexpr std::uint32_t kRamUpper = 0x20000000;
 constexpr std::uint32_t kRamUpperSize = 0x30000;
 constexpr std::uint32_t kPeripherals = 0x40000000;
@@ -226,9 +227,9 @@ void VirtualBoard::Parts::build() {
   std::vector<std::uint8_t> flash(kFlashSize, 0xFF);
   std::ranges::copy(image_, flash.begin());
   cpu_.mapMemory(0, kFlashSize, CortexM4::Access::ReadExecute);
-  cpu_.mapMemory(kRamLower, kRamLowerSize, CortexM4::Access::ReadWrite);
+  cpu_.mapMemory(kRamLower, kRamLowerSize - kPage, CortexM4::Access::ReadWrite);
+  cpu_.mapBorder(kRamUpper);
   cpu_.mapMemory(kRamUpper, kRamUpperSize, CortexM4::Access::ReadWrite);
-  cpu_.setBorder(kRamUpper);
   cpu_.load(0, flash);
   cpu_.mapWindow(
       kPeripherals, kPeripheralsSize,
@@ -395,30 +396,32 @@ void VirtualBoard::Parts::checkClocks() {
 
 Peripheral* VirtualBoard::Parts::peripheralAt(std::uint32_t address, std::uint32_t& offset,
                                               bool store) {
-  const std::string verb = store ? "store to " : "load from ";
+  const auto access = [store](const std::string& place) {
+    return (store ? "store to " : "load from ") + place;
+  };
   if (address >= kGpio) {
     const std::uint32_t port = (address - kGpio) / kGpioSize;
     offset = (address - kGpio) % kGpioSize;
     if (port < kPorts) {
       return &gpios_[port];
     }
-    refuse("unmapped-memory", verb + hexText(address));
+    refuse("unmapped-memory", access(hexText(address)));
     return nullptr;
   }
   const Place& place = places_[(address - kPeripherals) / kBlockSize];
   if (place.block == nullptr) {
-    refuse("unmodelled-register", verb + hexText(address));
+    refuse("unmodelled-register", access(hexText(address)));
     return nullptr;
   }
   offset = address - place.block->base;
   if (place.block->gateGroup != 0 &&
       !sim_.gateIsOpen(place.block->gateGroup, place.block->gateBit)) {
-    refuse("clock-gate", verb + std::string(place.block->name) + " + " + hexText(offset) +
+    refuse("clock-gate", access(std::string(place.block->name) + " + " + hexText(offset)) +
                              " while its clock gate is closed");
     return nullptr;
   }
   if (place.peripheral == nullptr) {
-    report("unmodelled-register", verb + std::string(place.block->name) + " + " + hexText(offset));
+    report("unmodelled-register", access(std::string(place.block->name) + " + " + hexText(offset)));
   }
   return place.peripheral;
 }

@@ -44,6 +44,7 @@ const std::array kMistakes{
     Mistake{"usesDac", "unmodelled-register", "store to DAC0 + 0x0"},
     Mistake{"loadsWhereNothingIs", "unmapped-memory", "load from 0x30000000"},
     Mistake{"loadsAcrossTheBorderOfTheMemories", "unmapped-memory", "border of two memories"},
+    Mistake{"storesAcrossTheBorderOfTheMemories", "unmapped-memory", "store at 0x1FFFFFFF across"},
     Mistake{"storesToFlash", "flash-store", "store to 0x00001000"},
     Mistake{"configuresNoWatchdog", "watchdog-sequence", "within 256 bus clocks"},
     Mistake{"unlocksTooLate", "watchdog-sequence", "within 256 bus clocks"},
@@ -111,6 +112,15 @@ TEST(FindingOfBoardAlone, EmptyProgramGivesNone) {
   EXPECT_TRUE(board.runUntil(10s));
   EXPECT_FALSE(board.finding());
   EXPECT_EQ(board.now(), 10s);
+}
+
+/// @brief Memory can be used up to the border to the other one.
+TEST(FindingOfBoardAlone, MemoryUpToTheBorderGivesNone) {
+  VirtualBoard board(Guest("usesMemoryUpToTheBorder").image());
+  EXPECT_TRUE(board.runUntil(1ms));
+  EXPECT_EQ(told(board, 0), 0x12345678U);
+  EXPECT_EQ(told(board, 1) >> 8, 0x78ABCDU);
+  EXPECT_EQ(told(board, 2), 0x12U);
 }
 
 /// @brief A finding names the function and the line of the instruction, and the time.

@@ -32,6 +32,22 @@ PROGRAM loadsAcrossTheBorderOfTheMemories() {
   sleepForever();
 }
 
+PROGRAM storesAcrossTheBorderOfTheMemories() {
+  stopWatchdog();
+  halfAt(0x1FFFFFFF) = 1;
+  sleepForever();
+}
+
+PROGRAM usesMemoryUpToTheBorder() {
+  stopWatchdog();
+  wordAt(0x1FFFFFFC) = 0x12345678;
+  halfAt(0x1FFFFFFA) = 0xABCD;
+  told(0) = wordAt(0x1FFFFFFC);
+  told(1) = wordAt(0x1FFFFFF9);
+  told(2) = byteAt(0x1FFFFFFF);
+  sleepForever();
+}
+
 PROGRAM storesToFlash() {
   stopWatchdog();
   wordAt(0x00001000) = 1;
