@@ -67,6 +67,19 @@ TEST_F(SteeringLoopTest, FR101_ArrivesInOneMoveAndStandsStill) {
   }
 }
 
+/// @brief From one limit to the other the steering turns within 3.5 s.
+/// @verifies FR-118
+TEST_F(SteeringLoopTest, FR118_FromLimitToLimit) {
+  loop.plant.steps = -640;
+  loop.run(10);
+  loop.follow(-3200);
+  loop.run(60);
+  loop.follow(3200);
+  loop.run(3500);
+  EXPECT_EQ(loop.state(), SteeringState::Holding);
+  EXPECT_NEAR(plant.degrees(), 32, 0.5);
+}
+
 /// @brief With the noise of a real sensor random angles are reached within 0.5 degrees and without
 /// hunting: in a minute at most one further move, and never one in the other direction.
 /// @verifies FR-101

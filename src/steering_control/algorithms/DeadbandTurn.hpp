@@ -31,6 +31,7 @@ class DeadbandTurn final : public SteeringAlgorithm {
   /// @satisfies FR-101
   /// @satisfies FR-102
   /// @satisfies FR-103
+  /// @satisfies FR-118
   /// @param target where the steering shall be [0.01 degree], -4000 to 4000
   /// @param position where it is [0.01 degree], -4000 to 4000
   /// @param now present speed of the motor [steps/s], -500 to 500
