@@ -121,8 +121,8 @@ TEST(K64AdcInTheRobot, FR142_ReportsHaveTheCurrentsAndTheAngle) {
   }
 }
 
-/// @brief With calibrated converters the reports have the currents; when the calibration failed the
-/// robot runs, and the currents and the angle are missing.
+/// @brief When the calibration failed the robot runs, and its reports tell that the currents and the angle
+/// are missing.
 /// @verifies FR-143
 TEST(K64AdcInTheRobot, FR143_AfterAFailedCalibrationTheCurrentsAreMissing) {
   BoardRobot robot({.calibrates = false});

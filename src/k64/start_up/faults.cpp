@@ -42,10 +42,13 @@ extern const std::uint32_t stackTop[];
       "b endOfProgram");
 }
 
-// Interrupts of what only some products have.
-extern "C" {
-[[gnu::weak, gnu::nothrow, gnu::alias("unexpected")]] void remoteControlInterrupt();
-[[gnu::weak, gnu::nothrow, gnu::alias("unexpected")]] void secondPortInterrupt();
+// Interrupts of what only some products have: the product replaces these.
+[[gnu::weak, gnu::naked]] void remoteControlInterrupt() {
+  asm volatile("b unexpected");
+}
+
+[[gnu::weak, gnu::naked]] void secondPortInterrupt() {
+  asm volatile("b unexpected");
 }
 
 namespace wr {
