@@ -261,6 +261,24 @@ void CortexM4::setReg(int id, std::uint32_t value) const {
   uc_reg_write(engine_, id, &value);
 }
 
+// Many registers in one call are much faster than one by one.
+template <std::size_t Count>
+std::array<std::uint32_t, Count> CortexM4::regs(std::array<int, Count> ids) const {
+  std::array<std::uint32_t, Count> values{};
+  std::array<void*, Count> places{};
+  std::ranges::transform(values, places.begin(), [](std::uint32_t& value) { return &value; });
+  uc_reg_read_batch(engine_, ids.data(), places.data(), Count);
+  return values;
+}
+
+// They are written in their order.
+template <std::size_t Count>
+void CortexM4::setRegs(std::array<int, Count> ids, std::array<std::uint32_t, Count> values) const {
+  std::array<void*, Count> places{};
+  std::ranges::transform(values, places.begin(), [](std::uint32_t& value) { return &value; });
+  uc_reg_write_batch(engine_, ids.data(), places.data(), Count);
+}
+
 std::uint32_t CortexM4::core(unsigned number) const {
   return number == 13   ? reg(UC_ARM_REG_SP)
          : number == 14 ? reg(UC_ARM_REG_LR)
@@ -281,7 +299,7 @@ std::uint32_t CortexM4::pc() const {
 }
 
 unsigned CortexM4::exception() const {
-  return reg(UC_ARM_REG_IPSR) & 0x1FFU;
+  return exception_;
 }
 
 std::uint64_t CortexM4::cycles() const {
@@ -333,6 +351,7 @@ void CortexM4::reset() {
   setReg(UC_ARM_REG_FAULTMASK, 0);
   setReg(UC_ARM_REG_BASEPRI, 0);
   setReg(UC_ARM_REG_IPSR, 0);
+  exception_ = 0;
   setReg(UC_ARM_REG_CONTROL, 0);
   setReg(UC_ARM_REG_FPSCR, 0);
   setReg(UC_ARM_REG_SP, word(0) & ~3U);
@@ -398,15 +417,17 @@ void CortexM4::refuse(std::uint32_t address, std::string id, std::string what) {
 
 int CortexM4::executionPriority(bool withPrimask) const {
   // ARMv7-M ARM, B1.5.4
+  const auto [boosted, primask, faultmask] =
+      regs<3>({UC_ARM_REG_BASEPRI, UC_ARM_REG_PRIMASK, UC_ARM_REG_FAULTMASK});
   int priority = nvic_.activePriority();
-  const std::uint32_t basepri = reg(UC_ARM_REG_BASEPRI) & 0xF0U;
+  const std::uint32_t basepri = boosted & 0xF0U;
   if (basepri != 0) {
     priority = std::min(priority, nvic_.group(static_cast<int>(basepri)));
   }
-  if (withPrimask && (reg(UC_ARM_REG_PRIMASK) & 1U) != 0) {
+  if (withPrimask && (primask & 1U) != 0) {
     priority = std::min(priority, 0);
   }
-  if ((reg(UC_ARM_REG_FAULTMASK) & 1U) != 0) {
+  if ((faultmask & 1U) != 0) {
     priority = std::min(priority, -1);
   }
   return priority;
@@ -468,7 +489,9 @@ bool CortexM4::enterNext() {
     return false;  // until an exception returns or a register of the NVIC is written
   }
   // WFI ends also for an interrupt that PRIMASK alone keeps away: ARMv7-M ARM, B1.5.18.
-  sleeping_ = sleeping_ && wanted >= executionPriority(false);
+  if (sleeping_) {
+    sleeping_ = wanted >= executionPriority(false);
+  }
   if (wanted >= executionPriority()) {
     maskedPending_ = true;  // until the program changes a mask, which only the program sees
     return false;
@@ -703,25 +726,21 @@ bool CortexM4::pop(std::uint32_t address, std::span<std::uint32_t> words) const 
 
 // ARMv7-M ARM, B1.5.6: PushStack. The floating-point registers are stacked at once.
 bool CortexM4::stack(std::uint32_t returnsTo, std::uint32_t& link) {
-  const std::uint32_t control = reg(UC_ARM_REG_CONTROL);
+  const auto now =
+      regs<9>({UC_ARM_REG_R0, UC_ARM_REG_R1, UC_ARM_REG_R2, UC_ARM_REG_R3, UC_ARM_REG_R12,
+               UC_ARM_REG_LR, UC_ARM_REG_SP, UC_ARM_REG_XPSR, UC_ARM_REG_CONTROL});
+  const std::uint32_t before = now[6];
+  const std::uint32_t control = now[8];
   const unsigned from = exception();
   const bool withFp = (control & kFpActive) != 0 && system_.fpuStacks();
   const bool process = from == 0 && (control & kProcessStack) != 0;
-  const std::uint32_t before = reg(UC_ARM_REG_SP);
   const bool align = system_.alignsStack() || withFp;
   const std::uint32_t size = withFp ? 0x68 : 0x20;
   const std::uint32_t frame = (before - size) & (align ? ~7U : ~3U);
-  const std::uint32_t state =
-      (reg(UC_ARM_REG_XPSR) & ~kAlignedBit) | (align && (before & 4U) != 0 ? kAlignedBit : 0);
   std::array<std::uint32_t, 26> words{};
-  words[0] = reg(UC_ARM_REG_R0);
-  words[1] = reg(UC_ARM_REG_R1);
-  words[2] = reg(UC_ARM_REG_R2);
-  words[3] = reg(UC_ARM_REG_R3);
-  words[4] = reg(UC_ARM_REG_R12);
-  words[5] = reg(UC_ARM_REG_LR);
+  std::copy_n(now.begin(), 6, words.begin());
   words[6] = returnsTo & ~1U;
-  words[7] = state;
+  words[7] = (now[7] & ~kAlignedBit) | (align && (before & 4U) != 0 ? kAlignedBit : 0);
   if (withFp) {
     for (int i = 0; i < 16; ++i) {
       words[8U + static_cast<unsigned>(i)] = reg(UC_ARM_REG_S0 + i);
@@ -770,15 +789,18 @@ void CortexM4::vector(unsigned exception, std::uint32_t link) {
   const std::uint32_t handler = word(system_.vectors() + 4 * exception);
   const bool storm = nvic_.entriesOfHighLine(exception) >= kStorm;
   nvic_.activate(exception);
-  setReg(UC_ARM_REG_LR, link);
+  const auto [control, flags, fpStatus] =
+      regs<3>({UC_ARM_REG_CONTROL, UC_ARM_REG_APSR_NZCV, UC_ARM_REG_FPSCR});
   // CONTROL is written before IPSR: in handler mode the stack could not be chosen. The write of
   // the flags makes the engine see the new IPSR.
-  setReg(UC_ARM_REG_CONTROL, reg(UC_ARM_REG_CONTROL) & 1U);
-  const std::uint32_t sp = reg(UC_ARM_REG_SP);
-  setReg(UC_ARM_REG_IPSR, exception);
-  setReg(UC_ARM_REG_SP, sp);
-  setReg(UC_ARM_REG_APSR_NZCV, reg(UC_ARM_REG_APSR_NZCV));
-  setReg(UC_ARM_REG_FPSCR, (reg(UC_ARM_REG_FPSCR) & ~0x07C00000U) | system_.fpDefaults());
+  setReg(UC_ARM_REG_CONTROL, control & 1U);
+  setRegs<4>({UC_ARM_REG_LR, UC_ARM_REG_IPSR, UC_ARM_REG_SP, UC_ARM_REG_APSR_NZCV},
+             {link, exception, reg(UC_ARM_REG_SP), flags});
+  exception_ = exception;
+  if (const std::uint32_t wanted = (fpStatus & ~0x07C00000U) | system_.fpDefaults();
+      wanted != fpStatus) {
+    setReg(UC_ARM_REG_FPSCR, wanted);
+  }
   resumed_ = blockCall_ != nullptr;
   if ((handler & 1U) == 0) {
     report("vector-missing",
@@ -815,7 +837,7 @@ void CortexM4::exceptionReturn(std::uint32_t link) {
     return;
   }
   nvic_.deactivate(number);
-  if (number != kNmi) {
+  if (number != kNmi && reg(UC_ARM_REG_FAULTMASK) != 0) {
     setReg(UC_ARM_REG_FAULTMASK, 0);
   }
   if (exceptionCall_) {
@@ -854,26 +876,23 @@ void CortexM4::unstack(std::uint32_t link) {
           "return from exception " + std::to_string(from) + " to the state " + hex(state));
     return;
   }
-  setReg(UC_ARM_REG_R0, words[0]);
-  setReg(UC_ARM_REG_R1, words[1]);
-  setReg(UC_ARM_REG_R2, words[2]);
-  setReg(UC_ARM_REG_R3, words[3]);
-  setReg(UC_ARM_REG_R12, words[4]);
-  setReg(UC_ARM_REG_LR, words[5]);
   if (withFp) {
     for (int i = 0; i < 16; ++i) {
       setReg(UC_ARM_REG_S0 + i, words[8U + static_cast<unsigned>(i)]);
     }
     setReg(UC_ARM_REG_FPSCR, words[24]);
   }
-  setReg(UC_ARM_REG_IPSR, number);
-  setReg(UC_ARM_REG_CONTROL,
-         (reg(UC_ARM_REG_CONTROL) & 1U) | (process ? kProcessStack : 0) | (withFp ? kFpActive : 0));
+  const std::uint32_t control =
+      (reg(UC_ARM_REG_CONTROL) & 1U) | (process ? kProcessStack : 0) | (withFp ? kFpActive : 0);
   const bool aligned = (state & kAlignedBit) != 0 && (system_.alignsStack() || withFp);
-  setReg(UC_ARM_REG_SP, (frame + size) | (aligned ? 4U : 0));
-  setReg(UC_ARM_REG_XPSR_NZCVQG, state);  // UC_ARM_REG_XPSR would leave out GE
-  setReg(UC_ARM_REG_APSR_NZCV, state);
-  setReg(UC_ARM_REG_PC, words[6] | 1U);
+  const std::uint32_t stack = (frame + size) | (aligned ? 4U : 0);
+  // XPSR would leave out GE.
+  setRegs<12>({UC_ARM_REG_R0, UC_ARM_REG_R1, UC_ARM_REG_R2, UC_ARM_REG_R3, UC_ARM_REG_R12,
+               UC_ARM_REG_LR, UC_ARM_REG_IPSR, UC_ARM_REG_CONTROL, UC_ARM_REG_SP,
+               UC_ARM_REG_XPSR_NZCVQG, UC_ARM_REG_APSR_NZCV, UC_ARM_REG_PC},
+              {words[0], words[1], words[2], words[3], words[4], words[5], number, control, stack,
+               state, state, words[6] | 1U});
+  exception_ = number;
   sleeping_ = toThread && system_.sleepsOnExit();
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
@@ -184,6 +186,10 @@ class CortexM4 {
   void mapMemory(std::uint32_t address, std::uint32_t size, std::uint32_t rights, Access access);
   [[nodiscard]] std::uint32_t reg(int id) const;
   void setReg(int id, std::uint32_t value) const;
+  template <std::size_t Count>
+  [[nodiscard]] std::array<std::uint32_t, Count> regs(std::array<int, Count> ids) const;
+  template <std::size_t Count>
+  void setRegs(std::array<int, Count> ids, std::array<std::uint32_t, Count> values) const;
   [[nodiscard]] std::uint8_t* at(std::uint32_t address, std::uint32_t size) const;
   [[nodiscard]] std::uint16_t halfword(std::uint32_t address) const;
   [[nodiscard]] std::uint8_t* stackAt(std::uint32_t address) const;
@@ -226,6 +232,7 @@ class CortexM4 {
   std::uint64_t limit_ = 0;
   std::uint64_t stopAt_ = 0;
   std::uint32_t pc_ = 0;
+  unsigned exception_ = 0;
   bool running_ = false;  ///< inside the engine
   bool stoppedByHook_ = false;
   bool careful_ = false;  ///< it is asked for each instruction whether it may run
