@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -43,8 +45,12 @@ class ProductRobot : public SteppedRobot {
   static std::unique_ptr<BoardLine> imageOf(const std::string& product) {
     std::filesystem::path file = imageFile().replace_filename(product + ".bin");
     std::vector<std::uint8_t> image = readImage(file);
-    return std::make_unique<BoardLine>(std::move(image),
-                                       k64::Options{.elf = file.replace_extension(".elf")});
+    auto robot = std::make_unique<BoardLine>(std::move(image),
+                                             k64::Options{.elf = file.replace_extension(".elf")});
+    if (!robot->board.runToSleep(std::chrono::milliseconds(50))) {
+      throw std::runtime_error(product + " does not start");
+    }
+    return robot;
   }
 
   explicit ProductRobot(std::unique_ptr<BoardLine> line) : ProductRobot(*line, line) {}
@@ -135,7 +141,7 @@ TEST(ProductThatWarns, FR152_RedLightIsTheWarning) {
   int warned = 0;
   for (int cycles = 0; cycles < kN + 2; ++cycles) {
     robot.silentCycle();
-    robot.wait(milliseconds(50));
+    robot.wait(microseconds(50000));
     const bool warns = robot.report().state == kWaitingK;
     EXPECT_EQ(robot.redLight(), warns) << cycles;
     warned += warns ? 1 : 0;

@@ -1,0 +1,109 @@
+"""The image of each product holds what the product needs, and nothing of what it does not need."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from traceability.image import lock_problems
+from traceability.products import (
+    DEFAULT,
+    PRODUCTS,
+    image_of,
+    module_names,
+    modules_in,
+    modules_of,
+)
+
+ROOT = Path(__file__).parents[3]
+PC, BLUETOOTH, WARNING = (
+    "weeding_robot_pc",
+    "weeding_robot_pc_bluetooth",
+    "weeding_robot_warning",
+)
+REMOTE_CONTROL = {
+    *("RC", "RcPin", "ReadRcPin", "RcBuffer", "VelocityBuffer", "DirectionBuffer"),
+    *("RcVelocity", "RcDirection", "BufferReader", "WidthCollector"),
+}
+OF_BLUETOOTH = {"Bluetooth", "BluetoothLink", "BluetoothDirector"}
+OF_WARNING = {"WaitingK", "WarningDirector"}
+# Each product: what it has of the parts in which products differ. All have the rest.
+HAS = {
+    DEFAULT: REMOTE_CONTROL | {"RobotDirector"},
+    PC: {"RobotDirector"},
+    BLUETOOTH: OF_BLUETOOTH,
+    WARNING: REMOTE_CONTROL | OF_WARNING,
+}
+DIFFERENT = set().union(*HAS.values())
+# A template: the methods that only the remote control calls on their own are in no other image.
+INLINED = {"Pipe"}
+
+
+def held(product: str) -> set[str]:
+    elf = ROOT / image_of(product, ".elf")
+    if not elf.exists():
+        pytest.fail(f"there is no image of {product}: build it with ./wr firmware")
+    return set(modules_in(elf, module_names(ROOT)))
+
+
+def intruders(product: str, has: set[str]) -> set[str]:
+    """The modules in an image that its product should not have."""
+    return (held(product) & DIFFERENT) - has
+
+
+def test_the_products_are_those_that_are_built() -> None:
+    texts = [path.read_text() for path in (ROOT / "src").rglob("CMakeLists.txt")]
+    texts.append((ROOT / "extensions" / "CMakeLists.txt").read_text())
+    built = [name for text in texts for name in re.findall(r"add_image\((\w+) \w+/", text)]
+    assert sorted(built) == sorted(PRODUCTS) == sorted(HAS)
+
+
+def test_the_modules_in_which_products_differ_exist() -> None:
+    assert module_names(ROOT) >= DIFFERENT
+
+
+@pytest.mark.parametrize("product", PRODUCTS)
+def test_an_image_holds_nothing_that_its_product_does_not_need(product: str) -> None:
+    assert intruders(product, HAS[product]) == set()
+
+
+@pytest.mark.parametrize("product", PRODUCTS)
+def test_an_image_holds_what_its_product_needs(product: str) -> None:
+    assert held(product) >= HAS[product]
+
+
+@pytest.mark.parametrize("product", PRODUCTS)
+def test_all_else_is_the_same_in_all_products(product: str) -> None:
+    common = held(DEFAULT) - DIFFERENT - INLINED
+    assert held(product) - DIFFERENT - INLINED == common
+    assert common >= {"MainController", "PC", "PcConnection", "WheelController", "DirController"}
+
+
+@pytest.mark.parametrize("product", PRODUCTS)
+def test_an_intruder_is_found(product: str) -> None:
+    """Whatever a product has, it would be found in one that should not have it."""
+    for module in HAS[product]:
+        assert intruders(product, HAS[product] - {module}) == {module}
+
+
+@pytest.mark.parametrize("product", PRODUCTS)
+def test_no_product_locks_the_chip(product: str) -> None:
+    assert lock_problems((ROOT / image_of(product, ".bin")).read_bytes()) == []
+
+
+def test_the_modules_of_symbols() -> None:
+    listed = """\
+00000410 T resetHandler
+00002a94 T wr::RC::read(wr::MainController&)
+00006e5c V vtable for wr::WaitingK
+20000010 b guard variable for wr::(anonymous namespace)::director
+00001234 W wr::Pipe<wr::Quantity<wr::VelocityUnit> >::write(wr::Bluetooth const&)
+         U memcpy
+00000100 t wr::SteeringDevice::turn(wr::Quantity<wr::X>) [clone .part.0]
+20001000 B wr::platform::redLight
+00000200 t non-virtual thunk to wr::Reverse::reset()
+"""
+    found = modules_of(listed)
+    assert found == {"RC", "WaitingK", "Pipe", "SteeringDevice", "Reverse", "platform"}
