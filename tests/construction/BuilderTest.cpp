@@ -65,6 +65,15 @@ class BuilderTest : public testing::Test {
                                                       .direction = direction}};
   MainControllerBuilder builder{devices};
   RobotDirector director{poolBuilder, builder};
+
+  // The whole robot, started, after the first beat of its second timer.
+  void startRobot() {
+    director.construct();
+    timer.connect([this] { builder.clock().expired(); });
+    tickTimer.connect([this] { poolBuilder.timer().expired(); });
+    director.start();
+    tickTimer.periodPassed();
+  }
 };
 
 /// @brief The controller that is built begins in the mode RC.
@@ -118,9 +127,7 @@ TEST_F(BuilderTest, FR51_RcSignalsReachTheSetPoints) {
 /// by no step of its construction or start.
 /// @verifies FR-74
 TEST_F(BuilderTest, FR74_CyclesRefreshTheWatchdogOfThePlatform) {
-  director.construct();
-  timer.connect([this] { builder.clock().expired(); });
-  director.start();
+  startRobot();
   EXPECT_EQ(watchdog.refreshes(), 0U);
   timer.periodPassed();
   EXPECT_EQ(watchdog.refreshes(), 1U);
@@ -129,9 +136,7 @@ TEST_F(BuilderTest, FR74_CyclesRefreshTheWatchdogOfThePlatform) {
 /// @brief The Welcome of the robot that is built tells the start that the platform recorded.
 /// @verifies FR-76
 TEST_F(BuilderTest, FR76_WelcomeTellsTheStartOfThePlatform) {
-  director.construct();
-  timer.connect([this] { builder.clock().expired(); });
-  director.start();
+  startRobot();
   PcSender pc;
   port.arrive(pc.hello());
   timer.periodPassed();
@@ -146,8 +151,7 @@ TEST_F(BuilderTest, FR76_WelcomeTellsTheStartOfThePlatform) {
 /// @brief Every part of the robot is made once, and the pool holds each control system.
 /// @verifies FR-78
 TEST_F(BuilderTest, FR78_EveryPartIsMadeOnce) {
-  director.construct();
-  director.start();
+  startRobot();
   EXPECT_FALSE(poolBuilder.pool().completed(1));
   poolBuilder.pool().hold(1);
   EXPECT_TRUE(poolBuilder.pool().completed(1));

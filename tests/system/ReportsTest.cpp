@@ -79,14 +79,25 @@ TEST_F(ReportsOfRobot, FR60_ReportsEndWhenTheLinkIsLost) {
   EXPECT_EQ(robot.report().dropped[kUnexpected], 1);
 }
 
-/// @brief Without control systems that measure, every value is marked as missing and is 0.
+/// @brief A value that is measured or applied is marked as valid, also if it is 0.
+/// @verifies FR-62
+TEST_F(ReportsOfRobot, FR62_ValuesThatExistAreMarkedAsValid) {
+  robot.connect();
+  EXPECT_EQ(robot.report().measured, 0b1'1111'1111'1111);
+  EXPECT_EQ(robot.report().applied, 0b1'1111);
+  EXPECT_EQ(robot.report().velocity[0], 0);
+  EXPECT_EQ(robot.report().tension[0], 0);
+}
+
+/// @brief A value whose sensor is broken is marked as missing and is 0, the others stay valid.
 /// @verifies FR-62
 TEST_F(ReportsOfRobot, FR62_MissingValuesAreMarked) {
   robot.connect();
-  EXPECT_EQ(robot.report().measured, 0);
-  EXPECT_EQ(robot.report().applied, 0);
-  EXPECT_EQ(robot.report().velocity[0], 0);
-  EXPECT_EQ(robot.report().tension[0], 0);
+  robot.physics().setFault(sim::Fault::Angle, 0, true);
+  robot.keepAlive();
+  robot.cycles(3);
+  EXPECT_EQ(robot.report().measured, 0b0'1111'1111'1111);
+  EXPECT_EQ(robot.report().steeringPosition, 0);
 }
 
 /// @brief Frames that are not in order are counted in the report of their cycle, each kind by itself, and

@@ -56,6 +56,9 @@ class SteppedRobot {
   /// Lets a part of the period pass.
   void wait(microseconds duration) { require(line_->runUntil(line_->now() + duration)); }
 
+  /// The physics of the robot: its truth, its ground, its faults.
+  [[nodiscard]] sim::Robot& physics() { return line_->robot(); }
+
   void arrive(std::span<const std::uint8_t> bytes) { line_->send(bytes); }
   void arriveBeforePulse(std::span<const std::uint8_t> bytes, microseconds before) {
     line_->sendBeforePulse(bytes, before);

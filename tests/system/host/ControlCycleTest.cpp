@@ -54,6 +54,7 @@ TEST_F(ControlCycleOfRobotOnHost, FR4_CycleThatHasNotBegunAtTheNextPulseIsAnOver
   Action twoPulses([&] {
     robot.robot.clockPulse();
     robot.time.advance(robot.robot.period());
+    robot.robot.beat();
     robot.robot.clockPulse();
   });
   busy.start(twoPulses);
@@ -76,6 +77,7 @@ TEST_F(ControlCycleOfRobotOnHost, FR4_PulseDuringTheCycleMarksTheCycle) {
   robot.system.work = [&] {
     if (std::exchange(late, false)) {
       robot.time.advance(robot.robot.period());
+      robot.robot.beat();
       robot.robot.clockPulse();
     }
   };

@@ -13,34 +13,6 @@ class ReportsOfRobotOnHost : public testing::Test {
   HostSteppedRobot robot;
 };
 
-/// @brief A value that a control system gives is marked as valid, also if it is 0; the others are missing.
-/// @verifies FR-62
-TEST_F(ReportsOfRobotOnHost, FR62_ValuesThatExistAreMarkedAsValid) {
-  robot.system.measured.wheels[0].velocity = Velocity(0);
-  robot.system.measured.wheels[0].position = HallCount(-70'000);
-  robot.system.measured.steering = Angle(-150);
-  robot.system.outputs.tensions[0] = Tension(-3000);
-  robot.connect();
-  EXPECT_EQ(robot.report().measured, 0b1'0000'0000'0101);
-  EXPECT_EQ(robot.report().applied, 0b0'0001);
-  EXPECT_EQ(robot.report().position[0], -70'000);
-  EXPECT_EQ(robot.report().steeringPosition, -150);
-  EXPECT_EQ(robot.report().tension[0], -3000);
-}
-
-/// @brief A value that was measured in one cycle and not in the next is missing in the next report.
-/// @verifies FR-62
-TEST_F(ReportsOfRobotOnHost, FR62_ValueOfTheCycleBeforeIsMissing) {
-  robot.system.measured.wheels[0].current = Current(12);
-  robot.connect();
-  EXPECT_EQ(robot.report().measured, 0b10);
-  robot.system.measured = {};
-  robot.keepAlive();
-  robot.cycle();
-  EXPECT_EQ(robot.report().measured, 0);
-  EXPECT_EQ(robot.report().current[0], 0);
-}
-
 /// @brief The report tells the conditions of the steering and of the wheels that the control systems give.
 /// @verifies FR-65
 /// @verifies FR-66
