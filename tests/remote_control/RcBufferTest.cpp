@@ -41,18 +41,18 @@ struct Signal {
   }
 
   [[nodiscard]] std::optional<int> value() {
-    const std::optional<Stamped<Value>> read = pipe.read();
-    return read ? std::optional<int>(read->value.count()) : std::nullopt;
+    const std::optional<Stamped<Value>> newest = pipe.read();
+    return newest ? std::optional<int>(newest->value.count()) : std::nullopt;
   }
 
   FakeTimebase& time;
   FakeEdgeInput input;
   BasicCollector basic;
-  PeriodCollector period{basic};
-  WidthCollector width{period};
+  PeriodCollector periods{basic};
+  WidthCollector widths{periods};
   Lever function;
   Pipe<Value> pipe;
-  Buffer buffer{width, function, pipe};
+  Buffer buffer{widths, function, pipe};
   RcPin pin{input, read};
   ReadRcPin read{buffer, pin, time};
 };
@@ -99,7 +99,7 @@ TEST_F(RcBufferTest, FR52_InterruptOfAnotherPin) {
   velocity.input.high = true;  // without an edge that waits
   velocity.pin.serve();
   Instants instants;
-  velocity.width.fill(instants);
+  velocity.widths.fill(instants);
   EXPECT_EQ(instants.width, Microseconds(1700));
   EXPECT_EQ(instants.last, Instant(1700));
 }
