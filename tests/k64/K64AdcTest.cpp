@@ -125,7 +125,7 @@ TEST(K64AdcInTheRobot, FR142_ReportsHaveTheCurrentsAndTheAngle) {
 /// are missing.
 /// @verifies FR-143
 TEST(K64AdcInTheRobot, FR143_AfterAFailedCalibrationTheCurrentsAreMissing) {
-  BoardRobot robot({.calibrates = false});
+  BoardRobot robot(k64::Options{.calibrates = false});
   robot.startUp();
   robot.connect();
   robot.cycles(3);

@@ -127,7 +127,7 @@ TEST(K64BoardOnBoard, FR72_CoreRunsAt120MegahertzBeforeTheFirstCycle) {
 /// @verifies FR-73
 /// @verifies FR-76
 TEST(K64BoardOnBoard, FR73_StartIsTriedAgainUntilTheClockComes) {
-  BoardRobot robot({.externalClock = false});
+  BoardRobot robot(k64::Options{.externalClock = false});
   robot.run(milliseconds(280));
   for (int attempt = 1; attempt <= 3; ++attempt) {
     EXPECT_EQ(robot.board.resets(), attempt - 1);
