@@ -76,6 +76,9 @@ def _unknown(model: Model) -> list[Finding]:
     for machine in model.machines.values():
         for transition in machine.transitions:
             tagged += [(transition.place, name) for name in transition.requirements]
+    for scenario in model.closed_loop:
+        names = [figure.requirement for figure in scenario.figures if figure.requirement]
+        tagged += [(scenario.place, name) for name in names]
     return [
         Finding(place, "req-unknown", f"there is no requirement {name}", "correct the id")
         for place, name in tagged

@@ -16,11 +16,12 @@ from traceability.commands.builds import (
 )
 from traceability.commands.check import STEPS as DOCUMENT_STEPS
 from traceability.commands.check import make_documents, report
+from traceability.commands.closed_loop import play_all
 from traceability.commands.firmware import build_firmware
 from traceability.commands.serve import add_port, serve
 from traceability.commands.steps import Steps
 
-BUILD_STEPS = 5
+BUILD_STEPS = 6
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -51,6 +52,7 @@ def portal(root: Path, options: argparse.Namespace) -> int:
         traced_tests(root, steps)
         covered_tests(root, steps)
         board_tests(root, steps)
+        closed_loop(root, steps)
     figures = (lambda: {"build.cold_s": round(time.monotonic() - start, 1)}) if cold else dict
     code = report(make_documents(root, steps, figures), steps)
     print(f"The portal is in {root / 'build' / 'site'}")
@@ -67,6 +69,14 @@ def board_tests(root: Path, steps: Steps) -> Counts:
         steps.skip("tests (virtual K64)", "there is no image")
         return Counts()
     return counted_tests(root, steps, "virtual K64", BOARD)
+
+
+def closed_loop(root: Path, steps: Steps) -> None:
+    """The scenarios with the simulated robot, on this machine and on the virtual K64."""
+    if "firmware (K64)" in steps.failed:
+        steps.skip("closed loop", "there is no image")
+    else:
+        steps.run("closed loop", lambda log: play_all(root, log))
 
 
 def counted_tests(root: Path, steps: Steps, title: str, run_name: str) -> Counts:

@@ -17,11 +17,11 @@ from traceability.commands.builds import (
 from traceability.commands.check import STEPS as DOCUMENT_STEPS
 from traceability.commands.check import make_documents, report
 from traceability.commands.firmware import build_firmware
-from traceability.commands.portal import board_tests, covered_tests, traced_tests
+from traceability.commands.portal import board_tests, closed_loop, covered_tests, traced_tests
 from traceability.commands.steps import FailureError, Steps, run
 from traceability.sources import DESIGN, files_below, hash_of
 
-OTHER_STEPS = 8
+OTHER_STEPS = 9
 # What tests of Python read: some run on a copy of the whole project.
 READ_BY_TESTS = (
     *(*DESIGN, "sim", "tests", "client", "docs", "design", "requirements"),
@@ -50,6 +50,7 @@ def test(root: Path) -> int:
     covered_tests(root, steps)
     steps.run("tests (sanitize)", lambda log: require_counts(*run_tests(root, "sanitize", log)))
     counts += board_tests(root, steps)
+    closed_loop(root, steps)
     pages = root / "tests" / "python" / "site"
     python = root / "tests" / "python"
     counts += run_pytest(root, steps, "tools", [python, f"--ignore={pages}"])

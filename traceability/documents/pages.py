@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from traceability.documents import calls
+from traceability.documents import calls, plots
 from traceability.documents.links import logic_anchor
 from traceability.documents.portal import Page, Portal
 from traceability.model.schema import (
@@ -72,6 +72,7 @@ def overview_pages(portal: Portal) -> Iterator[Page]:
         drivers=driver_coverage(portal),
         torture=[t for t in portal.model.tests.values() if t.place.file.startswith(TORTURE)],
     )
+    yield closed_loop_page(portal)
     yield portal.page("checks/index", "Checks", "checks", "checks")
     yield portal.page("source/index", "Source", "source", "sources", folders=folders(portal))
 
@@ -135,6 +136,32 @@ def missed_runs(path: str, lines: dict[int, bool]) -> list[Place]:
             runs.append(Place(path, first, line))
         missed_before = not hit
     return runs
+
+
+def closed_loop_page(portal: Portal) -> Page:
+    scenarios = portal.model.closed_loop
+
+    def within(binding: str) -> tuple[int | None, int]:
+        """How many figures are within their limits, if any was measured, and how many there are."""
+        every = [figure for scenario in scenarios for figure in scenario.figures]
+        ran = [figure for figure in every if binding in figure.values]
+        return sum(figure.holds(binding) for figure in ran) if ran else None, len(every)
+
+    return portal.page(
+        "closed_loop",
+        "Closed loop",
+        "closed_loop",
+        "closed_loop",
+        scenarios=scenarios,
+        drawings={
+            scenario.name: [drawing for plot in scenario.plots if (drawing := plots.draw(plot))]
+            for scenario in scenarios
+        },
+        within=within,
+        number=lambda value: f"{value:.3g}" if abs(value) < 100 else f"{value:.0f}",
+        width=plots.WIDTH,
+        height=plots.HEIGHT,
+    )
 
 
 # ---- modules -----------------------------------------------------------------

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from traceability.model.annotations import MemberText, Text, read_annotations
 from traceability.model.board_coverage import read_board_coverage
+from traceability.model.closed_loop import read_closed_loop
 from traceability.model.declared import read_declared
 from traceability.model.facts import Facts, gather_facts
 from traceability.model.results import read_coverage, read_sizes
@@ -60,6 +61,7 @@ def build(root: Path) -> Model:
         recordings.vectors = set(model.functions) - called
     add_tests(model, facts)
     add_board_findings(model, facts)
+    model.closed_loop = read_closed_loop(root, model.sources_hash)
     add_executed_modules(model, traces)
     _add_measures(model, root)
     add_trees(model, facts, traces)

@@ -357,6 +357,57 @@ class Finding:
 
 
 @dataclass
+class Curve:
+    """A value over time. Its kind is "set_point", "measured" or "truth"."""
+
+    kind: str
+    binding: str
+    points: list[tuple[float, float]]  # seconds, value
+
+
+@dataclass
+class LoopPlot:
+    title: str
+    unit: str
+    curves: list[Curve]
+
+
+@dataclass
+class LoopFigure:
+    """A figure of a run in closed loop, with the greatest value that is allowed."""
+
+    title: str
+    limit: float
+    unit: str
+    requirement: str  # "" without one
+    values: dict[str, float | None]  # binding that ran -> value; None when it has none
+
+    def holds(self, binding: str) -> bool:
+        value = self.values[binding]
+        return value is not None and value <= self.limit
+
+
+@dataclass
+class LoopRun:
+    """Whether all expectations of the scenario held, and what was printed if not."""
+
+    passed: bool
+    said: str
+
+
+@dataclass
+class LoopScenario:
+    name: str
+    title: str
+    says: str
+    file: str
+    place: Place
+    plots: list[LoopPlot]
+    figures: list[LoopFigure]
+    runs: dict[str, LoopRun]  # binding -> run with these sources
+
+
+@dataclass
 class Model:
     commit: str
     version: str
@@ -376,6 +427,7 @@ class Model:
     driver_faults: list[DriverFault] | None = None  # of these sources
     # File of the drivers -> line -> whether the tests executed it on the virtual K64.
     board_lines: dict[str, dict[int, bool]] | None = None
+    closed_loop: list[LoopScenario] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     files: list[str] = field(default_factory=list)  # sources that get a source page
     facts: Facts | None = field(default=None, repr=False)  # for the checks; no document reads it

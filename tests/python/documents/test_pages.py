@@ -21,8 +21,13 @@ from traceability.model.schema import (
     VIRTUAL_K64,
     BindingResult,
     BoardFinding,
+    Curve,
     DriverFault,
     Finding,
+    LoopFigure,
+    LoopPlot,
+    LoopRun,
+    LoopScenario,
     Model,
     Place,
     TreeRun,
@@ -374,3 +379,28 @@ def test_lines_of_drivers_that_the_board_did_not_execute_are_listed(tmp_path: Pa
     assert "Coverage on the virtual K64" in page("modules/RC")
     assert "2 of 5" in page("modules/RC")
     assert "not executed by a test on the virtual K64" in page(f"source/{path}")
+
+
+def test_the_closed_loop_shows_what_ran_and_what_did_not(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
+    curve = Curve("truth", HOST, [(0.0, 0.0), (1.0, 150.0)])
+    good = LoopFigure("Settling time", 2000, "ms", "FR-15", {HOST: 1050.0})
+    bad = LoopFigure("Overshoot", 10, "%", "", {HOST: 11.0})
+    never = LoopFigure("Steady error", 1, "%", "", {HOST: None})
+    model.closed_loop = [
+        LoopScenario(
+            "step", "A step", "It steps.", "sim/scenario/examples/step.scenario",
+            Place("design/closed_loop.toml", 1), [LoopPlot("Velocity", "rpm", [curve])],
+            [good, bad, never], {HOST: LoopRun(False, "step.scenario:3: no")},
+        )
+    ]  # fmt: skip
+    pages = all_pages(Portal(tmp_path, model, [], CHECKS))
+    page = next(page.body for page in pages if page.name == "closed_loop")
+    assert "1050 ms</span>" in page
+    assert '<span class="v bad">11 %</span>' in page
+    assert '<span class="v bad">no value</span>' in page
+    assert page.count("not run</span>") == 3
+    assert "1<small>/3</small>" in page
+    assert "step.scenario:3: no" in page
+    assert 'requirements/FR-15.html"' in page
+    assert page.count('<path class="truth host"') == 2  # the curve and its key

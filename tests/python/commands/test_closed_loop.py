@@ -1,0 +1,72 @@
+"""The scenarios of the closed loop, played by programs that stand in for the two of the project."""
+
+import json
+import sys
+from pathlib import Path
+
+import pytest
+
+from traceability.commands import closed_loop
+from traceability.commands.steps import FailureError
+from traceability.model.schema import HOST, VIRTUAL_K64
+
+PROGRAM = f"""#!{sys.executable}
+import sys
+options = sys.argv[1:]
+scenario = open(options[options.index("--scenario") + 1]).read()
+with open(options[options.index("--reports") + 1], "w") as file:
+    file.write(("board" if "--image" in options else "host") + "\\n")
+if "fails" in scenario:
+    print("here: it fails", file=sys.stderr)
+    sys.exit(1)
+"""
+
+
+@pytest.fixture
+def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    (tmp_path / "design").mkdir()
+    (tmp_path / "design/closed_loop.toml").write_text('[[scenario]]\nname = "one"\n')
+    for folder in ("build/results", "build/host/sim", "build/k64", "sim/scenario/examples"):
+        (tmp_path / folder).mkdir(parents=True)
+    for name in ("weeding_robot_host", "weeding_robot_board"):
+        program = tmp_path / "build/host/sim" / name
+        program.write_text(PROGRAM)
+        program.chmod(0o755)
+    (tmp_path / "build/k64/weeding_robot.bin").write_bytes(b"image")
+    (tmp_path / "sim/scenario/examples/one.scenario").write_text("holds\n")
+    monkeypatch.setattr(closed_loop, "build_for_board", lambda *_: None)
+    return tmp_path
+
+
+def outcomes(root: Path) -> dict[str, dict[str, dict[str, object]]]:
+    found: dict[str, dict[str, dict[str, object]]] = json.loads(
+        (root / "build/results/closed_loop.json").read_text()
+    )["runs"]
+    return found
+
+
+def test_each_scenario_is_played_on_both_bindings(root: Path) -> None:
+    assert closed_loop.play_all(root, sys.stdout) == "1 scenarios"
+    assert (root / "build/results/closed_loop/one-host.csv").read_text() == "host\n"
+    assert (root / "build/results/closed_loop/one-k64.csv").read_text() == "board\n"
+    passed = {"passed": True, "said": ""}
+    assert outcomes(root) == {"one": {HOST: passed, VIRTUAL_K64: passed}}
+
+
+def test_it_is_played_again_only_when_something_changed(root: Path) -> None:
+    closed_loop.play_all(root, sys.stdout)
+    reports = root / "build/results/closed_loop/one-host.csv"
+    reports.write_text("kept")
+    assert closed_loop.play_all(root, sys.stdout) == "1 scenarios (unchanged)"
+    assert reports.read_text() == "kept"
+    (root / "build/k64/weeding_robot.bin").write_bytes(b"another")
+    assert closed_loop.play_all(root, sys.stdout) == "1 scenarios"
+    assert reports.read_text() == "host\n"
+
+
+def test_an_expectation_that_fails_is_told_and_kept(root: Path) -> None:
+    (root / "sim/scenario/examples/one.scenario").write_text("fails\n")
+    for _ in range(2):
+        with pytest.raises(FailureError, match=r"one \(host\), one \(virtual K64\)"):
+            closed_loop.play_all(root, sys.stdout)
+        assert outcomes(root)["one"][HOST] == {"passed": False, "said": "here: it fails"}

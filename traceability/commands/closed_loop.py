@@ -1,0 +1,83 @@
+"""Plays the scenarios of the closed loop on the host and on the virtual K64, for their figures."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from pathlib import Path
+from typing import TextIO
+
+from traceability.commands.builds import BOARD_PROGRAM, IMAGE, build_for_board
+from traceability.commands.steps import FailureError
+from traceability.model.closed_loop import DECLARED, EXAMPLES, OUTCOMES, csv_of, declared
+from traceability.model.schema import HOST, VIRTUAL_K64
+from traceability.sources import file_hash, source_hash
+
+HOST_PROGRAM = "weeding_robot_host"
+SECONDS = 300  # for one scenario
+
+
+def play_all(root: Path, log: TextIO) -> str:
+    """Plays each scenario on both bindings, unless they ran with these sources."""
+    now = {
+        "sources": source_hash(root),
+        "image": file_hash(root / IMAGE),
+        "declared": file_hash(root / DECLARED),
+    }
+    known = _known(root / OUTCOMES)
+    if {key: known.get(key) for key in now} == now:
+        return _note(known["runs"], fresh=False)
+    (root / OUTCOMES).unlink(missing_ok=True)
+    build_for_board(root, log, HOST_PROGRAM, BOARD_PROGRAM)
+    runs = {
+        str(item["name"]): {
+            binding: _play(root, log, str(item["name"]), binding) for binding in (HOST, VIRTUAL_K64)
+        }
+        for item in declared(root)
+    }
+    (root / OUTCOMES).write_text(json.dumps({**now, "runs": runs}, indent=1), encoding="utf-8")
+    return _note(runs, fresh=True)
+
+
+def _known(path: Path) -> dict[str, object]:
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return found if isinstance(found, dict) else {}
+
+
+def _play(root: Path, log: TextIO, name: str, binding: str) -> dict[str, object]:
+    reports = root / csv_of(name, binding)
+    reports.parent.mkdir(parents=True, exist_ok=True)
+    reports.unlink(missing_ok=True)
+    folder = root / "build" / "host" / "sim"
+    words: list[str | Path] = [folder / HOST_PROGRAM]
+    if binding == VIRTUAL_K64:
+        elf = (root / IMAGE).with_suffix(".elf")
+        words = [folder / BOARD_PROGRAM, "--image", root / IMAGE, "--elf", elf]
+    words += ["--scenario", root / EXAMPLES / f"{name}.scenario", "--reports", reports]
+    log.write(f"$ {' '.join(str(word) for word in words)}\n")
+    try:
+        run = subprocess.run(words, capture_output=True, text=True, timeout=SECONDS, check=False)
+    except subprocess.TimeoutExpired:
+        return {"passed": False, "said": f"it did not end within {SECONDS} s"}
+    output = run.stdout + run.stderr
+    log.write(output)
+    lines = [line for line in run.stderr.splitlines() or run.stdout.splitlines() if line.strip()]
+    said = lines[0].replace(f"{root}/", "") if lines else f"exit code {run.returncode}"
+    return {"passed": run.returncode == 0, "said": "" if run.returncode == 0 else said}
+
+
+def _note(runs: object, *, fresh: bool) -> str:
+    """The note of the step; a scenario that failed fails it."""
+    assert isinstance(runs, dict)
+    failed = [
+        f"{name} ({binding})"
+        for name, bindings in runs.items()
+        for binding, run in bindings.items()
+        if not run["passed"]
+    ]
+    if failed:
+        raise FailureError(f"not as expected: {', '.join(failed)}")
+    return f"{len(runs)} scenarios{'' if fresh else ' (unchanged)'}"
