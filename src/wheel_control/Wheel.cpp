@@ -37,11 +37,6 @@ void Wheel::setTension(Tension magnitude) {
 
 void Wheel::setOrientation(bool backwards) {
   orientation_.set(backwards);
-  backwards_ = backwards;
-}
-
-bool Wheel::backwards() const {
-  return backwards_;
 }
 
 Command& Wheel::cutOff() {

@@ -53,11 +53,6 @@ class Wheel final {
   /// @isr{no}
   void setOrientation(bool backwards);
 
-  /// @brief Tells the orientation.
-  /// @return true if tension makes the wheel turn backwards
-  /// @isr{no}
-  [[nodiscard]] bool backwards() const;
-
   /// @brief Gives the command that switches the driver off at once, for an interrupt to execute.
   /// @return command of this wheel; after it nothing but release() lets the driver be switched on
   /// @satisfies FR-89
@@ -92,7 +87,6 @@ class Wheel final {
   PwmOutput& pwm_;
   DigitalOutput& orientation_;
   DigitalOutput& enable_;
-  bool backwards_ = false;
   std::atomic<bool> isCutOff_{false};  // an interrupt sets it, the thread of the wheel clears it
 
   static_assert(std::atomic<bool>::is_always_lock_free, "an interrupt cannot wait");

@@ -169,13 +169,16 @@ TEST_F(WheelControllerTest, FR91_StandingWheelIsBlindAfterTenCycles) {
   controlStanding(tensionOf(6001));
   EXPECT_TRUE(controller.blind());
   EXPECT_EQ(controller.applied(), Tension(3601));
+  controlStanding(tensionOf(6001));
+  EXPECT_TRUE(controller.blind());
+  EXPECT_EQ(controller.applied(), Tension(1201));
 }
 
 /// @brief Backwards it is the same.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_StandingWheelIsBlindBackwards) {
   for (int cycle = 0; cycle < 12; ++cycle) {
-    controlStanding(tensionOf(-6001));
+    controlStanding(tensionOf(-9000));
   }
   EXPECT_TRUE(controller.blind());
 }

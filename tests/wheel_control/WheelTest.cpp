@@ -21,7 +21,6 @@ class WheelTest : public testing::Test {
 TEST_F(WheelTest, FR88_NewWheelIsOff) {
   EXPECT_FALSE(enable.isOn());
   EXPECT_FALSE(orientation.isOn());
-  EXPECT_FALSE(wheel.backwards());
   EXPECT_FALSE(wheel.isCutOff());
 }
 
@@ -60,10 +59,8 @@ TEST_F(WheelTest, FR88_StopShortCircuits) {
 TEST_F(WheelTest, FR87_OrientationStandsAtItsOutput) {
   wheel.setOrientation(true);
   EXPECT_TRUE(orientation.isOn());
-  EXPECT_TRUE(wheel.backwards());
   wheel.setOrientation(false);
   EXPECT_FALSE(orientation.isOn());
-  EXPECT_FALSE(wheel.backwards());
 }
 
 /// @brief The cut-off switches the driver off at once; neither tension nor stop switches it on again.

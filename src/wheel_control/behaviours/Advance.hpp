@@ -29,6 +29,7 @@ class Advance final : public WheelBehaviour {
 
   /// @brief Needs no note: what was applied before does not count.
   /// @param applied is not used
+  /// @satisfies FR-80
   /// @isr{no}
   void resume(Tension applied) override;
 

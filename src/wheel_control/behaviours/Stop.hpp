@@ -31,6 +31,7 @@ class Stop final : public WheelBehaviour {
 
   /// @brief Needs no note: each call tells what stands at the wheel.
   /// @param applied is not used
+  /// @satisfies FR-88
   /// @isr{no}
   void resume(Tension applied) override;
 

@@ -22,9 +22,9 @@ TEST_F(WheelCommandTest, FR80_SetTensionTakesTheMagnitude) {
 /// @verifies FR-87
 TEST_F(WheelCommandTest, FR87_SetOrientationTakesTheSign) {
   setOrientation.execute(Tension(-1));
-  EXPECT_TRUE(wheel.backwards());
+  EXPECT_TRUE(orientation.isOn());
   setOrientation.execute(Tension(0));
-  EXPECT_FALSE(wheel.backwards());
+  EXPECT_FALSE(orientation.isOn());
   EXPECT_EQ(pwm.dutyCycle(), DutyCycle(0));
 }
 
