@@ -12,6 +12,8 @@ from traceability.image import TOTALS, sources_of_image
 from traceability.model.results import RESULTS, read_json
 from traceability.model.schema import Finding, Model, Module
 from traceability.model.traces import nodes_of
+from traceability.products import PRODUCTS
+from traceability.products import RESULTS as HELD
 
 METRICS = Path("build/metrics.json")
 
@@ -41,6 +43,13 @@ def image(root: Path) -> dict[str, Any]:
     if not isinstance(record, dict) or record.get("sources") != sources_of_image(root):
         return {}
     return {"firmware.flash_bytes": record["flash"], "firmware.ram_bytes": record["ram"]}
+
+
+def read_products(root: Path) -> dict[str, dict[str, Any]] | None:
+    """Product -> what its image holds, when all were built from the present sources."""
+    found = read_json(root / HELD)
+    fresh = isinstance(found, dict) and set(found) == set(PRODUCTS) and bool(image(root))
+    return found if fresh else None
 
 
 def site_figures(site: Path, findings: Iterable[Finding]) -> dict[str, Any]:

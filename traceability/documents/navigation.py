@@ -7,6 +7,8 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from traceability.products import PRODUCTS
+
 if TYPE_CHECKING:
     from traceability.documents.portal import Portal
     from traceability.model.schema import Model
@@ -106,6 +108,7 @@ def understand(model: Model) -> list[Entry]:
         Entry("machines", "State machines", "machines.html", "", len(model.machines)),
         Entry("guide", "Module guide", "guide.html", "G"),
         Entry("interfaces", "Interfaces", "interfaces.html", "I"),
+        Entry("products", "Product line", "products.html", "", len(PRODUCTS)),
         Entry("datatypes", "Data types", "datatypes.html", "", types),
         Entry("uses", "Uses", "uses.html"),
     ]

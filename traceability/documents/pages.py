@@ -9,6 +9,7 @@ from pathlib import Path
 from traceability.documents import calls, plots
 from traceability.documents.links import logic_anchor
 from traceability.documents.portal import Page, Portal
+from traceability.metrics import read_products
 from traceability.model.schema import (
     Method,
     Module,
@@ -19,6 +20,7 @@ from traceability.model.schema import (
     TreeNode,
     TreeRun,
 )
+from traceability.products import PRODUCTS
 
 FIRST_TESTS = 12  # shown open on the page of a module
 TORTURE = "tests/torture/"
@@ -52,6 +54,7 @@ def overview_pages(portal: Portal) -> Iterator[Page]:
     yield portal.page("interfaces", "Interfaces", "interfaces", "interfaces", groups=by_logic)
     yield portal.page("datatypes", "Data types", "datatypes", "datatypes")
     yield portal.page("patterns/index", "Pattern applications", "patterns", "patterns")
+    yield products_page(portal)
     yield portal.page("machines", "State machines", "machines", "machines")
     yield portal.page("uses", "Uses", "uses", "uses", rows=use_rows(portal))
     yield portal.page("architecture", "Architecture", "architecture", "architecture", wide=True)
@@ -136,6 +139,22 @@ def missed_runs(path: str, lines: dict[int, bool]) -> list[Place]:
             runs.append(Place(path, first, line))
         missed_before = not hit
     return runs
+
+
+def products_page(portal: Portal) -> Page:
+    products = read_products(portal.root)
+    held = [set(product["modules"]) for product in (products or {}).values()]
+    common = set.intersection(*held) if held else set()
+    return portal.page(
+        "products",
+        "Product line",
+        "products",
+        "products",
+        listed=PRODUCTS,
+        products=products,
+        rows=sorted(set().union(*held) - common),
+        common=sorted(common),
+    )
 
 
 def closed_loop_page(portal: Portal) -> Page:

@@ -16,6 +16,7 @@ from traceability.documents.links import Links
 from traceability.documents.names import Names
 from traceability.documents.pages import aligned, all_pages
 from traceability.documents.portal import CheckText, Portal
+from traceability.image import sources_of_image
 from traceability.model.schema import (
     HOST,
     VIRTUAL_K64,
@@ -32,6 +33,7 @@ from traceability.model.schema import (
     Place,
     TreeRun,
 )
+from traceability.products import DEFAULT, PRODUCTS
 
 CHECKS = [CheckText("tree-static", "Calls are possible", "Each edge is one.", "runs.", "call it.")]
 
@@ -404,3 +406,30 @@ def test_the_closed_loop_shows_what_ran_and_what_did_not(tmp_path: Path) -> None
     assert "step.scenario:3: no" in page
     assert 'requirements/FR-15.html"' in page
     assert page.count('<path class="truth host"') == 2  # the curve and its key
+
+
+def test_products_are_compared_when_they_were_built(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
+
+    def page() -> str:
+        pages = all_pages(Portal(tmp_path, model, [], CHECKS))
+        return next(page.body for page in pages if page.name == "products")
+
+    assert "not built from these sources" in page()
+    results = tmp_path / "build" / "results"
+    results.mkdir(parents=True)
+    every = {"flash": 40000, "ram": 9000, "modules": ["MainController"]}
+    held = {name: dict(every) for name in PRODUCTS} | {
+        DEFAULT: {"flash": 41234, "ram": 9000, "modules": ["MainController", "RC"]}
+    }
+    (results / "products.json").write_text(json.dumps(held))
+    totals = {"flash": 41234, "ram": 9000, "sources": sources_of_image(tmp_path)}
+    (results / "image_k64.json").write_text(json.dumps(totals))
+    shown = page()
+    assert "41234 B" in shown
+    differences = shown.partition('id="differences"')[2].partition("</section>")[0]
+    assert ">RC</a>" in differences
+    assert differences.count("held</span>") == 1
+    assert ">MainController</a>" in shown.partition('id="common"')[2]
+    (results / "image_k64.json").write_text(json.dumps(totals | {"sources": "others"}))
+    assert "not built from these sources" in page()
