@@ -83,6 +83,17 @@ TEST_F(DirSensorTest, FR129_MeanOfTheLastEight) {
   }
 }
 
+/// @brief The mean is rounded to the nearest number.
+/// @verifies FR-129
+TEST_F(DirSensorTest, FR129_MeanIsRounded) {
+  ticks(8, 2048);
+  tick(2051);
+  EXPECT_EQ(angle(), 1);
+  ticks(8, 2048);
+  tick(2045);
+  EXPECT_EQ(angle(), -1);
+}
+
 /// @brief Noise of 0.05 degree rms is smoothed to less than 0.02 degree rms.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_NoiseIsSmoothed) {
