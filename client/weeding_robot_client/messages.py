@@ -10,10 +10,10 @@ from typing import ClassVar
 from weeding_robot_client.frames import Frame
 
 WHEELS = ("front left", "front right", "rear left", "rear right")
-STATES = ("Working", "Waiting", "WaitingN", "Reconnecting")
-MODES = ("RC", "PC")
+STATES = ("Working", "Waiting", "WaitingN", "Reconnecting", "WaitingK")
+MODES = ("RC", "PC", "Bluetooth")
 STEERING_STATES = ("off", "holding", "turning", "fault")
-SOURCES = {0: "RC", 1: "PC", 255: None}
+SOURCES = {0: "RC", 1: "PC", 2: "Bluetooth", 255: None}
 RESET_CAUSES = (
     "unknown cause",
     "power on",

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from traceability.model.schema import Model
 
 FIRST = ("tour", "quick_start", "client", "virtual_board", "bring_up")
-EXPLAIN = ("execution_model", "add_reading_mode", "annotations", "glossary")
+EXPLAIN = ("execution_model", "add_extension", "product_line", "annotations", "glossary")
 
 
 @dataclass
