@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "services/Pipe.hpp"
 #include "services/SystemConstants.hpp"
 #include "sim/host/HostDigitalOutput.hpp"

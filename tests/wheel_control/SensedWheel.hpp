@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
 #include "functions/HallVelocity.hpp"
 #include "functions/SampledCurrent.hpp"
 #include "sensing/current/CntSensor.hpp"

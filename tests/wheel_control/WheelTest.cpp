@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <utility>
+
 #include "sim/host/HostDigitalOutput.hpp"
 #include "sim/host/HostPwmOutput.hpp"
 
