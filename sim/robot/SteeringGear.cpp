@@ -5,9 +5,8 @@
 namespace wr::sim {
 
 void SteeringGear::step(bool left) {
-  constexpr int kLast = static_cast<int>(kEnd / kStep + 0.5);
   const int next = steps_ + (left ? 1 : -1);
-  if (enabled_ && !stalled_ && std::abs(next) <= kLast) {
+  if (enabled_ && !stalled_ && std::abs(next) <= kLastStep) {
     steps_ = next;
   }
 }

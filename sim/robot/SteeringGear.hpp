@@ -6,7 +6,7 @@ namespace wr::sim {
 class SteeringGear {
  public:
   static constexpr double kStep = 0.05;    ///< degrees
-  static constexpr double kEnd = 34.0;     ///< where the steering is stopped, degrees
+  static constexpr int kLastStep = 680;    ///< where the steering is stopped: 34 degrees
   static constexpr double kSwitch = 33.5;  ///< where the switch of an end closes, degrees
 
   /// @brief Switches the current of the motor.
