@@ -8,8 +8,8 @@
 namespace wr::test {
 namespace {
 
-constexpr nanoseconds kEntry{
-    20'000};  // an interrupt may have to end first: that of the tick is the longest
+// Another interrupt may have to end first; that of the tick is the longest.
+constexpr nanoseconds kEntry{20'000};
 
 /// @brief The clock pulses come every 100 ms, each as exact as other interrupts let it, and none is lost
 /// or doubled.

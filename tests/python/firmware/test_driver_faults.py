@@ -32,7 +32,13 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
     ),
     "clock gate of port E left closed": (
         "clock-gate",
-        (Change("K64Board.cpp", "sim::SCGC5_PORTD |\n                 sim::SCGC5_PORTE", "sim::SCGC5_PORTD"),),
+        (
+            Change(
+                "K64Board.cpp",
+                "sim::SCGC5_PORTD |\n                 sim::SCGC5_PORTE",
+                "sim::SCGC5_PORTD",
+            ),
+        ),
     ),
     "clock gate of FTM0 left closed": (
         "clock-gate",
@@ -109,7 +115,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
                 "K64Uart.cpp",
                 "  const std::size_t count = std::min",
                 '  asm volatile("cpsid i" ::: "memory");\n'
-                '  for (std::uint32_t i = 0; i < 50000; ++i) {\n    asm volatile("nop");\n  }\n'
+                '  for (std::uint32_t i = 0; i < 4000000; ++i) {\n    asm volatile("nop");\n  }\n'
                 '  asm volatile("cpsie i" ::: "memory");\n'
                 "  const std::size_t count = std::min",
             ),
@@ -121,7 +127,10 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
     ),
     "calibration not waited for": (
         "register-misuse",
-        (Change("K64Adc.cpp", "look < kLooks &&", "look < 10 &&"),),
+        (
+            Change("K64Adc.cpp", "look < kLooks &&", "look < 10 &&"),
+            Change("K64Adc.cpp", "(status & (adc::SC3_CAL | adc::SC3_CALF)).any()", "false"),
+        ),
     ),
     "clock of the converters too fast for their calibration": (
         "register-misuse",
