@@ -349,6 +349,28 @@ TEST(WorldOfBoard, CallsComeAtMultiplesOfTheirPeriod) {
   EXPECT_THROW(board.onTime(0ns, [] {}), std::invalid_argument);
 }
 
+/// @brief No interrupt of a robot with four wheels gets lost: each millisecond a timer, five
+/// conversions at two converters, and an edge of each wheel.
+TEST(WorldOfBoard, InterruptsOfFourWheelsAreAllTaken) {
+  Guest guest("drivesFourWheels");
+  guest.handleLine(48, "startsConversions").handleLine(62, "countsEdges");
+  guest.handleLine(39, "takesConversion0").handleLine(73, "takesConversion1");
+  VirtualBoard board(guest.image());
+  ASSERT_TRUE(board.runUntil(100ms));
+  const std::array before{told(board, 0), told(board, 1), told(board, 2)};
+  bool level = true;
+  board.onTime(1ms, [&] {
+    for (int wheel = 0; wheel < 4; ++wheel) {
+      board.driveAt(board.now() + 200us * (wheel + 1), 'D', 2 * wheel, level);
+    }
+    level = !level;
+  });
+  ASSERT_TRUE(board.runUntil(1'100'950us));
+  EXPECT_NEAR(told(board, 0) - before[0], 1000, 1);
+  EXPECT_NEAR(told(board, 1) - before[1], 5000, 10);
+  EXPECT_EQ(told(board, 2) - before[2], 4000U);
+}
+
 /// @brief A call can give levels and voltages, and add a call.
 TEST(WorldOfBoard, CallsMayUseTheBoard) {
   Guest guest("watchesEdges");

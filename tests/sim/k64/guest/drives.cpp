@@ -210,7 +210,8 @@ PROGRAM watchesLevel() {
 // of its converter; two edges of each wheel interrupt in a millisecond.
 static void workFor(std::uint32_t turns) {
   for (std::uint32_t i = 0; i < turns; ++i) {
-    asm volatile("nop");
+    told(11) = i;
+    asm volatile("nop\n\tnop\n\tnop");
   }
 }
 
