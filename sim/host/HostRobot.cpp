@@ -1,8 +1,11 @@
 #include "sim/host/HostRobot.hpp"
 
+#include <span>
+
 namespace wr {
 
-HostRobot::HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start)
+HostRobot::HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start,
+                     HostEquipment equipment)
     : timebase_(timebase),
       pins_(scheduler_),
       mainThread_(scheduler_, kMainPriority),
@@ -23,7 +26,9 @@ HostRobot::HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRe
                         .timebase = timebase}),
       systemBuilders_{&wheelBuilders_[0], &wheelBuilders_[1], &wheelBuilders_[2],
                       &wheelBuilders_[3], &steeringBuilder_},
-      poolBuilder_(tickTimer_, systemBuilders_),
+      poolBuilder_(tickTimer_,
+                   std::span<ControlSystemBuilder* const>(systemBuilders_)
+                       .first(equipment == HostEquipment::Whole ? systemBuilders_.size() : 0)),
       controllerBuilder_(
           {.thread = mainThread_,
            .cycleTimer = cycleTimer_,

@@ -22,6 +22,12 @@
 
 namespace wr {
 
+/// @brief How much of the firmware a robot on the host has.
+enum class HostEquipment {
+  Whole,       ///< all control systems
+  MainControl  ///< Main Control only, with an empty pool: for long sequences of orders
+};
+
 /// @brief The firmware with the devices of the host.
 class HostRobot {
  public:
@@ -34,7 +40,9 @@ class HostRobot {
   /// @param timebase gives the time
   /// @param pcPort line to the PC
   /// @param start why the firmware starts; without it the cause is unknown
-  HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start = {});
+  /// @param equipment how much of the firmware it has
+  HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start = {},
+            HostEquipment equipment = HostEquipment::Whole);
   HostRobot(const HostRobot&) = delete;
   HostRobot& operator=(const HostRobot&) = delete;
 

@@ -18,14 +18,17 @@ Instant at(Instant begin, std::chrono::nanoseconds offset) {
 
 }  // namespace
 
-HostWorld::HostWorld(SerialPort& pcPort)
-    : robot(time, pcPort), physics(kSeed), binding_(robot.pins(), physics) {
+HostWorld::HostWorld(SerialPort& pcPort, HostEquipment equipment)
+    : robot(time, pcPort, {}, equipment),
+      physics(kSeed),
+      equipment_(equipment),
+      binding_(robot.pins(), physics) {
   binding_.measure();
 }
 
 void HostWorld::start() {
   robot.start();
-  nextBeat_ = time.now() + kBeat;
+  nextBeat_ = time.now() + (equipment_ == HostEquipment::Whole ? kBeat : robot.period());
   nextPulse_ = time.now() + robot.period();
 }
 
@@ -41,6 +44,11 @@ void HostWorld::runUntil(Instant instant) {
 
 void HostWorld::beat() {
   const Instant now = nextBeat_;
+  if (equipment_ == HostEquipment::MainControl) {
+    nextBeat_ = now + robot.period();
+    pulseWhenDue();
+    return;
+  }
   nextBeat_ = now + kBeat;
   binding_.drive();
   for (const sim::HallEdge& edge : physics.step()) {
@@ -54,8 +62,12 @@ void HostWorld::beat() {
   std::ranges::stable_sort(edges_, {}, &Edge::at);
   binding_.measure();
   robot.beat();
-  if (now == nextPulse_) {
-    nextPulse_ = now + robot.period();
+  pulseWhenDue();
+}
+
+void HostWorld::pulseWhenDue() {
+  if (time.now() == nextPulse_) {
+    nextPulse_ = time.now() + robot.period();
     robot.clockPulse();
   }
 }

@@ -22,7 +22,9 @@ class HostWorld {
  public:
   /// @brief Puts a robot on its wheels. Its firmware does not run yet.
   /// @param pcPort line to the PC
-  explicit HostWorld(SerialPort& pcPort);
+  /// @param equipment how much of the firmware it has; with Main Control only, nothing happens between
+  /// the clock pulses
+  explicit HostWorld(SerialPort& pcPort, HostEquipment equipment = HostEquipment::Whole);
 
   /// @brief Switches the robot on.
   void start();
@@ -42,14 +44,16 @@ class HostWorld {
  private:
   struct Edge {
     Instant at;
-    HostEdgeInput* pin;
-    bool level;
+    HostEdgeInput* pin = nullptr;
+    bool level = false;
   };
 
   void beat();
+  void pulseWhenDue();
   void bringEdges(Instant until);
   void advanceTo(Instant instant);
 
+  HostEquipment equipment_;
   HostBinding binding_;
   std::vector<Edge> edges_;  // of this ms that are to come, in their order
   Instant nextBeat_;

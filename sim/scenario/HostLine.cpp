@@ -2,7 +2,7 @@
 
 namespace wr {
 
-HostLine::HostLine() : world(port) {}
+HostLine::HostLine(HostEquipment equipment) : world(port, equipment) {}
 
 void HostLine::start() {
   world.start();

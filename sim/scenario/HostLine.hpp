@@ -10,7 +10,8 @@ namespace wr {
 class HostLine final : public RobotLine {
  public:
   /// @brief Makes the robot. It does not run yet.
-  HostLine();
+  /// @param equipment how much of the firmware it has
+  explicit HostLine(HostEquipment equipment = HostEquipment::Whole);
 
   /// @brief Switches the robot on.
   void start();

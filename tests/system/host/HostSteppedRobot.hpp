@@ -12,7 +12,8 @@ namespace wr::test {
 /// control, the scheduler, and one control system that notes its orders.
 class HostSteppedRobot : public SteppedRobot {
  public:
-  HostSteppedRobot() : HostSteppedRobot(std::make_unique<HostLine>()) {}
+  explicit HostSteppedRobot(HostEquipment equipment = HostEquipment::Whole)
+      : HostSteppedRobot(std::make_unique<HostLine>(equipment)) {}
 
   void cycle() override {
     system.calls.clear();
