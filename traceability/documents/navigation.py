@@ -14,7 +14,17 @@ if TYPE_CHECKING:
     from traceability.model.schema import Model
 
 FIRST = ("tour", "quick_start", "client", "virtual_board", "bring_up")
-EXPLAIN = ("execution_model", "add_extension", "product_line", "annotations", "glossary")
+PROVE = ("hazards",)
+EXPLAIN = (
+    "execution_model",
+    "wheel_control",
+    "steering_control",
+    "simulated_robot",
+    "add_extension",
+    "product_line",
+    "annotations",
+    "glossary",
+)
 
 
 @dataclass
@@ -51,7 +61,7 @@ def hand_written(folder: Path) -> list[Doc]:
         Doc(str(path.relative_to(folder).with_suffix("")), first_title(path))
         for path in sorted(folder.rglob("*.rst"))
     ]
-    order = [*FIRST, *EXPLAIN]
+    order = [*FIRST, *PROVE, *EXPLAIN]
     place = {name: number for number, name in enumerate(order)}
     return sorted(pages, key=lambda doc: (place.get(doc.name, len(order)), doc.title.lower()))
 
@@ -72,11 +82,12 @@ class Navigation:
         docs = portal.docs
         tour = [entry(doc) for doc in docs if doc.name == "tour"]
         explain = [entry(doc) for doc in docs if doc.name in EXPLAIN]
-        use = [entry(doc) for doc in docs if doc.name not in ("tour", *EXPLAIN)]
+        prove = [entry(doc) for doc in docs if doc.name in PROVE]
+        use = [entry(doc) for doc in docs if doc.name not in ("tour", *PROVE, *EXPLAIN)]
         source = Entry("source", "Source", "source/index.html", "S")
         self.groups = [
             Group("understand", "Understand", [*tour, *understand(portal.model)]),
-            Group("verify", "Verify", verify(portal)),
+            Group("verify", "Verify", [*verify(portal), *prove]),
             Group("build", "Build and use", [*use, source]),
         ]
         if explain:
