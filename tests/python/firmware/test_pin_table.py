@@ -41,6 +41,12 @@ def test_the_table_of_the_firmware_compiles(tmp_path: Path) -> None:
             TWICE.replace("B, 22", "B, 21").replace("Role::LowOutput", "Role::Peripheral"),
             "a pin is connected to something that it cannot have",
         ),
+        (
+            TWICE.replace("B, 22", "B, 21").replace(
+                "Gpio, Role::LowOutput", "Alt4, Role::LateOutput"
+            ),
+            "a pin is connected to something that it cannot have",
+        ),
     ],
 )
 def test_a_row_that_must_not_be_does_not_compile(tmp_path: Path, row: str, message: str) -> None:
