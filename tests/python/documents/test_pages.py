@@ -238,13 +238,16 @@ def test_an_unknown_name_in_a_hand_written_page_is_found_in_each_run(
     site: tuple[Path, Model],
 ) -> None:
     page = site[0] / "docs" / "tour.rst"
-    page.write_text("Tour\n====\n\nText.\n\nSee :module:`Nobody` and :ref:`nowhere`.\n")
+    page.write_text(
+        "Tour\n====\n\nText.\n\n"
+        "See :module:`Nobody`, :requirement:`FR-99`, :test:`RcTest.Gone` and :ref:`nowhere`.\n"
+    )
     for _ in range(2):
         warnings = build(site).warnings
         assert {(w.place.file, w.place.line, w.check) for w in warnings} == {
             ("docs/tour.rst", 6, "link-doc")
         }
-        assert len(warnings) == 2
+        assert len(warnings) == 4
 
 
 def test_a_second_run_writes_nothing_and_a_change_only_its_pages(
