@@ -13,6 +13,14 @@ namespace wr {
 /// carry out each order.
 ///
 /// @secret The sequence of orders in one control cycle of a control system.
+///
+/// @role{control-system-orders, Abstract Class}
+///
+/// @patternapp{control-system-orders, Template Method, Main controller orders for control sub-systems}
+/// @why The main controller gives the same sequence of orders to all control systems. Each carries out
+/// an order in its own way.
+/// @changes The way in which one system carries out an order may change. A new order is one more step of
+/// the sequence.
 class ControlSystem {
  public:
   ControlSystem(const ControlSystem&) = delete;
