@@ -132,9 +132,10 @@ TEST_F(DirControllerTest, FR109_TheLimitsBelongToTheYoung) {
 /// before somebody could see the fault.
 /// @verifies FR-112
 TEST_F(DirControllerTest, FR112_AnOrderOfTheTickOfTheFaultDoesNotEndIt) {
+  tickOnly();
+  EXPECT_FALSE(control.controller.released()) << "nothing was ordered";
   switchOn();
-  control.clock.advance(milliseconds(20));
-  control.clock.advance(milliseconds(10));
+  control.clock.advance(milliseconds(30));
   hold();
   control.controller.tick(feedback);
   ASSERT_EQ(state(), SteeringState::Fault);
