@@ -56,19 +56,6 @@ void K64Adc::Converter::endCalibration() {
   calibrated_ = true;
 }
 
-void K64Adc::Converter::serve() {
-  if (first_ == nullptr || !(adc::SC1A.at(offset()).read() & adc::SC1A_COCO).any()) {
-    return;
-  }
-  K64Adc& done = *first_;
-  done.result_.store(adc::RA.at(offset()).read().value);  // reading it ends the interrupt
-  done.asked_ = false;
-  first_ = done.next_;
-  if (first_ != nullptr) {
-    begin();
-  }
-}
-
 void K64Adc::Converter::ask(K64Adc& input) {
   const InterruptLock lock;
   if (!calibrated_ || input.asked_) {
@@ -89,8 +76,34 @@ void K64Adc::Converter::begin() const {
   adc::SC1A.at(offset()).write(adc::SC1A_AIEN | adc::SC1A.field(first_->number_, 0));
 }
 
+void K64Adc::Converter::finish() {
+  if (first_ == nullptr || !(adc::SC1A.at(offset()).read() & adc::SC1A_COCO).any()) {
+    return;
+  }
+  K64Adc& done = *first_;
+  done.result_.store(adc::RA.at(offset()).read().value);  // reading it ends the interrupt
+  done.asked_ = false;
+  first_ = done.next_;
+  if (first_ != nullptr) {
+    begin();
+  }
+}
+
 std::uint32_t K64Adc::Converter::offset() const {
   return number_ * adc::kConverterDistance;
+}
+
+void K64Adc::calibrate(Converters& converters) {
+  for (Converter& converter : converters) {
+    converter.beginCalibration();
+  }
+  for (Converter& converter : converters) {
+    converter.endCalibration();
+  }
+}
+
+void K64Adc::serve(Converter& converter) {
+  converter.finish();
 }
 
 void K64Adc::convert() {

@@ -51,30 +51,14 @@ class K64Adc final : public AnalogInput {
     Converter(const Converter&) = delete;
     Converter& operator=(const Converter&) = delete;
 
-    /// @brief Sets the converter up and begins its calibration.
-    /// @pre The clock of the converter runs.
-    /// @isr{no}
-    /// @satisfies FR-143
-    void beginCalibration();
-
-    /// @brief Ends the calibration. The wait for it is bounded: less than 60 ms.
-    /// @pre The calibration was begun, and the interrupt of the converter is not enabled yet.
-    /// @post After a calibration that failed or did not end, the converter never converts.
-    /// @isr{no}
-    /// @satisfies FR-143
-    void endCalibration();
-
-    /// @brief Stores a result and begins the next conversion that was asked for. The vector of the
-    /// converter's interrupt calls it.
-    /// @isr{yes}
-    /// @satisfies FR-142
-    void serve();
-
    private:
     friend class K64Adc;
 
+    void beginCalibration();
+    void endCalibration();
     void ask(K64Adc& input);
     void begin() const;
+    void finish();
     [[nodiscard]] std::uint32_t offset() const;
 
     std::uint8_t number_;
@@ -91,6 +75,22 @@ class K64Adc final : public AnalogInput {
   /// @param channel the channel; nothing else uses it
   constexpr K64Adc(Converters& converters, Channel channel)
       : converter_(converters[channel.converter]), number_(channel.number) {}
+
+  /// @brief Sets the converters up and calibrates them, all at the same time. The wait is bounded: less
+  /// than 60 ms for each.
+  /// @param converters the converters
+  /// @pre The clocks of the converters run, and their interrupts are not enabled yet.
+  /// @post A converter whose calibration failed or did not end never converts.
+  /// @isr{no}
+  /// @satisfies FR-143
+  static void calibrate(Converters& converters);
+
+  /// @brief Stores a result and begins the next conversion that was asked for. The vector of the
+  /// converter's interrupt calls it.
+  /// @param converter the converter
+  /// @isr{yes}
+  /// @satisfies FR-142
+  static void serve(Converter& converter);
 
   /// @isr{yes}
   /// @satisfies FR-142

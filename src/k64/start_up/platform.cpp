@@ -72,13 +72,7 @@ void startDevices() {
   pcPort.start();
   K64Ftm::start();
   K64Board::connectLateOutputs();
-  // The converters calibrate themselves at the same time.
-  for (K64Adc::Converter& converter : converters) {
-    converter.beginCalibration();
-  }
-  for (K64Adc::Converter& converter : converters) {
-    converter.endCalibration();
-  }
+  K64Adc::calibrate(converters);
 }
 
 void enableInterrupts() {
@@ -112,12 +106,12 @@ void pcPortInterrupt() {
 }
 
 void firstConverterInterrupt() {
-  wr::platform::converters[0].serve();
+  wr::K64Adc::serve(wr::platform::converters[0]);
   wr::finishStores();
 }
 
 void secondConverterInterrupt() {
-  wr::platform::converters[1].serve();
+  wr::K64Adc::serve(wr::platform::converters[1]);
   wr::finishStores();
 }
 
