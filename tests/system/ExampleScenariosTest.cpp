@@ -25,15 +25,14 @@ TEST_P(ExampleScenarios, RobotDoesWhatIsExpected) {
   EXPECT_GE(outcome.reports, 50U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, ExampleScenarios,
-                         testing::Values("current_step.scenario", "downhill.scenario",
-                                         "loss_of_the_pc.scenario", "one_hall_sensor.scenario",
-                                         "rc_drive.scenario", "sensors_broken.scenario",
-                                         "steering.scenario", "steering_faults.scenario",
-                                         "stop.scenario", "stop_from_full_speed.scenario",
-                                         "ten_minutes.scenario", "tension_step.scenario",
-                                         "uphill.scenario", "velocity_step.scenario",
-                                         "wheel_blocked.scenario"));
+INSTANTIATE_TEST_SUITE_P(
+    Files, ExampleScenarios,
+    testing::Values("current_step.scenario", "downhill.scenario", "loss_of_the_pc.scenario",
+                    "one_hall_sensor.scenario", "rc_drive.scenario", "reversal.scenario",
+                    "sensors_broken.scenario", "steering.scenario", "steering_faults.scenario",
+                    "stop.scenario", "stop_from_full_speed.scenario", "stop_on_a_slope.scenario",
+                    "ten_minutes.scenario", "tension_step.scenario", "uphill.scenario",
+                    "velocity_step.scenario", "wheel_blocked.scenario"));
 
 }  // namespace
 }  // namespace wr::test
