@@ -53,6 +53,11 @@ def build(root: Path) -> Model:
     _add_requirements(model, facts)
     _add_uses(model, facts)
     model.machines = facts.declared.machines
+    names = facts.declared.names
+    model.designed_modules = [name for folder in names for name in names[folder]]
+    model.designed_applications = {
+        item.id: item.pattern for item in facts.declared.applications.values()
+    }
     model.architecture = facts.declared.architecture
     model.allowed_uses = facts.declared.allowed
     traces = read_traces(root, build_folder)

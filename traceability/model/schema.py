@@ -427,6 +427,9 @@ class Model:
     driver_faults: list[DriverFault] | None = None  # of these sources
     # File of the drivers -> line -> whether the tests executed it on the virtual K64.
     board_lines: dict[str, dict[int, bool]] | None = None
+    # What the design asks for, be it written or not.
+    designed_modules: list[str] = field(default_factory=list)
+    designed_applications: dict[str, str] = field(default_factory=dict)  # id -> pattern
     closed_loop: list[LoopScenario] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     files: list[str] = field(default_factory=list)  # sources that get a source page

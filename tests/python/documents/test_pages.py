@@ -436,3 +436,24 @@ def test_products_are_compared_when_they_were_built(tmp_path: Path) -> None:
     assert ">MainController</a>" in shown.partition('id="common"')[2]
     (results / "image_k64.json").write_text(json.dumps(totals | {"sources": "others"}))
     assert "not built from these sources" in page()
+
+
+def test_the_structure_tells_what_of_the_design_is_missing(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
+
+    def page(name: str) -> str:
+        pages = all_pages(Portal(tmp_path, model, [], CHECKS))
+        return next(page.body for page in pages if page.name == name)
+
+    model.designed_modules = ["MainController", "Mode"]
+    model.designed_applications = {"reading-modes": "State"}
+    assert '<span class="v ok">2 of 2</span>' in page("structure")
+    assert "1 more of extensions" in page("structure")
+    assert '<span class="v ok">1 of 1</span>' in page("patterns/index")
+    model.designed_modules.append("Wheel")
+    model.designed_applications |= {"operation-states": "State"}
+    assert '<span class="v bad">2 of 3</span>' in page("structure")
+    assert "Missing: Wheel." in page("structure")
+    assert '<span class="v bad">1 of 2</span>' in page("patterns/index")
+    assert "Missing: operation-states." in page("patterns/index")
+    assert "1 of 2 applications" in page("patterns/index")
