@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import json
 import re
+import subprocess
 from pathlib import Path
 
 import pytest
 
+from traceability.commands.firmware import print_products
+from traceability.commands.sizes import write_products
 from traceability.image import lock_problems
 from traceability.products import (
     DEFAULT,
     PRODUCTS,
+    RESULTS,
     image_of,
     module_names,
     modules_in,
@@ -91,6 +96,24 @@ def test_an_intruder_is_found(product: str) -> None:
 @pytest.mark.parametrize("product", PRODUCTS)
 def test_no_product_locks_the_chip(product: str) -> None:
     assert lock_problems((ROOT / image_of(product, ".bin")).read_bytes()) == []
+
+
+def test_the_sizes_of_the_products_are_those_of_their_images(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    wholes = write_products(ROOT)
+    print_products(wholes)
+    table = capsys.readouterr().out
+    records = json.loads((ROOT / RESULTS).read_text(encoding="utf-8"))
+    assert records.keys() == PRODUCTS.keys()
+    for product, record in records.items():
+        words = ["arm-none-eabi-size", str(ROOT / image_of(product, ".elf"))]
+        said = subprocess.run(words, check=True, capture_output=True, text=True).stdout
+        text, data, bss = map(int, said.splitlines()[1].split()[:3])
+        assert (record["flash"], record["ram"]) == (text + data, data + bss)
+        assert 0 < record["stack"] < record["ram"]
+        assert set(record["modules"]) == held(product)
+        assert re.search(rf"^{product} +{text + data} +{data + bss}  the PC", table, re.MULTILINE)
 
 
 def test_the_modules_of_symbols() -> None:
