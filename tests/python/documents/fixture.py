@@ -13,8 +13,13 @@ from traceability.model.schema import (
     BoardFinding,
     Call,
     Clause,
+    Curve,
     DriverFault,
     LogicModule,
+    LoopFigure,
+    LoopPlot,
+    LoopRun,
+    LoopScenario,
     Method,
     Model,
     Module,
@@ -121,6 +126,18 @@ def make_model() -> Model:
         DriverFault(
             "Clock gate of UART0 left closed", f"src/{MODES}/RC.cpp", "clock-gate", True,
             "finding: clock-gate: UART0, in wr::K64Uart::start() at src/k64/K64Uart.cpp:31",
+        )
+    ]  # fmt: skip
+    model.closed_loop = [
+        LoopScenario(
+            "step", "A step", "It steps.", "sim/scenario/examples/step.scenario",
+            Place("design/closed_loop.toml", 1),
+            [LoopPlot("Velocity", "rpm", [
+                Curve("set_point", HOST, [(0.0, 0.0), (1.0, 150.0)]),
+                Curve("truth", HOST, [(0.0, 0.0), (1.0, 20.0), (9.0, 150.0)]),
+            ])],
+            [LoopFigure("Settling time", 2000, "ms", "FR-15", {HOST: 1050.0})],
+            {HOST: LoopRun(True, "")},
         )
     ]  # fmt: skip
     model.files = [f for m in model.modules.values() for f in (m.header, str(m.source))]

@@ -27,7 +27,8 @@ PAGES = [
     "index", "structure", "guide", "interfaces", "datatypes", "machines", "uses", "trees", "tests",
     "architecture", "modules/RC", "modules/MainController", "patterns/index",
     "patterns/reading-modes", "requirements/index", "requirements/FR-15", "checks/index",
-    "checks/tree-static", "virtual_k64", "source/index", f"source/src/{MODES}/RC.cpp", "docs/tour",
+    "checks/tree-static", "virtual_k64", "closed_loop", "products", "source/index",
+    f"source/src/{MODES}/RC.cpp", "docs/tour",
 ]  # fmt: skip
 
 pytestmark = [
