@@ -112,10 +112,9 @@ TEST_F(DirControllerTest, FR116_TheStatusTellsWhatTheSteeringDoes) {
   EXPECT_TRUE(status.value.rightEnd);
 }
 
-/// @brief An order is young for 300 ms, a position for 20 ms; both limits belong to the young.
+/// @brief An order is good for 300 ms, to the microsecond.
 /// @verifies FR-109
-/// @verifies FR-110
-TEST_F(DirControllerTest, FR109_TheLimitsBelongToTheYoung) {
+TEST_F(DirControllerTest, FR109_AnOrderIsYoungFor300Milliseconds) {
   switchOn();
   const Instant last = control.clock.now();
   control.clock.advance(milliseconds(300));
@@ -126,6 +125,18 @@ TEST_F(DirControllerTest, FR109_TheLimitsBelongToTheYoung) {
   control.controller.tick(feedback);
   EXPECT_EQ(state(), SteeringState::Off);
   EXPECT_EQ(control.clock.now() - last, Microseconds(300001));
+}
+
+/// @brief A position is good for 20 ms, to the microsecond.
+/// @verifies FR-110
+TEST_F(DirControllerTest, FR110_APositionIsYoungFor20Milliseconds) {
+  switchOn();
+  control.clock.advance(milliseconds(20));
+  control.controller.tick(feedback);
+  EXPECT_EQ(state(), SteeringState::Holding);
+  control.clock.advance(Microseconds(1));
+  control.controller.tick(feedback);
+  EXPECT_EQ(state(), SteeringState::Fault);
 }
 
 /// @brief An order to hold that comes in the very tick of the fault does not end it: it was given

@@ -99,6 +99,23 @@ TEST_F(SteeringDeviceTest, FR104_TheDirectionStandsBeforeThePulse) {
   }
 }
 
+/// @brief At 1 step/s a step takes 1000 ticks. A step that was nearly due when the motor reverses is
+/// not made in the other direction: it begins anew there.
+/// @verifies FR-104
+TEST_F(SteeringDeviceTest, FR104_AReversalBeginsTheStepAnew) {
+  device.turn(StepRate(1));
+  motor.run(999);
+  EXPECT_EQ(device.steps(), 0);
+  device.turn(StepRate(-1));
+  motor.run(2);
+  EXPECT_EQ(device.rate(), StepRate(-1));
+  EXPECT_EQ(device.steps(), 0);
+  motor.run(998);
+  EXPECT_EQ(device.steps(), 0);
+  motor.run(1);
+  EXPECT_EQ(device.steps(), -1);
+}
+
 /// @brief An end stop is reached when its switch pulls the input low.
 /// @verifies FR-105
 TEST_F(SteeringDeviceTest, FR105_ASwitchThatIsLowTellsTheEnd) {

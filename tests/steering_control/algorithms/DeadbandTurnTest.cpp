@@ -48,6 +48,7 @@ TEST_F(DeadbandTurnTest, FR102_ItTurnsBackBeyondTheDeadBandOnly) {
   EXPECT_EQ(turn(20, StepRate(-30)), kRest);
   EXPECT_EQ(turn(21, StepRate(-30)), kLeft);
   EXPECT_EQ(turn(5000, StepRate(-500)), kLeft);
+  EXPECT_EQ(turn(100, StepRate(-500)), kLeft);
 }
 
 /// @brief It brakes as soon as half of the acceleration would only just stop it at the target.
