@@ -66,7 +66,7 @@ void HostWorld::beat() {
 }
 
 void HostWorld::pulseWhenDue() {
-  if (time.now() == nextPulse_) {
+  if (time.now() >= nextPulse_) {
     nextPulse_ = time.now() + robot.period();
     robot.clockPulse();
   }
