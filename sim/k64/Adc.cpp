@@ -110,7 +110,7 @@ std::uint32_t Adc::gain(std::uint32_t firstResult) const {
 
 std::uint32_t Adc::measured(unsigned channel) const {
   constexpr std::array<unsigned, 4> kBits{8, 12, 10, 16};
-  const double full = static_cast<double>(1U << kBits[at(kCfg1) >> 2 & 3U]);
+  const auto full = static_cast<double>(1U << kBits[at(kCfg1) >> 2 & 3U]);
   const double volts = channel == kHighReference  ? kReference
                        : channel == kLowReference ? 0
                                                   : volts_[channel];
