@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -13,8 +14,23 @@ namespace {
 
 const int kN = SystemConstants::instance().waitingCycles();
 
+constexpr int kSteeringOff = 0;
+constexpr int kSteeringHolding = 1;
+constexpr int kSteeringTurning = 2;
+
 class ReportsOfRobot : public testing::Test {
  protected:
+  // Orders the same tension for all wheels in some cycles.
+  static void orderTensions(SteppedRobot& robot, std::int16_t millivolts, int cycles) {
+    PcOrder order{.id = 100};
+    order.wheels.fill({.quantity = 1, .value = millivolts});
+    for (int i = 0; i < cycles; ++i) {
+      ++order.id;
+      robot.order(order);
+      robot.cycle();
+    }
+  }
+
   SteppedRobot robot;
 };
 
@@ -98,6 +114,74 @@ TEST_F(ReportsOfRobot, FR62_MissingValuesAreMarked) {
   robot.cycles(3);
   EXPECT_EQ(robot.report().measured, 0b0'1111'1111'1111);
   EXPECT_EQ(robot.report().steeringPosition, 0);
+}
+
+/// @brief The report tells that the steering is off, turns, and holds, each while it does so.
+/// @verifies FR-65
+TEST_F(ReportsOfRobot, FR65_StateOfTheSteeringIsTold) {
+  robot.connect();
+  EXPECT_EQ(robot.report().steeringState, kSteeringOff);
+  robot.commandByPc({.id = 1});
+  std::set<int> told;
+  for (std::uint16_t id = 2; id < 30; ++id) {
+    robot.order({.id = id, .steering = 500});
+    robot.cycle();
+    told.insert(robot.report().steeringState);
+  }
+  EXPECT_EQ(told, (std::set<int>{kSteeringHolding, kSteeringTurning}));
+  EXPECT_EQ(robot.report().steeringState, kSteeringHolding);
+  EXPECT_NEAR(robot.physics().steeringDegrees(), 5.0, 0.5);
+}
+
+/// @brief The report tells which end stop is reached; somebody has pushed the steering there.
+/// @verifies FR-66
+TEST_F(ReportsOfRobot, FR66_EndStopThatIsReachedIsTold) {
+  for (const bool left : {true, false}) {
+    SteppedRobot one;
+    one.commandByPc({.id = 1});
+    EXPECT_EQ(one.report().steeringEnds, 0);
+    one.physics().setSteeringEnabled(true);
+    for (int i = 0; i < 800; ++i) {
+      one.physics().steeringStep(left);
+    }
+    one.order({.id = 2});
+    one.cycle();
+    EXPECT_EQ(one.report().steeringEnds, left ? 0b01 : 0b10);
+  }
+}
+
+/// @brief The report tells that a wheel was cut off, and no other one.
+/// @verifies FR-67
+TEST_F(ReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
+  robot.physics().setFault(sim::Fault::Block, 2, true);
+  robot.commandByPc({.id = 1});
+  EXPECT_EQ(robot.report().cutOffs, 0);
+  orderTensions(robot, 24000, 5);
+  EXPECT_EQ(robot.report().cutOffs, 0b0100);
+}
+
+/// @brief The report tells that a wheel is blind, and no other one: with both of its Hall sensors
+/// broken, or with one.
+/// @verifies FR-68
+TEST_F(ReportsOfRobot, FR68_BlindWheelIsTold) {
+  for (const sim::Fault fault : {sim::Fault::Hall, sim::Fault::HallB}) {
+    SteppedRobot one;
+    one.physics().setFault(fault, 1, true);
+    one.commandByPc({.id = 1});
+    EXPECT_EQ(one.report().blindWheels, 0);
+    orderTensions(one, 9000, 14);
+    EXPECT_EQ(one.report().blindWheels, 0b0010);
+    EXPECT_EQ(one.report().cutOffs, 0);
+  }
+}
+
+/// @brief Wheels whose sensors are whole have no rejected edges.
+/// @verifies FR-69
+TEST_F(ReportsOfRobot, FR69_NoEdgeOfAWholeSensorIsRejected) {
+  robot.commandByPc({.id = 1});
+  orderTensions(robot, 12000, 30);
+  EXPECT_GT(robot.report().velocity[0], 1000);
+  EXPECT_EQ(robot.report().rejectedEdges, (std::array<std::uint16_t, 4>{}));
 }
 
 /// @brief Frames that are not in order are counted in the report of their cycle, each kind by itself, and
