@@ -99,6 +99,10 @@ Microseconds HostRobot::period() const {
   return cycleTimer_.period();
 }
 
+Microseconds HostRobot::beatPeriod() const {
+  return tickTimer_.period();
+}
+
 MainController& HostRobot::controller() {
   return controllerBuilder_.controller();
 }

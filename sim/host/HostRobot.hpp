@@ -71,6 +71,10 @@ class HostRobot {
   /// @return the period; 0 before start().
   [[nodiscard]] Microseconds period() const;
 
+  /// @brief The period of the second timer.
+  /// @return the period; 0 before start().
+  [[nodiscard]] Microseconds beatPeriod() const;
+
   /// @brief The main controller.
   /// @return the main controller.
   [[nodiscard]] MainController& controller();

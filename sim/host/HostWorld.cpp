@@ -8,7 +8,12 @@ namespace wr {
 namespace {
 
 constexpr std::uint32_t kSeed = 1;
-constexpr Microseconds kBeat = milliseconds(1);
+constexpr Microseconds kStep(std::chrono::microseconds(sim::Robot::kStep).count());
+constexpr Microseconds kFirstStep(std::chrono::microseconds(sim::Robot::kFirstStep).count());
+
+// From power-on to the begin of the periods of the timers, as the image takes it on the virtual
+// K64: clock, calibration of the converters, construction.
+constexpr Microseconds kStartUp(4870);
 
 // The microsecond that an edge is in; the firmware's clock has no finer time.
 Instant at(Instant begin, std::chrono::nanoseconds offset) {
@@ -28,28 +33,48 @@ HostWorld::HostWorld(SerialPort& pcPort, HostEquipment equipment)
 
 void HostWorld::start() {
   robot.start();
-  nextBeat_ = time.now() + (equipment_ == HostEquipment::Whole ? kBeat : robot.period());
-  nextPulse_ = time.now() + robot.period();
+  const Instant begin = time.now() + kStartUp;
+  nextStep_ = time.now() + kFirstStep;
+  nextBeat_ = begin + robot.beatPeriod();
+  nextPulse_ = begin + robot.period();
 }
 
 void HostWorld::runUntil(Instant instant) {
-  while (nextBeat_ <= instant) {
-    bringEdges(nextBeat_ + Microseconds(-1));
-    advanceTo(nextBeat_);
-    beat();
+  if (equipment_ == HostEquipment::Whole) {
+    runWhole(instant);
+  } else {
+    runMainControl(instant);
   }
-  bringEdges(instant);
   advanceTo(instant);
 }
 
-void HostWorld::beat() {
-  const Instant now = nextBeat_;
-  if (equipment_ == HostEquipment::MainControl) {
-    nextBeat_ = now + robot.period();
+void HostWorld::runMainControl(Instant until) {
+  while (nextPulse_ <= until) {
+    advanceTo(nextPulse_);
     pulseWhenDue();
-    return;
   }
-  nextBeat_ = now + kBeat;
+}
+
+void HostWorld::runWhole(Instant until) {
+  while (std::min(nextStep_, nextBeat_) <= until) {
+    const Instant next = std::min(nextStep_, nextBeat_);
+    bringEdges(next + Microseconds(-1));
+    advanceTo(next);
+    if (next == nextStep_) {
+      step();
+    }
+    if (next == nextBeat_) {
+      nextBeat_ = next + robot.beatPeriod();
+      robot.beat();
+      pulseWhenDue();
+    }
+  }
+  bringEdges(until);
+}
+
+void HostWorld::step() {
+  const Instant now = nextStep_;
+  nextStep_ = now + kStep;
   binding_.drive();
   for (const sim::HallEdge& edge : physics.step()) {
     HostWheelPins& pins = robot.pins().wheels.at(edge.wheel);
@@ -61,8 +86,6 @@ void HostWorld::beat() {
   }
   std::ranges::stable_sort(edges_, {}, &Edge::at);
   binding_.measure();
-  robot.beat();
-  pulseWhenDue();
 }
 
 void HostWorld::pulseWhenDue() {

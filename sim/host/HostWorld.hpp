@@ -15,9 +15,9 @@ namespace wr {
 
 /// @brief The firmware on the host in the simulated robot, in stepped time.
 ///
-/// Things happen in the order of time: at each ms the physics take a step, then the second timer
-/// beats, and each 100 ms the clock pulse comes; between, the edges of the Hall sensors and of the
-/// remote control come at their own times.
+/// Things happen in the order of time: at each ms since power-on the physics take a step; at each
+/// ms since the firmware has started the second timer beats, and each 100 ms the clock pulse comes;
+/// between, the edges of the Hall sensors and of the remote control come at their own times.
 class HostWorld {
  public:
   /// @brief Puts a robot on its wheels. Its firmware does not run yet.
@@ -48,7 +48,9 @@ class HostWorld {
     bool level = false;
   };
 
-  void beat();
+  void runWhole(Instant until);
+  void runMainControl(Instant until);
+  void step();
   void pulseWhenDue();
   void bringEdges(Instant until);
   void advanceTo(Instant instant);
@@ -56,6 +58,7 @@ class HostWorld {
   HostEquipment equipment_;
   HostBinding binding_;
   std::vector<Edge> edges_;  // of this ms that are to come, in their order
+  Instant nextStep_;
   Instant nextBeat_;
   Instant nextPulse_;
 };

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace wr {
 
@@ -64,7 +65,13 @@ BoardBinding::BoardBinding(k64::VirtualBoard& board) : physics(kSeed), board_(bo
     board_.drive(pin.port, pin.number, false);
   }
   measure();
-  board_.onTime(sim::Robot::kStep, [this] { beat(); });
+  // Calls come at multiples of the time to the first step, which is half a step.
+  static_assert(2 * sim::Robot::kFirstStep == sim::Robot::kStep);
+  board_.onTime(sim::Robot::kFirstStep, [this] {
+    if (std::exchange(stepIsDue_, !stepIsDue_)) {
+      beat();
+    }
+  });
 }
 
 void BoardBinding::take(const k64::Event& event) {

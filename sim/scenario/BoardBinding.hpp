@@ -28,6 +28,7 @@ class BoardBinding {
   void measure();
 
   k64::VirtualBoard& board_;
+  bool stepIsDue_ = true;
 };
 
 }  // namespace wr

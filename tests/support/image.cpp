@@ -84,7 +84,8 @@ std::unique_ptr<BoardLine> switchBoardOn(k64::Options options) {
 
 std::unique_ptr<BoardLine> switchBoardOn(std::vector<std::uint8_t> image, k64::Options options) {
   options.elf = elfFile();
-  // One in which a test changed a few instructions, to make a fault, is the same image but for them.
+  // One in which a test changed a few instructions, to make a fault, is the same image but for
+  // them.
   const bool asLinked = image.size() == readImage(imageFile()).size();
   auto robot = std::make_unique<BoardLine>(std::move(image), std::move(options));
   if (asLinked) {

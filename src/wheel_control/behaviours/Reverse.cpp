@@ -1,10 +1,14 @@
 #include "wheel_control/behaviours/Reverse.hpp"
 
+#include <algorithm>
+
 #include "services/SystemConstants.hpp"
 
 namespace wr {
 
 namespace {
+
+constexpr Tension kSlight(100);  // least tension that is worth a change of orientation
 
 constexpr std::uint8_t kSlowCycles = 2;  // slow cycles in a row that show that a wheel rests
 
@@ -21,7 +25,7 @@ Reverse::Reverse(WheelBehaviour& wrapped, WheelBehaviour& stop, WheelCommand& se
 Tension Reverse::apply(Tension demand, Velocity velocity) {
   if (!opposes(demand)) {
     slowCycles_ = 0;
-    applied_ = BehaviourDecorator::apply(demand, velocity);
+    applied_ = BehaviourDecorator::apply(agreeing(demand), velocity);
     return applied_;
   }
   if (!isSlow(velocity)) {
@@ -46,7 +50,11 @@ void Reverse::resume(Tension applied) {
 }
 
 bool Reverse::opposes(Tension demand) const {
-  return backwards_ ? demand > Tension() : demand < Tension();
+  return backwards_ ? demand >= kSlight : demand <= -kSlight;
+}
+
+Tension Reverse::agreeing(Tension demand) const {
+  return backwards_ ? std::min(demand, Tension()) : std::max(demand, Tension());
 }
 
 bool Reverse::rests() const {

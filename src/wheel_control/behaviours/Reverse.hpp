@@ -26,7 +26,8 @@ class Reverse final : public BehaviourDecorator {
 
   /// @brief Has the demand applied when it agrees with the orientation. Otherwise the wheel is stopped
   /// until its velocity was below the standstill velocity in two cycles in a row and no tension is
-  /// left; then the orientation changes. A demand of 0 agrees with both orientations.
+  /// left; then the orientation changes. A demand of less than 0.1 V the other way is taken as 0:
+  /// the noise of a measurement must not turn a wheel that rests.
   /// @param demand tension that is demanded [mV], -24000 to 24000, positive forwards
   /// @param velocity measured velocity [0.1 rpm]
   /// @return tension that was applied [mV], positive forwards
@@ -42,6 +43,7 @@ class Reverse final : public BehaviourDecorator {
 
  private:
   [[nodiscard]] bool opposes(Tension demand) const;
+  [[nodiscard]] Tension agreeing(Tension demand) const;
   [[nodiscard]] bool rests() const;
 
   WheelBehaviour& stop_;
