@@ -18,7 +18,7 @@ class K64Thread final : public ControlThread {
 
   /// @brief Lets an interrupt line through.
   /// @param line number of the line, 0 to 85
-  /// @param priority its priority, not above that of the interrupts
+  /// @param priority its priority, not above that of the edges
   /// @isr{no}
   static void enable(std::uint8_t line, Priority priority);
 

@@ -78,9 +78,11 @@ void startDevices() {
 void enableInterrupts() {
   for (const std::uint8_t line :
        {kPcPortLine, kPcPortErrorLine, kFirstConverterLine, kSecondConverterLine, kCycleTimerLine,
-        kTickTimerLine, kRemoteControlLine, kHallSensorLine}) {
+        kTickTimerLine}) {
     K64Thread::enable(line, kInterruptPriority);
   }
+  K64Thread::enable(kRemoteControlLine, kEdgePriority);
+  K64Thread::enable(kHallSensorLine, kEdgePriority);
   for (std::uint8_t wheel = 0; wheel < kWheelCount; ++wheel) {
     K64Thread::enable(kFirstWheelThreadLine + wheel, kWheelThreadPriority);
   }
