@@ -5,7 +5,7 @@
 namespace wr::test {
 
 /// @brief Command that counts how often it was executed.
-class SpyCommand final : public Command {
+class CountingCommand final : public Command {
  public:
   void execute() override { ++executions; }
 
