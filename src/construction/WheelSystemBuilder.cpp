@@ -18,8 +18,8 @@ WheelSystemBuilder::Sensors::Sensors(const Devices& devices, Command& cutOff,
       active(devices.hallA, devices.hallB, countSignal),
       countSignal(collector, active, devices.timebase),
       velocity(collector, hallVelocity, devices.timebase, velocities),
-      values(cutOff),
-      readCnt(devices.current, values, devices.timebase),
+      values(cutOff, devices.timebase),
+      readCnt(devices.current, values),
       current(values, sampledCurrent, currents) {}
 
 WheelSystemBuilder::Control::Control(const Devices& devices, Actuator& actuator,

@@ -1,5 +1,7 @@
 #include "devices/SecondTimer.hpp"
 
+#include <span>
+
 #include "services/SystemConstants.hpp"
 #include "services/assertion.hpp"
 
@@ -19,8 +21,8 @@ void SecondTimer::start() {
 
 void SecondTimer::expired() {
   timer_.acknowledge();
-  for (std::size_t i = 0; i < count_; ++i) {
-    commands_[i]->execute();
+  for (Command* const command : std::span(commands_).first(count_)) {
+    command->execute();
   }
 }
 

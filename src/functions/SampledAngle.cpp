@@ -5,8 +5,7 @@
 namespace wr {
 
 std::optional<std::int32_t> SampledAngle::calculate(const Arguments& arguments) const {
-  const std::optional<std::int32_t> sample = arguments.value(ArgumentId::Raw);
-  return sample && accepted(arguments, *sample) ? scaled(arguments) : std::nullopt;
+  return scaled(arguments);
 }
 
 }  // namespace wr

@@ -7,9 +7,9 @@
 
 namespace wr {
 
-/// @brief Angle of the steering device from a sample of its sensor.
-/// @function Calculates the angle of a sample: (Raw - Offset) * Scale / Divisor.
-/// @secret The formula that leads from a sample to an angle.
+/// @brief Angle of the steering device from samples of its sensor.
+/// @function Calculates the mean angle of samples: (Raw - Offset) * Scale / Divisor.
+/// @secret The formula that leads from samples to an angle.
 /// @role{functions, Concrete Strategy}
 class SampledAngle final : public Function {
  public:
@@ -17,13 +17,10 @@ class SampledAngle final : public Function {
   SampledAngle() = default;
 
   /// @brief Calculates the angle, rounded to the nearest number.
-  /// @param arguments Raw [sample], Scale, Divisor and Offset of the sensor; Lowest and Highest
-  /// bound the sample
-  /// @return angle [0.01 degree]; nothing when an argument is missing or the sample is out of
-  /// bounds
+  /// @param arguments Raw [sum of samples], Scale of the sensor, Divisor and Offset of so many samples
+  /// @return angle [0.01 degree]; nothing when an argument is missing
   /// @isr{yes}
   /// @satisfies FR-129
-  /// @satisfies FR-130
   [[nodiscard]] std::optional<std::int32_t> calculate(const Arguments& arguments) const override;
 };
 

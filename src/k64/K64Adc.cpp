@@ -81,7 +81,8 @@ void K64Adc::Converter::finish() {
     return;
   }
   K64Adc& done = *first_;
-  done.result_.store(adc::RA.at(offset()).read().value);  // reading it ends the interrupt
+  const std::uint32_t result = adc::RA.at(offset()).read().value;  // this ends the interrupt
+  done.result_.store(result, std::memory_order_relaxed);
   done.asked_ = false;
   first_ = done.next_;
   if (first_ != nullptr) {
@@ -111,7 +112,8 @@ void K64Adc::convert() {
 }
 
 std::optional<std::uint16_t> K64Adc::take() {
-  const std::uint32_t result = result_.exchange(kNone);
+  // The order of other stores is of no matter: the result is all that is handed over.
+  const std::uint32_t result = result_.exchange(kNone, std::memory_order_relaxed);
   if (result == kNone) {
     return std::nullopt;
   }

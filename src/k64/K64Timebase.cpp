@@ -1,6 +1,5 @@
 #include "k64/K64Timebase.hpp"
 
-#include "k64/K64Board.hpp"
 #include "k64/K64Pit.hpp"
 #include "k64/core.hpp"
 #include "k64/registers.hpp"
@@ -10,34 +9,37 @@ namespace wr {
 namespace {
 
 constexpr std::uint32_t kChannel = 2 * pit::kChannelDistance;
-constexpr std::uint32_t kFirst = 0xFFFFFFFF;  // the counter runs from here down to 0
 
 }  // namespace
 
 void K64Timebase::start() {
+  static_assert(
+      [] {
+        Time time;
+        for (int period = 0; period < 15; ++period) {
+          time = time.afterPeriod();
+        }
+        return time.microseconds * K64Board::kTicksPerMicrosecond == std::uint64_t{15} << 32U &&
+               time.ticks == 0;
+      }(),
+      "the parts of a microsecond that each period leaves are not lost");
   K64Pit::switchOn();
   pit::TCTRL.at(kChannel).write({0});
   pit::LDVAL.at(kChannel).write({kFirst});
   pit::TFLG.at(kChannel).write(pit::TFLG_TIF);
   pit::TCTRL.at(kChannel).write(pit::TCTRL_TEN);
-  wraps_ = 0;
+  begin_ = {};
 }
 
 Instant K64Timebase::now() const {
-  std::uint32_t wraps = 0;
-  std::uint32_t count = 0;
-  {
-    const InterruptLock lock;
-    count = pit::CVAL.at(kChannel).read().value;
-    if ((pit::TFLG.at(kChannel).read() & pit::TFLG_TIF).any()) {
-      pit::TFLG.at(kChannel).write(pit::TFLG_TIF);
-      count = pit::CVAL.at(kChannel).read().value;  // the one before may be older than the wrap
-      ++wraps_;
-    }
-    wraps = wraps_;
+  const InterruptLock lock;
+  std::uint32_t count = pit::CVAL.at(kChannel).read().value;
+  if ((pit::TFLG.at(kChannel).read() & pit::TFLG_TIF).any()) {
+    pit::TFLG.at(kChannel).write(pit::TFLG_TIF);
+    count = pit::CVAL.at(kChannel).read().value;  // the one before may be older than the wrap
+    begin_ = begin_.afterPeriod();
   }
-  const std::uint64_t ticks = (std::uint64_t{wraps} << 32U) + (kFirst - count);
-  return Instant(ticks / K64Board::kTicksPerMicrosecond);
+  return Instant(begin_.after(kFirst - count).microseconds);
 }
 
 }  // namespace wr

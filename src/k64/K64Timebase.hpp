@@ -3,12 +3,14 @@
 #include <cstdint>
 
 #include "devices/Timebase.hpp"
+#include "k64/K64Board.hpp"
 
 namespace wr {
 
 /// @brief The time since start, from channel 2 of the periodic interrupt timer.
 /// @function Tells the time in microseconds to threads and interrupts.
-/// @secret How a counter of 32 bits that runs down gives a time that never wraps.
+/// @secret How a counter of 32 bits that runs down gives a time that never wraps, without a division of
+/// 64 bits.
 class K64Timebase final : public Timebase {
  public:
   /// @brief Makes a clock that does not run yet.
@@ -24,7 +26,27 @@ class K64Timebase final : public Timebase {
   [[nodiscard]] Instant now() const override;
 
  private:
-  mutable std::uint32_t wraps_ = 0;  // periods of the counter that have passed
+  /// @brief A time since start, to the tick.
+  /// @datatype
+  struct Time {
+    std::uint64_t microseconds = 0;
+    std::uint32_t ticks = 0;  ///< less than a microsecond
+
+    /// @brief Tells a later time.
+    [[nodiscard]] constexpr Time after(std::uint32_t later) const {
+      const std::uint32_t left = ticks + later % K64Board::kTicksPerMicrosecond;
+      return {microseconds +
+                  (later / K64Board::kTicksPerMicrosecond + left / K64Board::kTicksPerMicrosecond),
+              left % K64Board::kTicksPerMicrosecond};
+    }
+
+    /// @brief Tells the time one period of the counter later.
+    [[nodiscard]] constexpr Time afterPeriod() const { return after(kFirst).after(1); }
+  };
+
+  static constexpr std::uint32_t kFirst = 0xFFFFFFFF;  // the counter runs from here down to 0
+
+  mutable Time begin_;  // of the period of the counter
 };
 
 }  // namespace wr

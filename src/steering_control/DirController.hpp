@@ -46,9 +46,9 @@ struct TurnFeedback {
 
 /// @brief Controls the steering: from target and position to the turn.
 ///
-/// @function Lets the state of the steering act once in each tick period, on the newest target, the
-/// newest position and what the motor does, and tells what it came to. It orders the motor through
-/// commands, and knows neither who measures nor who acts.
+/// @function Lets the state of the steering act each time a measurement of the position ends, on the newest
+/// target, the newest position and what the motor does, and tells what it came to. It orders the
+/// motor through commands, and knows neither who measures nor who acts.
 ///
 /// @secret How old a target and a position may be, and how it is found that the steering does not move.
 ///
@@ -79,8 +79,8 @@ class DirController final {
   DirController(const DirController&) = delete;
   DirController& operator=(const DirController&) = delete;
 
-  /// @brief Takes target and position, lets the state act, and writes the status. It is called once in
-  /// each tick period.
+  /// @brief Takes target and position, lets the state act, and writes the status. It is called when a
+  /// measurement of the position ends, every 8 ms.
   /// @param motor what the motor does
   /// @isr{yes}
   /// @satisfies FR-114

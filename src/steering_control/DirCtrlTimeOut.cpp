@@ -10,12 +10,13 @@ DirCtrlTimeOut::DirCtrlTimeOut(DirSensor& sensor, DirController& controller, Ste
     : sensor_(sensor), controller_(controller), device_(device) {}
 
 void DirCtrlTimeOut::execute() {
-  sensor_.measure();
-  controller_.tick({.rate = device_.rate(),
-                    .steps = device_.steps(),
-                    .ready = device_.ready(),
-                    .leftEnd = device_.leftEnd(),
-                    .rightEnd = device_.rightEnd()});
+  if (sensor_.measure()) {
+    controller_.tick({.rate = device_.rate(),
+                      .steps = device_.steps(),
+                      .ready = device_.ready(),
+                      .leftEnd = device_.leftEnd(),
+                      .rightEnd = device_.rightEnd()});
+  }
   device_.tick();
 }
 

@@ -10,10 +10,11 @@ class SteeringDevice;
 
 /// @brief What a beat of the second timer does for the steering: measure, control, actuate.
 ///
-/// @function Has the sensor measure, hands what the motor does to the controller and has it tick, then has
-/// the motor tick. Neither timer, controller nor sensor knows the others.
+/// @function Has the sensor sample. When that ends a measurement, hands what the motor does to the controller
+/// and has it tick. Then has the motor tick. Neither timer, controller nor sensor knows the others.
 ///
-/// @secret The sequence in which sensor, controller and motor tick.
+/// @secret The sequence in which sensor, controller and motor tick, and that there is something to control
+/// only when a measurement has ended.
 ///
 /// @role{steering-timer-interrupt, Concrete Command}
 ///

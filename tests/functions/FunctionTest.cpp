@@ -85,19 +85,16 @@ TEST(Function, FR125_SampledCurrent) {
   EXPECT_EQ(function.calculate(Given(-2, 0, 10, 8, 2)), -5);
 }
 
-/// @brief Angle is (sample - offset) * scale / divisor, and refused beyond the bounds of the
-/// sample.
+/// @brief Angle is (samples - offset) * scale / divisor, rounded to the nearest number.
 /// @verifies FR-129
-/// @verifies FR-130
 TEST(Function, FR129_SampledAngle) {
   const SampledAngle function;
-  Given arguments(82, 1000, 8000, 4096, 2048);
-  arguments.with(ArgumentId::Lowest, 82).with(ArgumentId::Highest, 4013);
+  Given arguments(8 * 82, 8000, 8000, 8 * 4096, 8 * 2048);
   EXPECT_EQ(function.calculate(arguments), -3840);
-  EXPECT_EQ(function.calculate(arguments.with(ArgumentId::Raw, 4013)), 3838);
-  EXPECT_EQ(function.calculate(arguments.with(ArgumentId::Raw, 2048)), 0);
-  EXPECT_FALSE(function.calculate(arguments.with(ArgumentId::Raw, 81)));
-  EXPECT_FALSE(function.calculate(arguments.with(ArgumentId::Raw, 4014)));
+  EXPECT_EQ(function.calculate(arguments.with(ArgumentId::Raw, 8 * 4013)), 3838);
+  EXPECT_EQ(function.calculate(arguments.with(ArgumentId::Raw, 8 * 2048)), 0);
+  EXPECT_EQ(function.calculate(arguments.with(ArgumentId::Raw, 8 * 2048 + 2)), 0);
+  EXPECT_EQ(function.calculate(arguments.with(ArgumentId::Raw, 8 * 2048 - 3)), -1);
 }
 
 /// Arguments of a pulse of the remote control.

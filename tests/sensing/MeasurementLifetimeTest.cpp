@@ -27,6 +27,7 @@ TEST(MeasurementLifetime, FR127_Current) {
   SensedWheel wheel;
   WheelWork work;
   wheel.pass(false, SensedWheel::kMiddle);
+  wheel.pass(false, SensedWheel::kMiddle);  // 200 samples: 25 groups of 8
   wheel.time.advance(kLifetime);
   wheel.readCurrent.execute(work);
   EXPECT_EQ(work.measured.current, Current(0));

@@ -73,14 +73,16 @@ class FakePeriodicTimer final : public PeriodicTimer {
 /// the mechanics.
 class SteeringLoop {
  public:
-  /// @brief Closes the loop, and lets the sensor find the position.
+  /// @brief Closes the loop, and lets the sensor find the position. A measurement has just ended.
   /// @param seed seed of the noise
   explicit SteeringLoop(unsigned seed = 0) : input(plant, seed) {
     pool.add(system);
     timer.add(timeOut);
     control.motor.step.onRise = [this] { step(); };
-    run(20);
+    run(3 * kMeasurement);
   }
+
+  static constexpr int kMeasurement = 8;  // ticks
 
   /// @brief Lets ticks pass. Each 100th begins a control cycle with the present order.
   void run(int milliseconds) {

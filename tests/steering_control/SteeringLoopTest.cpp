@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+
 #include "steering_control/SteeringLoop.hpp"
 #include "support/seed.hpp"
 
@@ -14,15 +17,20 @@ struct SteeringLoopTest : testing::Test {
   SteeringPlant& plant = loop.plant;
 };
 
-/// @brief At each tick the sensor measures first, then the controller orders, then the motor moves.
+/// @brief At each tick the sensor samples. At each eighth the controller then orders, and after that the
+/// motor moves.
 /// @verifies FR-114
 TEST_F(SteeringLoopTest, FR114_MeasureControlActuate) {
   std::string sequence;
-  loop.input.onConvert = [&] { sequence += "measure "; };
+  loop.input.onConvert = [&] { sequence += "sample "; };
   loop.control.motor.enable.onRise = [&] { sequence += "order "; };
   loop.follow(1000);
+  for (int tick = 1; tick < SteeringLoop::kMeasurement; ++tick) {
+    loop.timer.expired();
+    EXPECT_EQ(std::exchange(sequence, ""), "sample ");
+  }
   loop.timer.expired();
-  EXPECT_EQ(sequence, "measure order ");
+  EXPECT_EQ(sequence, "sample order ");
   EXPECT_FALSE(loop.control.motor.device.ready());
   for (int tick = 1; tick < 50; ++tick) {
     loop.timer.expired();
@@ -30,12 +38,16 @@ TEST_F(SteeringLoopTest, FR114_MeasureControlActuate) {
   EXPECT_TRUE(loop.control.motor.device.ready()) << "the motor ticks in the tick of the order";
 }
 
-/// @brief A new angle turns the steering after the motor has settled.
+/// @brief A new angle turns the steering when the motor has settled: it is switched on at the end of a
+/// measurement, and the turn begins at the first one 50 ms later.
 /// @verifies FR-101
 /// @verifies FR-107
 TEST_F(SteeringLoopTest, FR101_ANewAngleTurnsTheSteering) {
   loop.follow(1000);
-  loop.run(51);
+  loop.run(63);
+  EXPECT_EQ(loop.state(), SteeringState::Holding);
+  EXPECT_EQ(loop.control.motor.device.rate(), StepRate(0));
+  loop.run(1);
   EXPECT_EQ(loop.control.motor.device.rate(), StepRate(1));
   EXPECT_EQ(loop.state(), SteeringState::Turning);
 }
@@ -140,9 +152,10 @@ TEST_F(SteeringLoopTest, FR105_StopsAtTheEnd) {
 /// @verifies FR-108
 TEST_F(SteeringLoopTest, FR108_HoldEndsATurn) {
   loop.follow(3000);
-  loop.run(900);
-  ASSERT_EQ(loop.control.motor.device.rate(), StepRate(500));
+  loop.run(112 * SteeringLoop::kMeasurement);
   loop.hold();
+  loop.run(SteeringLoop::kMeasurement - 1);
+  ASSERT_EQ(loop.control.motor.device.rate(), StepRate(500));
   for (std::int32_t rate = 499; rate >= 0; --rate) {
     loop.run(1);
     ASSERT_EQ(loop.control.motor.device.rate(), StepRate(rate));
@@ -154,16 +167,17 @@ TEST_F(SteeringLoopTest, FR108_HoldEndsATurn) {
   EXPECT_TRUE(loop.powered());
 }
 
-/// @brief When the control cycles end, the motor is switched off after 300 ms; when they come again
+/// @brief When the control cycles end, the motor is switched off at the end of the first measurement after
+/// 300 ms; when they come again
 /// it is switched on, and the steering goes on to its angle.
 /// @verifies FR-109
 TEST_F(SteeringLoopTest, FR109_WithoutCyclesTheMotorIsOff) {
   loop.follow(3000);
   loop.run(500);
   loop.ordering = false;
-  loop.run(280);  // the last cycle was 20 ms ago
+  loop.run(276);  // the last cycle was 24 ms ago
   EXPECT_TRUE(loop.powered());
-  loop.run(1);
+  loop.run(SteeringLoop::kMeasurement);
   EXPECT_FALSE(loop.powered());
   EXPECT_EQ(loop.state(), SteeringState::Off);
   const int place = plant.steps;

@@ -30,7 +30,7 @@ class SensedWheel : public ControlledWheel {
   SensorCollector edges{count};
   HallVelocity hallVelocity;
   VelSensor velSensor{edges, hallVelocity, time, velocities};
-  ValueCollector samples{wheel.cutOff()};
+  ValueCollector samples{wheel.cutOff(), time};
   SampledCurrent sampledCurrent;
   CntSensor cntSensor{samples, sampledCurrent, currents};
   RegisterPosition registerPosition{velSensor};
@@ -42,7 +42,7 @@ class SensedWheel : public ControlledWheel {
   /// Gives the sensor of the current its zero, and the Hall sensors their first levels.
   SensedWheel() {
     for (int sample = 0; sample < ValueCollector::kZeroSamples; ++sample) {
-      samples.collect(kMiddle, time.now());
+      samples.collect(kMiddle);
     }
     edges.collect(0, time.now());
   }
@@ -51,7 +51,7 @@ class SensedWheel : public ControlledWheel {
   void pass(bool turning, std::uint16_t raw) {
     for (int tick = 0; tick < 100; ++tick) {
       time.advance(milliseconds(1));
-      samples.collect(raw, time.now());
+      samples.collect(raw);
       if (turning && tick % 10 == 9) {
         constexpr std::array<std::uint8_t, 4> kForwards{0, 1, 3, 2};
         ++turned;

@@ -22,7 +22,7 @@ class CntSensor final {
   CntSensor(const CntSensor&) = delete;
   CntSensor& operator=(const CntSensor&) = delete;
 
-  /// @brief Writes the mean of the samples since the last call to the pipe.
+  /// @brief Writes the mean of the samples that the collector told since the last call to the pipe.
   /// @pre No more than 500000 samples came since the last call.
   /// @errors Without samples, or with a mean beyond 16 A, nothing is written: the value in the pipe
   /// grows old.

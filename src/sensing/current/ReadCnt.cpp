@@ -2,13 +2,13 @@
 
 namespace wr {
 
-ReadCnt::ReadCnt(AnalogInput& input, ValueCollector& collector, const Timebase& timebase)
-    : input_(input), collector_(collector), timebase_(timebase) {}
+ReadCnt::ReadCnt(AnalogInput& input, ValueCollector& collector)
+    : input_(input), collector_(collector) {}
 
 void ReadCnt::execute() {
   const std::optional<std::uint16_t> sample = input_.take();
   if (sample) {
-    collector_.collect(*sample, timebase_.now());
+    collector_.collect(*sample);
   }
   input_.convert();
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "devices/AnalogInput.hpp"
-#include "devices/Timebase.hpp"
 #include "sensing/current/ValueCollector.hpp"
 #include "services/Command.hpp"
 
@@ -24,8 +23,7 @@ class ReadCnt final : public Command {
   /// @brief Binds the command.
   /// @param input converts the voltage of the sensor
   /// @param collector takes the samples
-  /// @param timebase tells the time of a sample
-  ReadCnt(AnalogInput& input, ValueCollector& collector, const Timebase& timebase);
+  ReadCnt(AnalogInput& input, ValueCollector& collector);
 
   /// @brief Passes a sample on, if one is ready, and asks for the next.
   /// @isr{yes}
@@ -36,7 +34,6 @@ class ReadCnt final : public Command {
  private:
   AnalogInput& input_;
   ValueCollector& collector_;
-  const Timebase& timebase_;
 };
 
 }  // namespace wr

@@ -1,5 +1,6 @@
 #include "sensing/current/ValueCollector.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "devices/AnalogInput.hpp"
@@ -15,42 +16,51 @@ constexpr std::int32_t kZeroTolerance = kFullScale / 20;
 // The sensor gives 0.1 mV a mA, and the range is 3300 mV. 1861 is 14.993 A, 1862 is 15.002 A.
 constexpr std::int32_t kGreatest = 15000 * 4096 / 33000;
 
-constexpr std::uint8_t kTooManyInARow = 5;
+constexpr std::uint32_t kTooManyInARow = 5;
 
 }  // namespace
 
-ValueCollector::ValueCollector(Command& overcurrent) : overcurrent_(overcurrent) {}
+ValueCollector::ValueCollector(Command& overcurrent, const Timebase& timebase)
+    : overcurrent_(overcurrent), timebase_(timebase) {}
 
-void ValueCollector::collect(std::uint16_t raw, Instant at) {
-  if (learned_ < kZeroSamples) {
+void ValueCollector::collect(std::uint16_t raw) {
+  if (!plausible_) {
     learnZero(raw);
     return;
   }
-  if (!plausible_) {
-    return;
+  guard(raw);
+  sum_ += static_cast<std::uint32_t>(raw - zero_);
+  ++number_;
+  if (number_ % kGroup == 0) {
+    publish();
   }
-  const std::int32_t deviation = raw - zero_;
-  guard(raw, deviation);
-  sums_ = {sums_.sum + deviation, sums_.number + 1, at};
-  record_.write(sums_, at);
 }
 
 CurrentRecord ValueCollector::record() {
   return record_.read().value_or(Stamped<CurrentRecord>()).value;
 }
 
+void ValueCollector::publish() {
+  const Instant now = timebase_.now();
+  record_.write({sum_, number_, now}, now);
+}
+
 void ValueCollector::learnZero(std::int32_t raw) {
+  if (learned_ == kZeroSamples) {
+    return;
+  }
   zero_ += raw;
   ++learned_;
   if (learned_ == kZeroSamples) {
     zero_ = (zero_ + kZeroSamples / 2) / kZeroSamples;
     plausible_ = std::abs(zero_ - kMiddle) <= kZeroTolerance;
+    least_ = std::max<std::int32_t>(zero_ - kGreatest, 1);
+    greatest_ = std::min<std::int32_t>(zero_ + kGreatest, kFullScale - 1);
   }
 }
 
-void ValueCollector::guard(std::int32_t raw, std::int32_t deviation) {
-  const bool atAnEnd = raw == 0 || raw >= kFullScale;
-  if (!atAnEnd && std::abs(deviation) <= kGreatest) {
+void ValueCollector::guard(std::int32_t raw) {
+  if (raw >= least_ && raw <= greatest_) {
     tooHigh_ = 0;
     return;
   }

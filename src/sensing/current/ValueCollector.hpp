@@ -2,20 +2,22 @@
 
 #include <cstdint>
 
+#include "devices/Timebase.hpp"
 #include "services/Command.hpp"
 #include "services/Pipe.hpp"
 #include "units/quantities.hpp"
 
 namespace wr {
 
-/// @brief What is known of the samples of a current. Sum and number count from start: who wants
-/// those of a time takes the difference.
+/// @brief What is known of the samples of a current. Sum and number count from start, and wrap: who
+/// wants those of a time takes the difference. It is right for 500000 samples and less, the sum
+/// read as a number with a sign.
 /// @datatype
 struct CurrentRecord {
-  std::int64_t sum =
+  std::uint32_t sum =
       0;  ///< sum of the samples, each less the zero of the sensor [1/4096 of the range]
-  std::int64_t number = 0;  ///< number of samples in the sum
-  Instant at{};             ///< time of the newest sample
+  std::uint32_t number = 0;  ///< number of samples in the sum
+  Instant at{};              ///< time of the newest sample
 };
 
 /// @brief Collects the samples of the current of a wheel.
@@ -29,10 +31,14 @@ class ValueCollector final {
   /// @brief Number of samples from which the zero is taken.
   static constexpr std::int32_t kZeroSamples = 64;
 
+  /// @brief Number of samples after which the record is told anew.
+  static constexpr std::uint32_t kGroup = 8;
+
   /// @brief Binds the command that ends an overcurrent.
   /// @param overcurrent is executed, in the interrupt, at each sample from the fifth in a row that
   /// is too high
-  explicit ValueCollector(Command& overcurrent);
+  /// @param timebase tells the time of a sample
+  ValueCollector(Command& overcurrent, const Timebase& timebase);
 
   ValueCollector(const ValueCollector&) = delete;
   ValueCollector& operator=(const ValueCollector&) = delete;
@@ -40,35 +46,41 @@ class ValueCollector final {
   /// @brief Takes a sample. The mean of the first 64 is the zero of the sensor; when it lies more
   /// than 5 % of the range off the middle, no sample counts ever after. Later samples are added to
   /// the record. A sample beyond 15 A, or at an end of the range, is too high.
-  /// @param raw sample [1/4096 of the range, 0 to 4095]
-  /// @param at time of the sample
+  /// @param raw sample [1/4096 of the range, 0 to 4095], of now
   /// @pre The motor has no current until the zero is taken.
   /// @isr{yes}
   /// @satisfies FR-125
   /// @satisfies FR-126
   /// @satisfies FR-128
-  void collect(std::uint16_t raw, Instant at);
+  void collect(std::uint16_t raw);
 
-  /// @brief Tells all that is known of the samples, as of the last one.
-  /// @return the record; empty before the first sample after the zero
+  /// @brief Tells all that is known of the samples, as of the last of 8.
+  /// @return the record; empty before the eighth sample after the zero
   /// @pre No other call of record() is under way: only the thread of the wheel calls it.
   /// @isr{no}
   /// @satisfies FR-125
   [[nodiscard]] CurrentRecord record();
 
  private:
-  /// @brief Takes a sample into the zero.
+  /// @brief Takes a sample into the zero, while it is learned.
   void learnZero(std::int32_t raw);
 
   /// @brief Acts when the samples are too high.
-  void guard(std::int32_t raw, std::int32_t deviation);
+  void guard(std::int32_t raw);
+
+  /// @brief Tells the samples up to now to the thread.
+  void publish();
 
   Command& overcurrent_;
-  std::int32_t learned_ = 0;  // samples in zero_ while it is learned
-  std::int32_t zero_ = 0;     // sum of samples while it is learned, then the zero
-  bool plausible_ = false;    // the zero is learned and can be
-  std::uint8_t tooHigh_ = 0;  // samples in a row
-  CurrentRecord sums_;
+  const Timebase& timebase_;
+  std::int32_t learned_ = 0;   // samples in zero_ while it is learned
+  std::int32_t zero_ = 0;      // sum of samples while it is learned, then the zero
+  bool plausible_ = false;     // the zero is learned and can be
+  std::int32_t least_ = 0;     // sample that is not too high
+  std::int32_t greatest_ = 0;  // sample that is not too high
+  std::uint32_t tooHigh_ = 0;  // samples in a row
+  std::uint32_t sum_ = 0;
+  std::uint32_t number_ = 0;
   Pipe<CurrentRecord> record_;
 };
 

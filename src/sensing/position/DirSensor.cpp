@@ -1,7 +1,6 @@
 #include "sensing/position/DirSensor.hpp"
 
 #include "functions/arguments/BaseArguments.hpp"
-#include "functions/arguments/RangeArguments.hpp"
 #include "functions/arguments/ScaleArguments.hpp"
 #include "services/SystemConstants.hpp"
 
@@ -23,43 +22,38 @@ DirSensor::DirSensor(AnalogInput& input, const Function& function, const Timebas
                      Pipe<Angle>& position)
     : input_(input), function_(function), timebase_(timebase), pipe_(position) {}
 
-void DirSensor::measure() {
+bool DirSensor::measure() {
   const std::optional<std::uint16_t> raw = input_.take();
   input_.convert();
-  if (!raw) {
-    return;
+  if (raw && *raw >= kLowest && *raw <= kHighest) {
+    sum_ += *raw;
+    ++good_;
   }
-  const std::optional<Angle> sample = angle(*raw);
-  if (!sample) {
-    kept_ = 0;
-    sum_ = Angle(0);
-    return;
+  ++calls_;
+  if (calls_ < kSamples) {
+    return false;
   }
-  if (kept_ == kSamples) {
-    sum_ = sum_ - samples_[next_];
-  } else {
-    ++kept_;
-  }
-  sum_ = sum_ + *sample;
-  samples_[next_] = *sample;
-  next_ = (next_ + 1) % kSamples;
-  if (kept_ == kSamples) {
-    pipe_.write(mean(), timebase_.now());
-  }
+  finish();
+  return true;
 }
 
-std::optional<Angle> DirSensor::angle(std::uint16_t raw) const {
-  const BaseArguments base(raw, SystemConstants::instance().tickPeriod());
-  const ScaleArguments scaled(base, kFullAngle, kRange, kMiddle);
-  const RangeArguments arguments(scaled, kLowest, kHighest);
+void DirSensor::finish() {
+  if (good_ == kSamples) {
+    const std::optional<Angle> angle = mean();
+    if (angle) {
+      pipe_.write(*angle, timebase_.now());
+    }
+  }
+  calls_ = 0;
+  good_ = 0;
+  sum_ = 0;
+}
+
+std::optional<Angle> DirSensor::mean() const {
+  const BaseArguments base(sum_, SystemConstants::instance().tickPeriod() * kSamples);
+  const ScaleArguments arguments(base, kFullAngle, kRange * kSamples, kMiddle * kSamples);
   const std::optional<std::int32_t> value = function_.calculate(arguments);
   return value ? std::optional(Angle(*value)) : std::nullopt;
-}
-
-Angle DirSensor::mean() const {
-  const auto count = static_cast<std::int32_t>(kSamples);
-  const Angle half(sum_ < Angle(0) ? -count / 2 : count / 2);
-  return (sum_ + half) / count;
 }
 
 }  // namespace wr

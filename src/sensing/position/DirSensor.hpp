@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -14,7 +12,7 @@
 namespace wr {
 
 /// @brief Sensor for the position of the steering device.
-/// @function Measures the angle at each tick and writes it, smoothed, to a pipe.
+/// @function Samples the angle at each tick, and writes the mean of each 8 samples to a pipe.
 /// @secret The scale of the sensor, the samples that it cannot give, and how noise is smoothed.
 /// @role{functions, Context}
 /// @role{steering-timer-interrupt, Receiver}
@@ -22,7 +20,7 @@ class DirSensor final {
  public:
   /// @brief Binds the sensor.
   /// @param input converts the voltage of the sensor
-  /// @param function calculates the angle of a sample; it refuses a sample that cannot be
+  /// @param function calculates the angle of 8 samples
   /// @param timebase tells the time
   /// @param position takes the angle, with the time of the measurement
   DirSensor(AnalogInput& input, const Function& function, const Timebase& timebase,
@@ -31,32 +29,32 @@ class DirSensor final {
   DirSensor(const DirSensor&) = delete;
   DirSensor& operator=(const DirSensor&) = delete;
 
-  /// @brief Takes the sample that was asked for at the last call, asks for the next, and writes the
-  /// mean of the last 8 samples to the pipe.
-  /// @errors A sample that the function refuses begins the mean anew. Until 8 samples have come,
-  /// and without a new one, nothing is written: the value in the pipe grows old.
+  /// @brief Takes the sample that was asked for at the last call, and asks for the next. Each 8th
+  /// call ends a measurement: the mean of its samples is written to the pipe.
+  /// @return true when this call ended a measurement, also when nothing was written
+  /// @errors Of a measurement with a sample that cannot be, or without one of its samples, nothing
+  /// is written: the value in the pipe grows old.
   /// @isr{yes}
   /// @satisfies FR-129
   /// @satisfies FR-130
-  void measure();
+  [[nodiscard]] bool measure();
 
  private:
-  static constexpr std::size_t kSamples = 8;
+  static constexpr std::int32_t kSamples = 8;  // of a measurement
 
-  /// @brief Angle of a sample, if the function gives one.
-  [[nodiscard]] std::optional<Angle> angle(std::uint16_t raw) const;
+  /// @brief Writes the mean of the samples, if they are all there.
+  void finish();
 
-  /// @brief Mean of the samples that are kept, rounded to the nearest number.
-  [[nodiscard]] Angle mean() const;
+  /// @brief Mean angle of the samples, rounded to the nearest number, if the function gives one.
+  [[nodiscard]] std::optional<Angle> mean() const;
 
   AnalogInput& input_;
   const Function& function_;
   const Timebase& timebase_;
   Pipe<Angle>& pipe_;
-  std::array<Angle, kSamples> samples_{};  // a ring
-  std::size_t next_ = 0;                   // place of the next sample
-  std::size_t kept_ = 0;                   // samples since the mean began
-  Angle sum_{};                            // of the samples that are kept
+  std::int32_t calls_ = 0;  // since the measurement began
+  std::int32_t good_ = 0;   // samples in sum_
+  std::int32_t sum_ = 0;    // of the samples that can be
 };
 
 }  // namespace wr

@@ -7,8 +7,8 @@
 
 #include "devices/SecondTimer.hpp"
 #include "functions/SampledCurrent.hpp"
+#include "sensing/CountingCommand.hpp"
 #include "sensing/FakeAnalogInput.hpp"
-#include "sensing/SpyCommand.hpp"
 #include "sensing/current/CntSensor.hpp"
 #include "sensing/current/ReadCnt.hpp"
 #include "support/FakeTimebase.hpp"
@@ -53,9 +53,9 @@ class CurrentTest : public testing::Test {
 
   FakeTimebase time;
   FakeAnalogInput input;
-  SpyCommand overcurrent;
-  ValueCollector collector{overcurrent};
-  ReadCnt readCnt{input, collector, time};
+  CountingCommand overcurrent;
+  ValueCollector collector{overcurrent, time};
+  ReadCnt readCnt{input, collector};
   BeatTimer beat;
   SecondTimer timer{beat};
   SampledCurrent function;
@@ -67,22 +67,62 @@ class CurrentTest : public testing::Test {
 /// @verifies FR-100
 /// @verifies FR-125
 TEST_F(CurrentTest, FR100_EachBeatSamples) {
-  for (int i = 1; i <= 70; ++i) {
+  for (int i = 1; i <= 80; ++i) {
     tick(2048);
     EXPECT_EQ(input.conversions, i);
     EXPECT_FALSE(input.result);
   }
-  EXPECT_EQ(collector.record().number, 70 - 64);
+  EXPECT_EQ(collector.record().number, 80U - 64U);
   EXPECT_EQ(collector.record().at, time.now());
+}
+
+/// @brief The record is told anew with each eighth sample, with the time of that sample.
+/// @verifies FR-125
+TEST_F(CurrentTest, FR125_RecordInGroupsOfEight) {
+  ticks(64 + 7, 2049);
+  EXPECT_EQ(collector.record().number, 0U);
+  tick(2049);
+  const Instant at = time.now();
+  for (int i = 0; i < 8; ++i) {
+    EXPECT_EQ(collector.record().number, 8U);
+    EXPECT_EQ(collector.record().sum, 0U);
+    EXPECT_EQ(collector.record().at, at);
+    tick(2050);
+  }
+  EXPECT_EQ(collector.record().number, 16U);
+  EXPECT_EQ(collector.record().sum, 8U);
+}
+
+/// @brief Sum and number may wrap: the mean of a cycle is right all the same. Below zero the sum wraps with
+/// the first sample; it comes back above zero, and goes on until it wraps there.
+/// @verifies FR-125
+TEST_F(CurrentTest, FR125_SumsMayWrap) {
+  ticks(64, 2048);
+  ticks(800, 2048 - 1000);
+  EXPECT_EQ(measured()->value, Current(-8057));
+  ticks(1600, 2048 + 1000);
+  EXPECT_EQ(measured()->value, Current(8057));
+  std::uint32_t before = collector.record().sum;
+  bool wrapped = false;
+  while (!wrapped) {
+    for (int i = 0; i < 100'000; ++i) {
+      collector.collect(2048 + 1861);
+    }
+    EXPECT_EQ(measured()->value, Current(14993));
+    wrapped = collector.record().sum < before;
+    before = collector.record().sum;
+  }
 }
 
 /// @brief A beat at which no conversion has ended has no sample, and asks again.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_BeatWithoutSample) {
-  ticks(70, 2048);
+  ticks(71, 2048);
   tick(std::nullopt);
-  EXPECT_EQ(collector.record().number, 6);
-  EXPECT_EQ(input.conversions, 71);
+  EXPECT_EQ(collector.record().number, 0U);
+  EXPECT_EQ(input.conversions, 72);
+  tick(2048);
+  EXPECT_EQ(collector.record().number, 8U);
 }
 
 /// @brief The current of a cycle is the mean of its samples: 0.1 V is 1 A, and 3.3 V are 4096.
@@ -92,7 +132,7 @@ TEST_F(CurrentTest, FR125_MeanOfTheCycle) {
   for (const double amperes : {0.0, 1.0, 5.0, 10.0, 14.9, -1.0, -7.77, -14.9}) {
     const double exact = 2048 + amperes * 0.1 / 3.3 * 4096;
     double carried = 0;
-    for (int i = 0; i < 100; ++i) {  // samples whose mean is the exact value
+    for (int i = 0; i < 104; ++i) {  // samples whose mean is the exact value
       carried += exact;
       const int sample = static_cast<int>(std::lround(carried));
       carried -= sample;
@@ -109,10 +149,20 @@ TEST_F(CurrentTest, FR125_MeanOfTheCycle) {
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_EachCycleOfItsOwn) {
   ticks(64, 2048);
-  ticks(100, 2048 + 1000);
+  ticks(96, 2048 + 1000);
   EXPECT_EQ(measured()->value, Current(8057));
-  ticks(7, 2048);
+  ticks(8, 2048);
   EXPECT_EQ(measured()->value, Current(0));
+}
+
+/// @brief Samples of a group that is not complete count in the cycle after.
+/// @verifies FR-125
+TEST_F(CurrentTest, FR125_NoSampleIsLost) {
+  ticks(64, 2048);
+  ticks(100, 2048);
+  EXPECT_EQ(measured()->value, Current(0));
+  ticks(4, 2048 + 1000);
+  EXPECT_EQ(measured()->value, Current(4028)) << "4 samples of before, and 4 new ones";
 }
 
 /// @brief Without a sample since the measurement before nothing is written: the value grows old.
@@ -152,12 +202,12 @@ TEST_F(CurrentTest, FR125_NoiseAveragesOut) {
 /// @verifies FR-126
 TEST_F(CurrentTest, FR126_ZeroIsLearned) {
   for (const int zero : {2048 - 204, 2000, 2048 + 204}) {
-    ValueCollector fresh(overcurrent);
-    for (int i = 0; i < 64 + 10; ++i) {
-      fresh.collect(static_cast<std::uint16_t>(zero), time.now());
+    ValueCollector fresh(overcurrent, time);
+    for (int i = 0; i < 64 + 16; ++i) {
+      fresh.collect(static_cast<std::uint16_t>(zero));
     }
-    EXPECT_EQ(fresh.record().number, 10);
-    EXPECT_EQ(fresh.record().sum, 0);
+    EXPECT_EQ(fresh.record().number, 16U);
+    EXPECT_EQ(fresh.record().sum, 0U);
   }
 }
 
@@ -165,13 +215,13 @@ TEST_F(CurrentTest, FR126_ZeroIsLearned) {
 /// @verifies FR-126
 TEST_F(CurrentTest, FR126_ImplausibleZero) {
   for (const int zero : {0, 2048 - 205, 2048 + 205, 4095}) {
-    ValueCollector fresh(overcurrent);
+    ValueCollector fresh(overcurrent, time);
     CntSensor reader(fresh, function, pipe);
     for (int i = 0; i < 64; ++i) {
-      fresh.collect(static_cast<std::uint16_t>(zero), time.now());
+      fresh.collect(static_cast<std::uint16_t>(zero));
     }
     for (int i = 0; i < 1000; ++i) {
-      fresh.collect(2048, time.now());
+      fresh.collect(2048);
     }
     reader.measure();
     EXPECT_FALSE(pipe.read());
@@ -183,8 +233,9 @@ TEST_F(CurrentTest, FR126_ImplausibleZero) {
 TEST_F(CurrentTest, FR126_ZeroIsTheMean) {
   ticks(32, 2040);
   ticks(32, 2049);
-  tick(2045);
-  EXPECT_EQ(collector.record().sum, 0);
+  ticks(8, 2045);
+  EXPECT_EQ(collector.record().number, 8U);
+  EXPECT_EQ(collector.record().sum, 0U);
 }
 
 /// @brief Five samples in a row beyond 15 A cut the driver off, forwards and backwards; the command
@@ -226,15 +277,15 @@ TEST_F(CurrentTest, FR128_EndOfTheRange) {
   };
   for (const Sensor sensed : {Sensor{2048 + 204, 4095}, Sensor{2048 - 204, 0}}) {
     overcurrent.executions = 0;
-    ValueCollector fresh(overcurrent);
+    ValueCollector fresh(overcurrent, time);
     for (int i = 0; i < 64; ++i) {
-      fresh.collect(sensed.zero, time.now());
+      fresh.collect(sensed.zero);
     }
     for (int i = 0; i < 4; ++i) {
-      fresh.collect(sensed.end, time.now());
+      fresh.collect(sensed.end);
     }
     EXPECT_EQ(overcurrent.executions, 0);
-    fresh.collect(sensed.end, time.now());
+    fresh.collect(sensed.end);
     EXPECT_EQ(overcurrent.executions, 1);
   }
 }
@@ -270,8 +321,8 @@ TEST(Overcurrent, FR128_SwitchesTheDriverOff) {
   FakeSwitch enable;
   Wheel wheel(pwm, orientation, enable);
   FakeAnalogInput input;
-  ValueCollector collector(wheel.cutOff());
-  ReadCnt readCnt(input, collector, time);
+  ValueCollector collector(wheel.cutOff(), time);
+  ReadCnt readCnt(input, collector);
   BeatTimer beat;
   SecondTimer timer(beat);
   timer.add(readCnt);

@@ -15,18 +15,19 @@ namespace {
 
 class DirSensorTest : public testing::Test {
  protected:
-  /// One tick, at which the conversion of the tick before has given a sample.
-  void tick(std::optional<int> sample) {
+  /// One tick, at which the conversion of the tick before has given a sample; true when it ended a
+  /// measurement.
+  bool tick(std::optional<int> sample) {
     time.advance(milliseconds(1));
     if (sample) {
       input.result = static_cast<std::uint16_t>(*sample);
     }
-    sensor.measure();
+    return sensor.measure();
   }
 
   void ticks(int count, int sample) {
     for (int i = 0; i < count; ++i) {
-      tick(sample);
+      static_cast<void>(tick(sample));
     }
   }
 
@@ -47,17 +48,20 @@ TEST_F(DirSensorTest, FR129_SamplesAtEachTick) {
   EXPECT_FALSE(input.result);
 }
 
-/// @brief There is no angle before 8 samples have come; then there is one at each tick, with its
-/// time.
+/// @brief There is no angle before 8 samples have come; then there is a new one at each 8th tick, with
+/// its time, and the sensor tells that it came.
 /// @verifies FR-129
-TEST_F(DirSensorTest, FR129_FirstAngleAfterEightSamples) {
-  ticks(7, 2048);
-  EXPECT_FALSE(pipe.read());
-  tick(2048);
-  ASSERT_TRUE(pipe.read());
-  EXPECT_EQ(angle(), 0);
-  tick(2048);
-  EXPECT_EQ(pipe.read()->at, time.now());
+TEST_F(DirSensorTest, FR129_OneAngleInEightTicks) {
+  for (int measurement = 1; measurement <= 3; ++measurement) {
+    for (int i = 0; i < 7; ++i) {
+      EXPECT_FALSE(tick(2048 + measurement * 512));
+      EXPECT_EQ(pipe.read().has_value(), measurement > 1);
+    }
+    EXPECT_TRUE(tick(2048 + measurement * 512));
+    ASSERT_TRUE(pipe.read());
+    EXPECT_EQ(angle(), measurement * 1000);
+    EXPECT_EQ(pipe.read()->at, time.now());
+  }
 }
 
 /// @brief The whole range is 80 degrees, its middle is straight on, and higher is to the left.
@@ -69,28 +73,31 @@ TEST_F(DirSensorTest, FR129_ScaleOfTheSensor) {
   }
 }
 
-/// @brief The angle is the mean of the last 8 samples, and no older one.
+/// @brief The angle is the mean of 8 samples, and of no older one.
 /// @verifies FR-129
-TEST_F(DirSensorTest, FR129_MeanOfTheLastEight) {
+TEST_F(DirSensorTest, FR129_MeanOfEight) {
   ticks(8, 2048);
-  for (int i = 1; i <= 8; ++i) {
-    tick(2048 + 512);
+  for (int i = 0; i <= 8; ++i) {
+    ticks(8 - i, 2048);
+    ticks(i, 2048 + 512);
     EXPECT_NEAR(angle(), 1000 * i / 8.0, 0.5) << i;
-  }
-  for (int i = 1; i <= 8; ++i) {
-    tick(2048 - 512);
-    EXPECT_NEAR(angle(), 1000 - 2000 * i / 8.0, 0.5) << i;
+    ticks(i, 2048 - 512);
+    ticks(8 - i, 2048);
+    EXPECT_NEAR(angle(), -1000 * i / 8.0, 0.5) << i;
   }
 }
 
 /// @brief The mean is rounded to the nearest number.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_MeanIsRounded) {
-  ticks(8, 2048);
-  tick(2051);
+  ticks(7, 2048);
+  ticks(1, 2050);  // 0.49
+  EXPECT_EQ(angle(), 0);
+  ticks(7, 2048);
+  ticks(1, 2051);  // 0.73
   EXPECT_EQ(angle(), 1);
-  ticks(8, 2048);
-  tick(2045);
+  ticks(7, 2048);
+  ticks(1, 2045);
   EXPECT_EQ(angle(), -1);
 }
 
@@ -101,42 +108,82 @@ TEST_F(DirSensorTest, FR129_NoiseIsSmoothed) {
   std::normal_distribution<double> noise(0, 5 * 4096.0 / 8000);
   constexpr double kAngle = 1234;
   double squares = 0;
-  constexpr int kTicks = 4000;
-  for (int i = 0; i < kTicks; ++i) {
-    tick(static_cast<int>(std::lround(2048 + kAngle * 4096 / 8000 + noise(random))));
-    if (pipe.read()) {
-      squares += std::pow(angle() - kAngle, 2);
+  constexpr int kMeasurements = 500;
+  for (int i = 0; i < kMeasurements; ++i) {
+    for (int k = 0; k < 8; ++k) {
+      ticks(1, static_cast<int>(std::lround(2048 + kAngle * 4096 / 8000 + noise(random))));
     }
+    squares += std::pow(angle() - kAngle, 2);
   }
-  EXPECT_LT(std::sqrt(squares / kTicks), 2.1);
+  EXPECT_LT(std::sqrt(squares / kMeasurements), 2.1);
 }
 
 /// @brief A sample near an end of the range is refused, and no angle is written until 8 good ones
-/// have followed.
+/// have followed. The measurement ends at its 8th tick all the same.
 /// @verifies FR-130
 TEST_F(DirSensorTest, FR130_RefusesTheEndsOfTheRange) {
   for (const int broken : {0, 81, 4014, 4095}) {
-    ticks(8, 2148);
-    const Instant before = pipe.read()->at;
-    tick(broken);
-    ticks(7, 2248);
-    EXPECT_EQ(pipe.read()->at, before);
-    tick(2248);
-    EXPECT_EQ(angle(), 391);
-    EXPECT_EQ(pipe.read()->at, time.now());
+    for (int place = 0; place < 8; ++place) {
+      ticks(8, 2148);
+      const Instant before = pipe.read()->at;
+      ticks(place, 2148);
+      const bool ended = tick(broken);
+      EXPECT_EQ(ended, place == 7);
+      for (int i = place + 1; i < 8; ++i) {
+        EXPECT_EQ(tick(2148), i == 7);
+      }
+      EXPECT_EQ(pipe.read()->at, before);
+      ticks(8, 2248);
+      EXPECT_EQ(angle(), 391);
+      EXPECT_EQ(pipe.read()->at, time.now());
+    }
   }
 }
 
-/// @brief A tick without a sample writes nothing and forgets nothing.
+/// @brief A sensor that is broken for long gives no angle, and its measurements end all the same.
+/// @verifies FR-130
+TEST_F(DirSensorTest, FR130_BrokenForLong) {
+  int ended = 0;
+  for (int i = 0; i < 800; ++i) {
+    ended += tick(i % 2 == 0 ? 0 : 4095) ? 1 : 0;
+  }
+  EXPECT_EQ(ended, 100);
+  EXPECT_FALSE(pipe.read());
+}
+
+/// @brief A measurement of which a sample did not come writes nothing; the next one does.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_TickWithoutSample) {
   ticks(8, 2148);
   const Instant before = pipe.read()->at;
-  tick(std::nullopt);
-  EXPECT_EQ(pipe.read()->at, before);
+  EXPECT_FALSE(tick(std::nullopt));
   EXPECT_EQ(input.conversions, 9);
-  tick(2148);
+  ticks(6, 2148);
+  EXPECT_TRUE(tick(2148));
+  EXPECT_EQ(pipe.read()->at, before);
+  ticks(8, 2148);
   EXPECT_EQ(pipe.read()->at, time.now());
+}
+
+/// A function that gives no angle.
+class NoFunction final : public Function {
+ public:
+  [[nodiscard]] std::optional<std::int32_t> calculate(
+      const Arguments& /*arguments*/) const override {
+    return std::nullopt;
+  }
+};
+
+/// @brief Without an angle of the function nothing is written.
+/// @verifies FR-129
+TEST_F(DirSensorTest, FR129_NothingWithoutAnAngle) {
+  const NoFunction none;
+  DirSensor mute(input, none, time, pipe);
+  for (int i = 1; i <= 8; ++i) {
+    input.result = std::uint16_t{2048};
+    EXPECT_EQ(mute.measure(), i == 8);
+  }
+  EXPECT_FALSE(pipe.read());
 }
 
 }  // namespace
