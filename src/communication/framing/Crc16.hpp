@@ -7,7 +7,7 @@ namespace wr {
 
 /// @brief Check sum of the bytes of a frame.
 /// @function Computes the number by which a damaged frame is found.
-/// @secret The algorithm of the check sum: CRC-16/CCITT-FALSE, computed bit by bit.
+/// @secret The algorithm of the check sum: CRC-16/CCITT-FALSE, computed byte by byte.
 class Crc16 final {
  public:
   /// @brief Begins a check sum of no bytes.
