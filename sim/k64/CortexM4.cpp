@@ -61,8 +61,9 @@ constexpr int kEngineReturn = 8;
 
 constexpr std::uint32_t kAlignedBit = 1U << 9;
 constexpr std::uint32_t kThumbBit = 1U << 24;
-constexpr std::uint32_t kFpActive = 4;      // CONTROL.FPCA
-constexpr std::uint32_t kProcessStack = 2;  // CONTROL.SPSEL
+constexpr std::uint32_t kItBits = 0x0600FC00;  // what an IT block still demands
+constexpr std::uint32_t kFpActive = 4;         // CONTROL.FPCA
+constexpr std::uint32_t kProcessStack = 2;     // CONTROL.SPSEL
 
 constexpr std::uint16_t kWfi = 0xBF30;
 constexpr std::uint16_t kWfe = 0xBF20;
@@ -812,6 +813,7 @@ void CortexM4::vector(unsigned exception, std::uint32_t link) {
   setReg(UC_ARM_REG_CONTROL, control & 1U);
   setRegs<4>({UC_ARM_REG_LR, UC_ARM_REG_IPSR, UC_ARM_REG_SP, UC_ARM_REG_APSR_NZCV},
              {link, exception, reg(UC_ARM_REG_SP), flags});
+  setItBits(0);
   exception_ = exception;
   if (const std::uint32_t wanted = (fpStatus & ~0x07C00000U) | system_.fpDefaults();
       wanted != fpStatus) {
@@ -831,6 +833,15 @@ void CortexM4::vector(unsigned exception, std::uint32_t link) {
     report("interrupt-storm", "interrupt " + std::to_string(exception - kFirstLine) +
                                   " was entered " + std::to_string(kStorm) +
                                   " times and its line is still high");
+  }
+}
+
+// A handler begins outside of any IT block, and a return goes on inside the block that was left. Of
+// the registers of the engine only CPSR takes these bits.
+void CortexM4::setItBits(std::uint32_t state) const {
+  const std::uint32_t now = reg(UC_ARM_REG_CPSR);
+  if (((now ^ state) & kItBits) != 0) {
+    setReg(UC_ARM_REG_CPSR, (now & ~kItBits) | (state & kItBits));
   }
 }
 
@@ -908,6 +919,7 @@ void CortexM4::unstack(std::uint32_t link) {
                UC_ARM_REG_XPSR_NZCVQG, UC_ARM_REG_APSR_NZCV, UC_ARM_REG_PC},
               {words[0], words[1], words[2], words[3], words[4], words[5], number, control, stack,
                state, state, words[6] | 1U});
+  setItBits(state);
   exception_ = number;
   sleeping_ = toThread && system_.sleepsOnExit();
 }

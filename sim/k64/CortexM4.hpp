@@ -214,6 +214,7 @@ class CortexM4 {
   void exceptionReturn(std::uint32_t link);
   [[nodiscard]] bool linkIsValid(std::uint32_t link, unsigned number) const;
   void unstack(std::uint32_t link);
+  void setItBits(std::uint32_t state) const;
   void fault(unsigned exception, std::uint32_t status, std::uint32_t pc, const std::string& id,
              const std::string& what);
   void deliver(unsigned exception, std::uint32_t pc);

@@ -130,6 +130,17 @@ TEST(ProcessorOfBoard, SysTickEndsSleep) {
   EXPECT_LT(board.instructions(), 20'000U);
 }
 
+/// @brief An interrupt may come inside an IT block: its handler is not conditional, and the rest of the
+/// block goes on after it.
+TEST(ProcessorOfBoard, InterruptsComeInsideConditionalBlocks) {
+  Guest guest("runsConditionalBlocks");
+  guest.handle(15, "countsTicksBetweenConditions");
+  VirtualBoard board(guest.image());
+  ASSERT_TRUE(board.runUntil(50ms));
+  EXPECT_GT(told(board, 2), 500U);
+  EXPECT_EQ(told(board, 0), 5'000U * (1 + 100'000));
+}
+
 /// @brief A run can stop at an interrupt and at the sleep after it.
 TEST(ProcessorOfBoard, RunsToInterruptAndToSleep) {
   Guest guest("runsTimers");

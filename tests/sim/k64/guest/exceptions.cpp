@@ -176,6 +176,39 @@ PROGRAM countsTicks() {
   told(0) = told(0) + 1;
 }
 
+// Comes after another time each time, so that it comes at each place of a loop.
+PROGRAM countsTicksBetweenConditions() {
+  told(2) = told(2) + 1;
+  wordAt(0xE000E014) = 80 + told(2) % 29;
+  asm volatile("cmp %0, %0" ::"r"(0) : "cc");
+}
+
+// An IT block across a border of 1 KB, where the engine ends a stretch of code, interrupted at each
+// place in turn.
+PROGRAM runsConditionalBlocks() {
+  stopWatchdog();
+  told(2) = 0;
+  told(3) = 1;
+  told(4) = 100'000;
+  wordAt(0xE000E014) = 97 - 1;
+  wordAt(0xE000E018) = 0;
+  wordAt(0xE000E010) = 7;
+  std::uint32_t sum = 0;
+  for (std::uint32_t i = 0; i < 10'000; ++i) {
+    std::uint32_t loaded = 0;
+    asm volatile(
+        "b.w 1f\n\t.p2align 10\n\t.space 1016\n1:\ttst %1, #1\n\tite eq\n\t"
+        "ldreq %0, [%2, #0]\n\tldrne %0, [%2, #4]"
+        : "=&l"(loaded)
+        : "l"(i), "l"(&told(3))
+        : "cc", "memory");
+    sum += loaded;
+  }
+  wordAt(0xE000E010) = 0;
+  told(0) = sum;
+  sleepForever();
+}
+
 PROGRAM startsSysTick() {
   stopWatchdog();
   told(0) = 0;
