@@ -46,9 +46,9 @@ class CallRecorder {
 
  private:
   struct Call {
-    std::uint32_t function;
-    std::uint32_t returnsTo;  ///< 0 for the handler of an exception
-    std::uint32_t stack;
+    std::uint32_t function = 0;
+    std::uint32_t returnsTo = 0;  ///< 0 for the handler of an exception
+    std::uint32_t stack = 0;
     std::size_t begin = 0;  ///< events before it
   };
 

@@ -1,5 +1,7 @@
 #include "construction/MainControllerBuilder.hpp"
 
+#include <utility>
+
 #include "services/SystemConstants.hpp"
 #include "services/assertion.hpp"
 
@@ -45,7 +47,7 @@ MainControllerBuilder::States::States()
 MainControllerBuilder::Clock::Clock(PeriodicTimer& timer, MainController& controller)
     : timeOut(controller), firstTimer(timer, timeOut) {}
 
-MainControllerBuilder::MainControllerBuilder(const Devices& devices) : devices_(devices) {}
+MainControllerBuilder::MainControllerBuilder(Devices devices) : devices_(std::move(devices)) {}
 
 void MainControllerBuilder::buildConnection() {
   require(!link_, AssertId::PartDouble);

@@ -91,7 +91,7 @@ class MainControllerBuilder {
 
   /// @brief Binds the builder to the devices.
   /// @param devices devices of the platform
-  explicit MainControllerBuilder(const Devices& devices);
+  explicit MainControllerBuilder(Devices devices);
   MainControllerBuilder(const MainControllerBuilder&) = delete;
   MainControllerBuilder& operator=(const MainControllerBuilder&) = delete;
 
