@@ -6,12 +6,8 @@
 
 namespace wr {
 
-void HostAnalogInput::convert() {
-  result_ = level_;
-}
-
-std::optional<std::uint16_t> HostAnalogInput::take() {
-  return std::exchange(result_, std::nullopt);
+std::optional<std::uint16_t> HostAnalogInput::sample() {
+  return std::exchange(result_, level_);
 }
 
 void HostAnalogInput::drive(double share) {

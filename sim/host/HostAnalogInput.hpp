@@ -12,8 +12,7 @@ class HostAnalogInput final : public AnalogInput {
  public:
   HostAnalogInput() = default;
 
-  void convert() override;
-  [[nodiscard]] std::optional<std::uint16_t> take() override;
+  [[nodiscard]] std::optional<std::uint16_t> sample() override;
 
   /// @brief Puts a voltage on the input; half of the range at first.
   /// @param share share of the range; what is beyond 0 to 1 counts as the limit

@@ -16,14 +16,11 @@ class AnalogInput {
   AnalogInput(const AnalogInput&) = delete;
   AnalogInput& operator=(const AnalogInput&) = delete;
 
-  /// @brief Asks for one conversion. Never waits. While one is asked for already nothing happens.
+  /// @brief Takes the result of the conversion that was asked for at the call before, and asks for the
+  /// next one. Never waits. A conversion that has not ended goes on, and no other is asked for.
+  /// @return the voltage [1/4096 of the range, 0 to 4095]; nothing when no conversion has ended
   /// @isr{yes}
-  virtual void convert() = 0;
-
-  /// @brief Takes the result of the last conversion. Each result is given once.
-  /// @return the voltage [1/4096 of the range, 0 to 4095]; nothing without a new result
-  /// @isr{yes}
-  [[nodiscard]] virtual std::optional<std::uint16_t> take() = 0;
+  [[nodiscard]] virtual std::optional<std::uint16_t> sample() = 0;
 
  protected:
   AnalogInput() = default;

@@ -1,5 +1,7 @@
 #include "k64/K64Adc.hpp"
 
+#include <utility>
+
 #include "k64/K64Board.hpp"
 #include "k64/core.hpp"
 #include "k64/registers.hpp"
@@ -57,7 +59,6 @@ void K64Adc::Converter::endCalibration() {
 }
 
 void K64Adc::Converter::ask(K64Adc& input) {
-  const InterruptLock lock;
   if (!calibrated_ || input.asked_) {
     return;
   }
@@ -81,8 +82,7 @@ void K64Adc::Converter::finish() {
     return;
   }
   K64Adc& done = *first_;
-  const std::uint32_t result = adc::RA.at(offset()).read().value;  // this ends the interrupt
-  done.result_.store(result, std::memory_order_relaxed);
+  done.result_ = adc::RA.at(offset()).read().value;  // reading it ends the interrupt
   done.asked_ = false;
   first_ = done.next_;
   if (first_ != nullptr) {
@@ -107,13 +107,10 @@ void K64Adc::serve(Converter& converter) {
   converter.finish();
 }
 
-void K64Adc::convert() {
+std::optional<std::uint16_t> K64Adc::sample() {
+  const InterruptLock lock;
+  const std::uint32_t result = std::exchange(result_, kNone);
   converter_.ask(*this);
-}
-
-std::optional<std::uint16_t> K64Adc::take() {
-  // The order of other stores is of no matter: the result is all that is handed over.
-  const std::uint32_t result = result_.exchange(kNone, std::memory_order_relaxed);
   if (result == kNone) {
     return std::nullopt;
   }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -94,8 +93,7 @@ class K64Adc final : public AnalogInput {
 
   /// @isr{yes}
   /// @satisfies FR-142
-  void convert() override;
-  [[nodiscard]] std::optional<std::uint16_t> take() override;
+  [[nodiscard]] std::optional<std::uint16_t> sample() override;
 
  private:
   static constexpr std::size_t kConverterAt = 3;  // in the name of a signal
@@ -106,7 +104,7 @@ class K64Adc final : public AnalogInput {
   std::uint8_t number_;
   bool asked_ = false;
   K64Adc* next_ = nullptr;
-  std::atomic<std::uint32_t> result_{kNone};
+  std::uint32_t result_ = kNone;
 };
 
 }  // namespace wr

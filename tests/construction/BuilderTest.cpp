@@ -66,13 +66,15 @@ class BuilderTest : public testing::Test {
   MainControllerBuilder builder{devices};
   RobotDirector director{poolBuilder, builder};
 
-  // The whole robot, started, after the first beat of its second timer.
+  // The whole robot, started, after the beats of its second timer that the steering needs to measure.
   void startRobot() {
     director.construct();
     timer.connect([this] { builder.clock().expired(); });
     tickTimer.connect([this] { poolBuilder.timer().expired(); });
     director.start();
-    tickTimer.periodPassed();
+    for (int beat = 0; beat < 8; ++beat) {
+      tickTimer.periodPassed();
+    }
   }
 };
 
@@ -167,8 +169,8 @@ TEST_F(BuilderTest, FR100_SecondTimerExecutesTheCommandsOfTheSystems) {
   director.start();
   EXPECT_EQ(tickTimer.period(), milliseconds(1));
   tickTimer.periodPassed();
-  EXPECT_TRUE(pins.wheels[1].current.take().has_value());
-  EXPECT_TRUE(pins.steering.angle.take().has_value());
+  EXPECT_TRUE(pins.wheels[1].current.sample().has_value());
+  EXPECT_TRUE(pins.steering.angle.sample().has_value());
 }
 
 /// @brief Pulses on both pins of the remote control become the signals that its reader reads.

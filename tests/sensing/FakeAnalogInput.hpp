@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "devices/AnalogInput.hpp"
 
@@ -10,12 +11,9 @@ namespace wr::test {
 /// @brief Input whose conversions end when the test says so.
 class FakeAnalogInput final : public AnalogInput {
  public:
-  void convert() override { ++conversions; }
-
-  [[nodiscard]] std::optional<std::uint16_t> take() override {
-    const std::optional<std::uint16_t> taken = result;
-    result.reset();
-    return taken;
+  [[nodiscard]] std::optional<std::uint16_t> sample() override {
+    ++conversions;
+    return std::exchange(result, std::nullopt);
   }
 
   std::optional<std::uint16_t> result;

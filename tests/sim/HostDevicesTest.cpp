@@ -43,22 +43,18 @@ TEST(HostDigitalOutputTest, TellsWhenItGoesOn) {
   EXPECT_TRUE(output.isOn());
 }
 
-/// @brief Each conversion gives one result: the voltage of the time at which it was asked for.
-TEST(HostAnalogInputTest, EachConversionGivesOneResult) {
+/// @brief Each sample is the voltage of the time at which it was asked for, at the call before.
+TEST(HostAnalogInputTest, EachSampleIsThatOfTheCallBefore) {
   HostAnalogInput input;
-  EXPECT_EQ(input.take(), std::nullopt);
-  input.convert();
+  EXPECT_EQ(input.sample(), std::nullopt);
   input.drive(1.0);
-  EXPECT_EQ(input.take(), 2048);
-  EXPECT_EQ(input.take(), std::nullopt);
-  input.convert();
-  EXPECT_EQ(input.take(), 4095);
+  EXPECT_EQ(input.sample(), 2048);
+  EXPECT_EQ(input.sample(), 4095);
   input.drive(-0.5);
-  input.convert();
-  EXPECT_EQ(input.take(), 0);
+  EXPECT_EQ(input.sample(), 4095);
   input.drive(0.25);
-  input.convert();
-  EXPECT_EQ(input.take(), 1024);
+  EXPECT_EQ(input.sample(), 0);
+  EXPECT_EQ(input.sample(), 1024);
 }
 
 /// @brief Edges interrupt once the input was started, and only when the level changes.
@@ -90,8 +86,8 @@ class HostBindingTest : public testing::Test {
   }
 
   std::optional<std::uint16_t> converted(HostAnalogInput& input) const {
-    input.convert();
-    return input.take();
+    static_cast<void>(input.sample());
+    return input.sample();
   }
 
   HostScheduler scheduler;

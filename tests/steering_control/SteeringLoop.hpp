@@ -39,20 +39,16 @@ class FakeAngleInput final : public AnalogInput {
   /// @brief Binds the converter to the mechanics.
   FakeAngleInput(const SteeringPlant& plant, unsigned seed) : plant_(plant), random_(seed) {}
 
-  void convert() override {
-    onConvert();
+  [[nodiscard]] std::optional<std::uint16_t> sample() override {
+    onSample();
     const double raw = 2048 + (plant_.degrees() + noise_(random_) * noise) / 80 * 4096;
     const double seen = std::clamp(std::round(raw), 0.0, 4095.0);
-    sample_ = broken ? std::uint16_t{0} : static_cast<std::uint16_t>(seen);
-  }
-
-  [[nodiscard]] std::optional<std::uint16_t> take() override {
-    return std::exchange(sample_, std::nullopt);
+    return std::exchange(sample_, broken ? std::uint16_t{0} : static_cast<std::uint16_t>(seen));
   }
 
   double noise = 0;  // standard deviation of a sample, degrees
   bool broken = false;
-  std::function<void()> onConvert = [] {};
+  std::function<void()> onSample = [] {};
 
  private:
   const SteeringPlant& plant_;

@@ -22,7 +22,7 @@ struct SteeringLoopTest : testing::Test {
 /// @verifies FR-114
 TEST_F(SteeringLoopTest, FR114_MeasureControlActuate) {
   std::string sequence;
-  loop.input.onConvert = [&] { sequence += "sample "; };
+  loop.input.onSample = [&] { sequence += "sample "; };
   loop.control.motor.enable.onRise = [&] { sequence += "order "; };
   loop.follow(1000);
   for (int tick = 1; tick < SteeringLoop::kMeasurement; ++tick) {

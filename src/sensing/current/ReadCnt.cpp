@@ -6,11 +6,10 @@ ReadCnt::ReadCnt(AnalogInput& input, ValueCollector& collector)
     : input_(input), collector_(collector) {}
 
 void ReadCnt::execute() {
-  const std::optional<std::uint16_t> sample = input_.take();
+  const std::optional<std::uint16_t> sample = input_.sample();
   if (sample) {
     collector_.collect(*sample);
   }
-  input_.convert();
 }
 
 }  // namespace wr

@@ -23,8 +23,7 @@ DirSensor::DirSensor(AnalogInput& input, const Function& function, const Timebas
     : input_(input), function_(function), timebase_(timebase), pipe_(position) {}
 
 bool DirSensor::measure() {
-  const std::optional<std::uint16_t> raw = input_.take();
-  input_.convert();
+  const std::optional<std::uint16_t> raw = input_.sample();
   if (raw && *raw >= kLowest && *raw <= kHighest) {
     sum_ += *raw;
     ++good_;

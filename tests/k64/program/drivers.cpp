@@ -85,11 +85,11 @@ void countEdges() {
 
 void takeSamples() {
   for (std::size_t input = 0; input < analogInputs.size(); ++input) {
-    if (const auto value = analogInputs[input]->take()) {
+    if (const auto value = analogInputs[input]->sample()) {
       samples[input] = {static_cast<std::uint16_t>(samples[input].count + 1), *value};
     }
-    analogInputs[input]->convert();
-    analogInputs[input]->convert();  // it is asked for already: nothing happens
+    // One is asked for already: nothing happens.
+    static_cast<void>(analogInputs[input]->sample());
   }
 }
 
