@@ -66,7 +66,8 @@ class BuilderTest : public testing::Test {
   MainControllerBuilder builder{devices};
   RobotDirector director{poolBuilder, builder};
 
-  // The whole robot, started, after the beats of its second timer that the steering needs to measure.
+  // The whole robot, started, after the beats of its second timer that the steering needs to
+  // measure.
   void startRobot() {
     director.construct();
     timer.connect([this] { builder.clock().expired(); });
