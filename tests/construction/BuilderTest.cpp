@@ -169,7 +169,9 @@ TEST_F(BuilderTest, FR100_SecondTimerExecutesTheCommandsOfTheSystems) {
   EXPECT_EQ(tickTimer.period(), Microseconds(0));
   director.start();
   EXPECT_EQ(tickTimer.period(), milliseconds(1));
-  tickTimer.periodPassed();
+  for (int beat = 0; beat < 8; ++beat) {
+    tickTimer.periodPassed();
+  }
   EXPECT_TRUE(pins.wheels[1].current.sample().has_value());
   EXPECT_TRUE(pins.steering.angle.sample().has_value());
 }
