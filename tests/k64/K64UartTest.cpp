@@ -59,6 +59,35 @@ TEST_F(K64UartOnBoard, FR37_LineThatIsNeverIdleLosesNoByte) {
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
+/// @brief At full control load no byte is lost: all wheels at their greatest velocity, the steering from
+/// side to side, pulses of the remote control, and a line that is nearly never idle.
+/// @verifies FR-37
+/// @verifies FR-49
+TEST_F(K64UartOnBoard, FR37_FullControlLoadLosesNoByte) {
+  constexpr int kCycles = 40;
+  constexpr int kFrames = 110;  // of 7 bytes, beside an order: 70 ms of 100 on the line
+  PcOrder order{.id = 1, .steering = 3000};
+  order.wheels.fill({.quantity = 0, .value = 3000});
+  robot.line.remoteControl().set(sim::Sticks{.velocity = 1, .steering = 1});
+  robot.commandByPc(order);
+  const int before = robot.report().dropped[kUnknownType];
+  for (int cycle = 0; cycle < kCycles; ++cycle) {
+    order.steering = cycle / 20 % 2 == 0 ? -3000 : 3000;
+    ++order.id;
+    robot.order(order);
+    sendUnknown(kFrames);
+    robot.cycle();
+    EXPECT_TRUE(robot.report().orderRead());
+  }
+  robot.order(order);
+  robot.cycle();
+  EXPECT_EQ(robot.report().dropped[kUnknownType] - before, kCycles * kFrames);
+  EXPECT_EQ(robot.report().dropped[kDamaged], 0);
+  EXPECT_EQ(robot.report().lostBytes, 0);
+  EXPECT_EQ(robot.report().overruns, 0);
+  EXPECT_GT(robot.report().velocity[0], 2700);
+}
+
 /// @brief A byte with a wrong stop bit is not taken, and is counted.
 /// @verifies FR-49
 TEST_F(K64UartOnBoard, FR49_FramingErrorIsCounted) {

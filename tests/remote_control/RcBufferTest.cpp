@@ -190,7 +190,7 @@ TEST_F(RcBufferTest, FR54_LineThatStaysHigh) {
   }
 }
 
-class RemoteControlTest : public RcBufferTest {
+class RcPathTest : public RcBufferTest {
  protected:
   /// Pulses on both pins for some periods.
   void bothPulse(int count) {
@@ -207,7 +207,7 @@ class RemoteControlTest : public RcBufferTest {
 
 /// @brief With pulses on both pins the remote control has a message.
 /// @verifies FR-56
-TEST_F(RemoteControlTest, FR56_MessageWithPulses) {
+TEST_F(RcPathTest, FR56_MessageWithPulses) {
   EXPECT_FALSE(mode.newMessage());
   bothPulse(3);
   EXPECT_TRUE(mode.newMessage());
@@ -217,7 +217,7 @@ TEST_F(RemoteControlTest, FR56_MessageWithPulses) {
 
 /// @brief When the pulses stay away on both pins, the message ends 200 ms after the last pulse.
 /// @verifies FR-56
-TEST_F(RemoteControlTest, FR56_NoMessageWithoutPulses) {
+TEST_F(RcPathTest, FR56_NoMessageWithoutPulses) {
   bothPulse(3);
   time.advance(milliseconds(180));
   EXPECT_TRUE(mode.newMessage());
@@ -227,7 +227,7 @@ TEST_F(RemoteControlTest, FR56_NoMessageWithoutPulses) {
 
 /// @brief Pulses on one pin alone are no message.
 /// @verifies FR-56
-TEST_F(RemoteControlTest, FR56_OnePinIsNoMessage) {
+TEST_F(RcPathTest, FR56_OnePinIsNoMessage) {
   bothPulse(3);
   for (int i = 0; i < 12; ++i) {
     velocity.pulse(1750);
@@ -244,7 +244,7 @@ TEST_F(RemoteControlTest, FR56_OnePinIsNoMessage) {
 
 /// @brief Pulses that set no value do not keep the message alive.
 /// @verifies FR-56
-TEST_F(RemoteControlTest, FR56_BadPulsesAreNoMessage) {
+TEST_F(RcPathTest, FR56_BadPulsesAreNoMessage) {
   bothPulse(3);
   for (int i = 0; i < 12; ++i) {
     velocity.pulse(500, 10'000);

@@ -61,9 +61,9 @@ class HostWorldTest : public testing::Test {
 TEST_F(HostWorldTest, TimeStandsWhereItWasAskedFor) {
   world.runUntil(Instant(1'234'567));
   EXPECT_EQ(world.time.now(), Instant(1'234'567));
-  EXPECT_EQ(world.nextPulse(), at(1'300));
-  world.runUntil(at(1'300));
-  EXPECT_EQ(world.nextPulse(), at(1'400));
+  EXPECT_EQ(world.nextPulse(), Instant(1'304'870));
+  world.runUntil(world.nextPulse());
+  EXPECT_EQ(world.nextPulse(), Instant(1'404'870));
   EXPECT_EQ(world.robot.watchdog().refreshes(), 13U);
   EXPECT_FALSE(world.robot.watchdog().missed());
 }
