@@ -68,8 +68,8 @@ TEST_F(K64UartOnBoard, FR37_FullControlLoadLosesNoByte) {
   constexpr int kFrames = 110;  // of 7 bytes, beside an order: 70 ms of 100 on the line
   PcOrder order{.id = 1, .steering = 3000};
   order.wheels.fill({.quantity = 0, .value = 3000});
-  robot.line.remoteControl().set(sim::Sticks{.velocity = 1, .steering = 1});
   robot.commandByPc(order);
+  robot.line.remoteControl().set(sim::Sticks{.velocity = 1, .steering = 1});
   const int before = robot.report().dropped[kUnknownType];
   for (int cycle = 0; cycle < kCycles; ++cycle) {
     order.steering = cycle / 20 % 2 == 0 ? -3000 : 3000;

@@ -4,7 +4,6 @@ import csv
 import os
 import subprocess
 from pathlib import Path
-from statistics import mean
 
 import pytest
 
@@ -52,6 +51,8 @@ def program(request: pytest.FixtureRequest) -> Words:
 Row = dict[str, str]
 # What depends on the instant at which a sensor is read. All else in a report is decided.
 MEASURED = ("time_ms", "steering", "velocity", "current", "position", "tension")
+# The greatest value of each that can be ordered, in the unit of the report.
+RANGES = {"steering": 3200, "velocity": 3000, "current": 10_000, "tension": 24_000}
 WHEELS = "0123"
 
 
@@ -61,17 +62,23 @@ def decided(row: Row) -> Row:
     return {name: row[name] for name in of_report if name.rstrip(WHEELS) not in MEASURED}
 
 
-def difference(first: Row, second: Row, column: str) -> float:
-    return abs(float(first[column]) - float(second[column]))
+def difference(first: Row, second: Row) -> float:
+    """The greatest difference of a measured or applied value, in percent of its range."""
+    return max(
+        100 * abs(float(first[name]) - float(second[name])) / full
+        for kind, full in RANGES.items()
+        for name in first
+        if name.rstrip(WHEELS) == kind
+    )
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
 def test_the_image_does_what_the_firmware_on_this_machine_does(
     example: Path, tmp_path: Path
 ) -> None:
-    """The clock pulses of the image come 3 ms later, after its start, so it measures at other
-    instants. It decides the same in each cycle, and drives the same way. At the end of a
-    connection, and at that of the scenario, one of the two may have sent a report more."""
+    """It decides the same in each cycle. What it measures and applies differs by at most 1 % of
+    the range in 99 of 100 cycles, and never by more than 3 %. At the end of a connection, and at
+    that of the scenario, one of the two may have sent a report more."""
     reports = []
     for binding in ("host", "board"):
         table = tmp_path / f"{binding}.csv"
@@ -84,11 +91,9 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
     assert len(common) > 50
     assert len(host.keys() ^ board.keys()) <= 2
     assert [decided(row) for row, _ in common] == [decided(row) for _, row in common]
-    assert max(difference(*rows, "time_ms") for rows in common) <= 5
-    assert max(difference(*rows, "steering") for rows in common) <= 20
-    for wheel in WHEELS:
-        assert max(difference(*rows, f"position{wheel}") for rows in common) <= 30
-        assert mean(difference(*rows, f"velocity{wheel}") for rows in common) <= 100
+    differences = [difference(*rows) for rows in common]
+    assert max(differences) <= 3
+    assert sum(one > 1 for one in differences) <= len(common) / 100
 
 
 def test_an_expectation_that_fails_is_told_with_its_line(program: Words, tmp_path: Path) -> None:
