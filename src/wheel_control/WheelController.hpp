@@ -60,6 +60,7 @@ class WheelController final {
   /// @brief Stops the wheel for one cycle. It is no longer blind.
   /// @satisfies FR-88
   /// @satisfies FR-91
+  /// @satisfies FR-95
   /// @isr{no}
   void halt();
 

@@ -12,13 +12,9 @@
 namespace wr::test {
 namespace {
 
-class ExampleScenarios : public testing::TestWithParam<const char*> {};
-
-/// @brief The robot does what each example of a scenario expects. That of ten minutes is played by the
-/// tests of the programs.
-TEST_P(ExampleScenarios, RobotDoesWhatIsExpected) {
-  const Scenario scenario =
-      Scenario::load(std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/examples" / GetParam());
+void play(const std::string& example) {
+  const Scenario scenario = Scenario::load(std::filesystem::path(WR_SOURCE_DIR) /
+                                           "sim/scenario/examples" / (example + ".scenario"));
   const std::unique_ptr<RobotLine> robot = switchOn();
   const auto outcome = ScenarioPlayer(scenario, *robot).play();
   EXPECT_FALSE(outcome.finding.has_value()) << outcome.finding->text;
@@ -26,14 +22,86 @@ TEST_P(ExampleScenarios, RobotDoesWhatIsExpected) {
   EXPECT_GE(outcome.reports, 50U);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Files, ExampleScenarios,
-    testing::Values("current_step.scenario", "downhill.scenario", "loss_of_the_pc.scenario",
-                    "one_hall_sensor.scenario", "rc_drive.scenario", "reversal.scenario",
-                    "sensors_broken.scenario", "steering.scenario", "steering_faults.scenario",
-                    "stop.scenario", "stop_from_full_speed.scenario", "stop_on_a_slope.scenario",
-                    "tension_step.scenario", "uphill.scenario", "velocity_step.scenario",
-                    "wheel_blocked.scenario"));
+/// @brief In closed loop with the robot the tension of an order stands in its cycle.
+/// @verifies FR-80
+TEST(ClosedLoopOfRobot, FR80_TensionStandsInTheCycleOfItsOrder) {
+  play("tension_step");
+}
+
+/// @brief From rest to 150 rpm, with noise: within 2 % in 2 s, less than 10 % over it, then within 1 %.
+/// @verifies FR-82
+/// @verifies FR-83
+TEST(ClosedLoopOfRobot, FR82_VelocitySettlesOnTheFlat) {
+  play("velocity_step");
+}
+
+/// @brief Uphill the velocity stays within 2 %.
+/// @verifies FR-83
+TEST(ClosedLoopOfRobot, FR83_VelocityIsKeptUphill) {
+  play("uphill");
+}
+
+/// @brief Downhill the robot does not run away.
+/// @verifies FR-84
+TEST(ClosedLoopOfRobot, FR84_NotMuchFasterDownhill) {
+  play("downhill");
+}
+
+/// @brief The current is within 5 % of its order after 1 s.
+/// @verifies FR-85
+TEST(ClosedLoopOfRobot, FR85_CurrentSettles) {
+  play("current_step");
+}
+
+/// @brief From full speed forwards to full speed backwards the wheels stop before they turn.
+/// @verifies FR-87
+TEST(ClosedLoopOfRobot, FR87_WheelsStopBeforeTheyTurn) {
+  play("reversal");
+}
+
+/// @brief A wheel that is blocked is cut off.
+/// @verifies FR-128
+TEST(ClosedLoopOfRobot, FR128_BlockedWheelIsCutOff) {
+  play("wheel_blocked");
+}
+
+/// @brief A wheel with one dead Hall sensor is found to be blind.
+/// @verifies FR-91
+TEST(ClosedLoopOfRobot, FR91_WheelWithADeadSensorIsBlind) {
+  play("one_hall_sensor");
+}
+
+/// @brief When the PC falls silent at 0.85 m/s, the robot is at rest within 1.5 m.
+/// @verifies FR-95
+/// @verifies FR-18
+TEST(ClosedLoopOfRobot, FR95_RobotIsAtRestSoonAfterTheLastMessage) {
+  play("stop_from_full_speed");
+}
+
+/// @brief The steering reaches each angle within 0.5 degree and stays there.
+/// @verifies FR-101
+TEST(ClosedLoopOfRobot, FR101_SteeringArrivesAndStays) {
+  play("steering");
+}
+
+/// @brief Pulses of the remote control drive the robot, and without them it stops.
+/// @verifies FR-52
+/// @verifies FR-56
+TEST(ClosedLoopOfRobot, FR52_RemoteControlDrives) {
+  play("rc_drive");
+}
+
+class ExampleScenarios : public testing::TestWithParam<const char*> {};
+
+/// @brief The robot does what each other example of a scenario expects. That of ten minutes is played by
+/// the tests of the programs.
+TEST_P(ExampleScenarios, RobotDoesWhatIsExpected) {
+  play(GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, ExampleScenarios,
+                         testing::Values("loss_of_the_pc", "sensors_broken", "steering_faults",
+                                         "stop", "stop_on_a_slope"));
 
 }  // namespace
 }  // namespace wr::test
