@@ -13,7 +13,12 @@ constexpr Microseconds kFirstStep(std::chrono::microseconds(sim::Robot::kFirstSt
 
 // From power-on to the begin of the periods of the timers, as the image takes it on the virtual
 // K64: clock, calibration of the converters, construction.
-constexpr Microseconds kStartUp(4870);
+constexpr Microseconds kStartUp(4866);
+
+// From a beat to the measurements of the cycle that begins with it, as the image takes it on
+// average of the wheels. A cycle on the host takes no time, so its clock pulse comes when it
+// measures.
+constexpr Microseconds kToMeasuring(70);
 
 // The microsecond that an edge is in; the firmware's clock has no finer time.
 Instant at(Instant begin, std::chrono::nanoseconds offset) {
@@ -36,7 +41,7 @@ void HostWorld::start() {
   const Instant begin = time.now() + kStartUp;
   nextStep_ = time.now() + kFirstStep;
   nextBeat_ = begin + robot.beatPeriod();
-  nextPulse_ = begin + robot.period();
+  nextPulse_ = begin + robot.period() + kToMeasuring;
 }
 
 void HostWorld::runUntil(Instant instant) {
@@ -56,8 +61,8 @@ void HostWorld::runMainControl(Instant until) {
 }
 
 void HostWorld::runWhole(Instant until) {
-  while (std::min(nextStep_, nextBeat_) <= until) {
-    const Instant next = std::min(nextStep_, nextBeat_);
+  while (std::min({nextStep_, nextBeat_, nextPulse_}) <= until) {
+    const Instant next = std::min({nextStep_, nextBeat_, nextPulse_});
     bringEdges(next + Microseconds(-1));
     advanceTo(next);
     if (next == nextStep_) {
@@ -66,8 +71,8 @@ void HostWorld::runWhole(Instant until) {
     if (next == nextBeat_) {
       nextBeat_ = next + robot.beatPeriod();
       robot.beat();
-      pulseWhenDue();
     }
+    pulseWhenDue();
   }
   bringEdges(until);
 }

@@ -61,9 +61,9 @@ class HostWorldTest : public testing::Test {
 TEST_F(HostWorldTest, TimeStandsWhereItWasAskedFor) {
   world.runUntil(Instant(1'234'567));
   EXPECT_EQ(world.time.now(), Instant(1'234'567));
-  EXPECT_EQ(world.nextPulse(), Instant(1'304'870));
+  EXPECT_EQ(world.nextPulse(), Instant(1'304'936));
   world.runUntil(world.nextPulse());
-  EXPECT_EQ(world.nextPulse(), Instant(1'404'870));
+  EXPECT_EQ(world.nextPulse(), Instant(1'404'936));
   EXPECT_EQ(world.robot.watchdog().refreshes(), 13U);
   EXPECT_FALSE(world.robot.watchdog().missed());
 }

@@ -1,6 +1,7 @@
 """The programs that run the firmware: on this machine, and its image on the virtual K64."""
 
 import csv
+import math
 import os
 import subprocess
 from pathlib import Path
@@ -54,6 +55,8 @@ MEASURED = ("time_ms", "steering", "velocity", "current", "position", "tension")
 # The greatest value of each that can be ordered, in the unit of the report.
 RANGES = {"steering": 3200, "velocity": 3000, "current": 10_000, "tension": 24_000}
 WHEELS = "0123"
+# 60 edges in a turn: one edge in a cycle of 0.1 s is 10 rpm of 300.
+ONE_EDGE = 100 * 10 / 300
 
 
 def decided(row: Row) -> Row:
@@ -77,8 +80,9 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
     example: Path, tmp_path: Path
 ) -> None:
     """It decides the same in each cycle. What it measures and applies differs by at most 1 % of
-    the range in 99 of 100 cycles, and never by more than 3 %. At the end of a connection, and at
-    that of the scenario, one of the two may have sent a report more."""
+    the range in 99 of 100 cycles, and never by more than one Hall edge in a cycle: the edge of a
+    slow wheel may fall between the instants at which the two measure. At the end of a
+    connection, and at that of the scenario, one of the two may have sent a report more."""
     reports = []
     for binding in ("host", "board"):
         table = tmp_path / f"{binding}.csv"
@@ -92,8 +96,8 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
     assert len(host.keys() ^ board.keys()) <= 2
     assert [decided(row) for row, _ in common] == [decided(row) for _, row in common]
     differences = [difference(*rows) for rows in common]
-    assert max(differences) <= 3
-    assert sum(one > 1 for one in differences) <= len(common) / 100
+    assert max(differences) <= ONE_EDGE
+    assert sum(one > 1 for one in differences) <= math.ceil(len(common) / 100)
 
 
 def test_an_expectation_that_fails_is_told_with_its_line(program: Words, tmp_path: Path) -> None:
