@@ -55,8 +55,8 @@ MEASURED = ("time_ms", "steering", "velocity", "current", "position", "tension")
 # The greatest value of each that can be ordered, in the unit of the report.
 RANGES = {"steering": 3200, "velocity": 3000, "current": 10_000, "tension": 24_000}
 WHEELS = "0123"
-# 60 edges in a turn: one edge in a cycle of 0.1 s is 10 rpm of 300.
-ONE_EDGE = 100 * 10 / 300
+# 60 edges in a turn: one edge in a cycle of 0.1 s is 10 rpm of 300, in percent, rounded up.
+ONE_EDGE = 3.4
 
 
 def decided(row: Row) -> Row:
