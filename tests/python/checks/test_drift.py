@@ -113,8 +113,8 @@ FAULTS: list[tuple[str, str, str, str, str, str]] = [
     ),
     (  # the header is included by another one before: the compiler does not read it again
         f"{STATES}/Waiting.cpp",
-        r"^#include \"services/SystemConstants.hpp\"$",
-        '#include "services/SystemConstants.hpp"\n#include "communication/framing/Frame.hpp"',
+        r"^#include \"main_control/MainController.hpp\"$",
+        '#include "main_control/MainController.hpp"\n#include "communication/framing/Frame.hpp"',
         "uses-allowed",
         "",
         "Frame.hpp",

@@ -120,13 +120,14 @@ def test_an_order_sent_before_a_clock_pulse_is_in_the_report_of_that_cycle(robot
     assert judged >= 30
 
 
-def test_set_points_come_back_as_ordered_and_what_is_not_measured_is_missing(robot: Path) -> None:
+def test_set_points_come_back_as_ordered_and_the_robot_follows_them(robot: Path) -> None:
     with Link(robot) as link:
-        report = drive(link, 20)[-1]
+        report = drive(link, 30)[-1]
     assert report.steering_set_point_degrees == -3.0
     assert [wheel.set_point for wheel in report.wheels] == [VELOCITY] * 4
-    assert report.steering_degrees is None
-    assert all(wheel.velocity_rpm is None for wheel in report.wheels)
+    assert report.steering_degrees == pytest.approx(-3.0, abs=0.5)
+    for wheel in report.wheels:
+        assert wheel.velocity_rpm == pytest.approx(VELOCITY.value, abs=10)
 
 
 def test_cycles_follow_each_other_every_100_ms(robot: Path) -> None:
