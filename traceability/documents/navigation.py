@@ -109,8 +109,9 @@ def entry(doc: Doc) -> Entry:
 
 def understand(model: Model) -> list[Entry]:
     """In the order in which a newcomer reads."""
-    designs = sum(not module.datatype for module in model.modules.values())
-    types = len(model.modules) - designs
+    modules = [module for module in model.modules.values() if not module.datatype]
+    designs = sum(not module.extension for module in modules)
+    types = len(model.modules) - len(modules)
     patterns = len(model.patterns)
     return [
         Entry("architecture", "Architecture", "architecture.html"),

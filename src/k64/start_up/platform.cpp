@@ -76,9 +76,8 @@ void startDevices() {
 }
 
 void enableInterrupts() {
-  for (const std::uint8_t line :
-       {kPcPortLine, kPcPortErrorLine, kFirstConverterLine, kSecondConverterLine, kCycleTimerLine,
-        kTickTimerLine}) {
+  for (const std::uint8_t line : {kPcPortLine, kPcPortErrorLine, kFirstConverterLine,
+                                  kSecondConverterLine, kCycleTimerLine, kTickTimerLine}) {
     K64Thread::enable(line, kInterruptPriority);
   }
   K64Thread::enable(kRemoteControlLine, kEdgePriority);
