@@ -23,9 +23,13 @@ static_assert(kPllReference * kPllFactor == K64Board::kCoreClock, "the PLL gives
 static_assert(K64Board::kCoreClock / K64Board::kBusClock == 2 && K64Board::kBusClock <= 60'000'000);
 static_assert(kFlexBusClock <= 50'000'000 && kFlashClock <= 25'000'000);
 
+// A field of the dividers holds one less than it divides by.
+constexpr auto divideBy(std::uint32_t divider, unsigned lowest) {
+  return sim::CLKDIV1.field(divider - 1, lowest);
+}
+
 // The dividers after reset are 1, so they are set before the clock rises.
-constexpr auto kDividers = sim::CLKDIV1.field(1 - 1, 28) | sim::CLKDIV1.field(2 - 1, 24) |
-                           sim::CLKDIV1.field(3 - 1, 20) | sim::CLKDIV1.field(5 - 1, 16);
+constexpr auto kDividers = divideBy(1, 28) | divideBy(2, 24) | divideBy(3, 20) | divideBy(5, 16);
 
 // Looks at a status register before a step of the clock is given up. A look takes less than 20
 // clocks of the slowest clock, 20.9 MHz: the four steps together stay far below the watchdog

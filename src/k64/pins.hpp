@@ -100,8 +100,7 @@ inline constexpr auto kPinTable = std::to_array<PinRow>({
 /// @brief The pins of the table without its texts, so that the texts take no flash.
 inline constexpr auto kPins = [] {
   std::array<Pin, kPinTable.size()> pins{};
-  std::transform(kPinTable.begin(), kPinTable.end(), pins.begin(),
-                 [](const PinRow& row) { return row.pin; });
+  std::ranges::transform(kPinTable, pins.begin(), [](const PinRow& row) { return row.pin; });
   return pins;
 }();
 
@@ -109,9 +108,7 @@ inline constexpr auto kPins = [] {
 /// @param signal name of the signal
 /// @return its pin
 consteval Pin pinOf(std::string_view signal) {
-  return std::find_if(kPinTable.begin(), kPinTable.end(),
-                      [signal](const PinRow& row) { return row.signal == signal; })
-      ->pin;
+  return std::ranges::find(kPinTable, signal, &PinRow::signal)->pin;
 }
 
 namespace pin_rules {
@@ -120,7 +117,7 @@ namespace pin_rules {
 consteval bool allExist() {
   constexpr std::array<std::uint32_t, 5> kExisting = {0x000FF03F, 0x00FF0E0F, 0x0007FFFF,
                                                       0x000000FF, 0x0700007F};
-  return std::all_of(kPins.begin(), kPins.end(), [&](const Pin& pin) {
+  return std::ranges::all_of(kPins, [&](const Pin& pin) {
     return pin.number < 32 &&
            ((kExisting[static_cast<std::size_t>(pin.port)] >> pin.number) & 1U) != 0;
   });
@@ -163,12 +160,12 @@ consteval bool allMuxed() {
       {Port::C, 14, Mux::Alt3, "UART4_RX"},
       {Port::C, 15, Mux::Alt3, "UART4_TX"},
   });
-  return std::all_of(kPinTable.begin(), kPinTable.end(), [&](const PinRow& row) {
+  return std::ranges::all_of(kPinTable, [&](const PinRow& row) {
     const Pin& pin = row.pin;
     if (pin.role != Role::Peripheral && pin.role != Role::LateOutput) {
       return pin.mux == Mux::Gpio;
     }
-    return std::any_of(kFunctions.begin(), kFunctions.end(), [&](const Function& function) {
+    return std::ranges::any_of(kFunctions, [&](const Function& function) {
       return function.port == pin.port && function.number == pin.number &&
              function.mux == pin.mux && function.signal == row.signal;
     });
@@ -177,7 +174,7 @@ consteval bool allMuxed() {
 
 /// @brief Tells whether the pins of the debugger, PTA0 and PTA3, are left alone.
 consteval bool debuggerIsFree() {
-  return std::none_of(kPins.begin(), kPins.end(), [](const Pin& pin) {
+  return std::ranges::none_of(kPins, [](const Pin& pin) {
     return pin.port == Port::A && (pin.number == 0 || pin.number == 3);
   });
 }
