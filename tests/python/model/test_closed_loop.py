@@ -124,6 +124,7 @@ def test_a_figure_of_a_requirement_that_is_none_is_found(tmp_path: Path) -> None
 
     model = make_model()
     model.closed_loop = read_closed_loop(project(tmp_path, ROWS), "hash")
+    # This check reads no facts.
     found = [one for one in check(model, None) if one.check == "req-unknown"]  # type: ignore[arg-type]
     assert any("FR-1" in one.text and one.place.file == "design/closed_loop.toml" for one in found)
 
