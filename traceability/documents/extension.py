@@ -65,7 +65,6 @@ def load(app: Sphinx) -> None:
     for kind, targets in json.loads(links.read_text(encoding="utf-8")).items():
         app.add_role(kind, NameRole(targets), override=True)
     # Only builders of HTML have it, and no other one is used.
-    # Only the builders for HTML have it.
     app.builder.search = False  # type: ignore[attr-defined]
 
 

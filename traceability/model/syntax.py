@@ -656,7 +656,6 @@ def _library() -> Any:
         ]
         library.clang_disposeOverriddenCursors.argtypes = [pointer]
         # A mark on this very function, so that the binding is done once.
-        # A mark of this module on the loaded library.
         _library.bound = True  # type: ignore[attr-defined]
     return library
 
