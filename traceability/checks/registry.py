@@ -144,9 +144,9 @@ _FIXED = [
         "uses-board",
         "Drivers and virtual board do not know each other",
         "No file of sim/ or tests/ includes one that is for the K64 only, and no file of sim/k64 "
-        "one of the design: a driver and its model share no mistake. The program of "
-        "tests/k64/program is a composition of drivers, which runs on the virtual K64 itself. "
-        "In src, uses-allowed shows who uses src/k64.",
+        "one of the design: a driver and its model share no mistake. The programs of "
+        "tests/k64/program and tests/usual_design/k64 are compositions of drivers, which run on "
+        "the virtual K64 itself. In src, uses-allowed shows who uses src/k64.",
         "the same number, written down wrongly twice.",
         "write what the file needs from the manual of the part, or test the image.",
     ),

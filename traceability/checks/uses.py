@@ -10,7 +10,8 @@ from traceability.model.syntax import includes_of, is_board
 from traceability.sources import DESIGN, files_below
 
 VIRTUAL_BOARD = "sim/k64/"
-PROGRAM = "tests/k64/program/"  # a composition of drivers of its own, which runs on the virtual K64
+# Compositions of drivers of their own, which run on the virtual K64.
+PROGRAMS = ("tests/k64/program/", "tests/usual_design/k64/")
 OF_FIRMWARE = tuple(f"{name}/" for name in DESIGN)
 
 
@@ -31,7 +32,7 @@ def _board(root: Path) -> list[Finding]:
     for path in files_below(root, ("sim", "tests"), (".cpp", ".hpp", ".h")):
         file = str(path.relative_to(root))
         for include in includes_of(root, file):
-            if is_board(include.target) and not file.startswith(PROGRAM):
+            if is_board(include.target) and not file.startswith(PROGRAMS):
                 text = f"{file} includes {include.target}, which only the composition sees"
                 mend = "test the image on the virtual K64 instead"
             elif file.startswith(VIRTUAL_BOARD) and include.target.startswith(OF_FIRMWARE):

@@ -1,0 +1,371 @@
+// What Main Control and one wheel do, in the usual design and in that of the robot: the same tests.
+
+#include <array>
+#include <cstdlib>
+#include <random>
+#include <utility>
+
+#include "support/seed.hpp"
+#include "usual_design/host/OneWheelRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+template <class Design>
+class Behaviour : public OfBothDesigns<Design> {};
+TYPED_TEST_SUITE(Behaviour, Designs, DesignName);
+
+// ---- link to the PC ----------------------------------------------------------------------------
+
+/// @brief A Hello is answered with a Welcome, which tells session, period, N and the cause of the reset.
+TYPED_TEST(Behaviour, WelcomesThePc) {
+  this->robot.hello();
+  this->robot.cycle();
+  const PcWelcome welcome = this->robot.welcome.value();
+  EXPECT_EQ(welcome.session, 1);
+  EXPECT_EQ(welcome.cyclePeriod, 100);
+  EXPECT_EQ(welcome.waitingCycles, kN);
+  EXPECT_EQ(welcome.resetCause, static_cast<int>(ResetCause::Pin));
+  EXPECT_FALSE(this->robot.reported());
+}
+
+/// @brief A confirmed PC gets a report in each cycle, with the number and the time of the cycle.
+TYPED_TEST(Behaviour, ReportsInEachCycle) {
+  this->robot.connect();
+  const PcReport first = this->robot.report();
+  EXPECT_EQ(first.cycle, 2U);
+  EXPECT_EQ(first.time, 200U);
+  EXPECT_EQ(first.source, kNobody);
+  this->robot.silentCycle();
+  EXPECT_EQ(this->robot.report().cycle, 3U);
+  EXPECT_EQ(this->robot.report().time, 300U);
+}
+
+/// @brief A Confirm of another session, and an order before the connection, are unexpected.
+TYPED_TEST(Behaviour, CountsWhatItDoesNotExpect) {
+  this->robot.order({.id = 1});
+  this->robot.hello();
+  this->robot.cycle();
+  this->robot.arrive(this->robot.pc.confirm(77));
+  this->robot.confirm();
+  this->robot.cycle();
+  EXPECT_EQ(this->robot.report().dropped[kUnexpected], 2);
+}
+
+/// @brief Damage, lengths, types and versions that cannot be, and values out of range, are counted each
+/// by itself; none of them is an order.
+TYPED_TEST(Behaviour, CountsBadFrames) {
+  this->robot.commandByPc();
+  Bytes damaged = this->robot.pc.keepAlive();
+  damaged[1] ^= 0x40U;
+  this->robot.arrive(damaged);
+  this->robot.arrive(Bytes(140, 1));
+  this->robot.arrive(Bytes{0});
+  this->robot.arrive(this->robot.pc.frame(3, {}, 9));
+  this->robot.arrive(this->robot.pc.frame(0x55, {}));
+  this->robot.arrive(this->robot.pc.frame(2, {}));
+  this->robot.order({.id = 8, .steering = 3201});
+  this->robot.cycle();
+  const PcReport report = this->robot.report();
+  EXPECT_EQ(report.dropped, (std::array<std::uint16_t, 7>{1, 1, 1, 1, 1, 1, 0}));
+  EXPECT_FALSE(report.orderRead());
+}
+
+/// @brief A PC that is silent for a second is disconnected, and gets no report until it confirms anew.
+TYPED_TEST(Behaviour, DisconnectsASilentPc) {
+  this->robot.commandByPc();
+  for (int i = 1; i < 10; ++i) {
+    this->robot.cycle();
+    EXPECT_TRUE(this->robot.reported()) << i;
+  }
+  this->robot.cycle();
+  EXPECT_FALSE(this->robot.reported());
+  this->robot.connect();
+  EXPECT_TRUE(this->robot.reported());
+}
+
+/// @brief An order is read once, and for at most 200 ms after it came.
+TYPED_TEST(Behaviour, ReadsAnOrderOnce) {
+  this->robot.commandByPc();
+  this->robot.order({.id = 40, .steering = 100, .wheels = {{{0, 20}, {1, -30}, {2, 40}, {0, 5}}}});
+  this->robot.cycle();
+  const PcReport report = this->robot.report();
+  EXPECT_TRUE(report.orderRead());
+  EXPECT_EQ(report.source, kPc);
+  EXPECT_EQ(report.orderId, 40);
+  EXPECT_EQ(report.steering, 100);
+  EXPECT_EQ(report.wheels[1].quantity, 1);
+  EXPECT_EQ(report.wheels[1].value, -30);
+  this->robot.silentCycle();
+  EXPECT_FALSE(this->robot.report().orderRead());
+  EXPECT_EQ(this->robot.report().orderId, 40);
+}
+
+// ---- reading modes and operation states --------------------------------------------------------
+
+/// @brief The robot begins in the mode RC, without set-points, and holds.
+TYPED_TEST(Behaviour, BeginsHeldInTheModeRc) {
+  this->robot.connect();
+  EXPECT_EQ(this->robot.report().mode, kRc);
+  EXPECT_TRUE(this->robot.report().held());
+}
+
+/// @brief Failed reads lead through the waiting states, in which the last set-points are followed, to
+/// Reconnecting, which holds the robot; an order leads back.
+TYPED_TEST(Behaviour, FailedReadsLeadToReconnecting) {
+  const auto order = this->robot.velocity(300);
+  this->robot.commandByPc(order);
+  EXPECT_EQ(this->robot.report().state, kWorking);
+  for (int failed = 1; failed <= kN + 1; ++failed) {
+    this->robot.silentCycle();
+    const PcReport report = this->robot.report();
+    EXPECT_EQ(report.state, failed < kN    ? kWaiting
+                            : failed == kN ? kWaitingN
+                                           : kReconnecting)
+        << failed;
+    EXPECT_EQ(report.held(), failed > kN) << failed;
+    EXPECT_EQ(report.wheels[0].value, 300);
+  }
+  this->robot.commandByPcAgain(order);
+  EXPECT_EQ(this->robot.report().state, kWorking);
+  EXPECT_FALSE(this->robot.report().held());
+}
+
+/// @brief Without orders the modes alternate: from the failed read on at which the design does it first.
+TYPED_TEST(Behaviour, ModesAlternateWithoutOrders) {
+  this->robot.commandByPc();
+  int mode = kPc;
+  for (int failed = 1; failed < 3 * kN; ++failed) {
+    this->robot.silentCycle();
+    if (failed >= kFirstAlternation<TypeParam>) {
+      mode = mode == kPc ? kRc : kPc;
+    }
+    EXPECT_EQ(this->robot.report().mode, mode) << failed;
+  }
+}
+
+/// @brief The remote control commands while its pulses come: velocity and steering follow its levers.
+TYPED_TEST(Behaviour, FollowsTheRemoteControl) {
+  this->robot.line.remoteControl().set(sim::Sticks{.velocity = 0.5, .steering = -1});
+  this->robot.connect();
+  this->robot.silentCycles(3);
+  const PcReport report = this->robot.report();
+  EXPECT_EQ(report.state, kWorking);
+  EXPECT_EQ(report.source, kRc);
+  EXPECT_EQ(report.steering, -3200);
+  EXPECT_EQ(report.wheels[0].quantity, 0);
+  EXPECT_EQ(report.wheels[0].value, 1500);
+  EXPECT_EQ(report.orderId, 0);
+}
+
+/// @brief The levers in the middle order rest; without pulses there is no order.
+TYPED_TEST(Behaviour, RemoteControlInTheMiddleOrdersRest) {
+  this->robot.line.remoteControl().set(sim::Sticks{.velocity = 0.03, .steering = 0});
+  this->robot.connect();
+  this->robot.silentCycles(2);
+  EXPECT_TRUE(this->robot.report().orderRead());
+  EXPECT_EQ(this->robot.report().wheels[0].value, 0);
+  this->robot.line.remoteControl().set(std::nullopt);
+  this->robot.silentCycles(2);
+  EXPECT_FALSE(this->robot.report().orderRead());
+}
+
+/// @brief A stop of the PC holds the robot, also while the remote control orders, until an order without
+/// stop.
+TYPED_TEST(Behaviour, StopHoldsInEachMode) {
+  this->robot.line.remoteControl().set(sim::Sticks{.velocity = 0.2, .steering = 0});
+  this->robot.connect();
+  this->robot.silentCycles(2);
+  EXPECT_FALSE(this->robot.report().held());
+  this->robot.order({.id = 9, .stop = true});
+  this->robot.cycle();
+  EXPECT_TRUE(this->robot.report().stop());
+  EXPECT_TRUE(this->robot.report().held());
+  this->robot.silentCycles(3);
+  EXPECT_TRUE(this->robot.report().held());
+  this->robot.order({.id = 10});
+  this->robot.cycle();
+  EXPECT_FALSE(this->robot.report().stop());
+  EXPECT_FALSE(this->robot.report().held());
+  EXPECT_EQ(this->robot.report().source, kRc);
+}
+
+/// @brief Each cycle refreshes the watchdog.
+TYPED_TEST(Behaviour, RefreshesTheWatchdogInEachCycle) {
+  this->robot.cycles(7);
+  EXPECT_EQ(this->robot.line.watchdog.refreshes(), 7U);
+}
+
+// ---- the wheel ---------------------------------------------------------------------------------
+
+/// @brief A velocity is reached, and held within 2 percent in the mean of 2 seconds.
+TYPED_TEST(Behaviour, ReachesAVelocity) {
+  const auto order = this->robot.velocity(1000);
+  this->robot.commandByPc(order);
+  this->robot.orderedCycles(order, 25);
+  EXPECT_NEAR(this->robot.meanVelocity(order, 20), 1000, 20);
+  EXPECT_GT(this->robot.report().position[0], 0);
+  EXPECT_EQ(this->robot.report().rejectedEdges[0], 0);
+  EXPECT_EQ(this->robot.report().measured & 7U, 7U);
+}
+
+/// @brief A tension is applied as it is ordered, once the soft start is over.
+TYPED_TEST(Behaviour, AppliesATension) {
+  const PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
+  this->robot.commandByPc(order);
+  this->robot.orderedCycles(order, 3);
+  EXPECT_EQ(this->robot.report().tension[0], 9000);
+  EXPECT_EQ(this->robot.report().applied & 1U, 1U);
+  EXPECT_EQ(this->robot.line.pins.wheels[0].pwm.dutyCycle(), DutyCycle(3750));
+  EXPECT_TRUE(this->robot.line.pins.wheels[0].enable.isOn());
+}
+
+/// @brief A current is reached within 5 percent in a second.
+TYPED_TEST(Behaviour, ReachesACurrent) {
+  const PcOrder order{.id = 4, .wheels = {{{2, 6000}}}};
+  this->robot.commandByPc(order);
+  this->robot.orderedCycles(order, 11);
+  EXPECT_NEAR(this->robot.report().current[0], 6000, 300);
+}
+
+/// @brief A wheel turns the other way only after it came to rest.
+TYPED_TEST(Behaviour, ComesToRestBeforeItReverses) {
+  const auto forwards = this->robot.velocity(800);
+  const auto backwards = this->robot.velocity(-800);
+  this->robot.commandByPc(forwards);
+  this->robot.orderedCycles(forwards, 20);
+  bool turned = false;
+  for (int i = 0; i < 60 && !turned; ++i) {
+    const int before = this->robot.report().velocity[0];
+    this->robot.orderedCycles(backwards, 1);
+    turned = this->robot.line.pins.wheels[0].orientation.isOn();
+    if (turned) {
+      EXPECT_LT(std::abs(before), 50);
+    }
+  }
+  EXPECT_TRUE(turned);
+  this->robot.orderedCycles(backwards, 30);
+  EXPECT_NEAR(this->robot.meanVelocity(backwards, 20), -800, 40);
+}
+
+/// @brief A wheel that is held gets its tension lowered step by step, to none.
+TYPED_TEST(Behaviour, LowersTheTensionWhenItIsHeld) {
+  const PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
+  this->robot.commandByPc(order);
+  this->robot.orderedCycles(order, 3);
+  for (const int left : {6600, 4200, 1800, 0, 0}) {
+    this->robot.order({.id = 5, .stop = true});
+    this->robot.cycle();
+    EXPECT_EQ(this->robot.report().tension[0], left);
+  }
+  EXPECT_EQ(this->robot.line.pins.wheels[0].pwm.dutyCycle(), DutyCycle(0));
+}
+
+/// @brief A wheel with tension whose Hall sensors give no edge is blind, and stopped, until it is held.
+TYPED_TEST(Behaviour, StopsABlindWheel) {
+  this->robot.physics().setFault(sim::Fault::Hall, 0, true);
+  const PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
+  this->robot.commandByPc(order);
+  this->robot.orderedCycles(order, 20);
+  EXPECT_EQ(this->robot.report().blindWheels, 1);
+  EXPECT_EQ(this->robot.report().tension[0], 0);
+  this->robot.order({.id = 5, .stop = true});
+  this->robot.cycle();
+  EXPECT_EQ(this->robot.report().blindWheels, 0);
+}
+
+/// @brief A wheel whose current is missing is stopped, and the report says that it is missing.
+TYPED_TEST(Behaviour, StopsAWheelWithoutCurrent) {
+  const auto order = this->robot.velocity(500);
+  this->robot.commandByPc(order);
+  this->robot.orderedCycles(order, 10);
+  EXPECT_GT(this->robot.report().tension[0], 0);
+  this->robot.physics().setFault(sim::Fault::Current, 0, true);
+  this->robot.orderedCycles(order, 10);
+  EXPECT_EQ(this->robot.report().tension[0], 0);
+  EXPECT_EQ(this->robot.report().measured & 2U, 0U);
+}
+
+/// @brief A current that is too high cuts the driver off; it stays off until the held wheel stands.
+TYPED_TEST(Behaviour, CutsTheDriverOff) {
+  this->robot.physics().setFault(sim::Fault::Block, 0, true);
+  const PcOrder order{.id = 3, .wheels = {{{1, 24000}}}};
+  this->robot.commandByPc(order);
+  this->robot.orderedCycles(order, 4);
+  EXPECT_EQ(this->robot.report().cutOffs, 1);
+  EXPECT_EQ(this->robot.report().applied & 1U, 0U);
+  EXPECT_FALSE(this->robot.line.pins.wheels[0].enable.isOn());
+  this->robot.order({.id = 5, .stop = true});
+  this->robot.cycle();
+  EXPECT_EQ(this->robot.report().cutOffs, 0);
+  this->robot.orderedCycles({.id = 6, .wheels = {{{1, 2000}}}}, 2);
+  EXPECT_TRUE(this->robot.line.pins.wheels[0].enable.isOn());
+}
+
+// ---- both side by side -------------------------------------------------------------------------
+
+// Two robots on one line, each of which gets the same bytes.
+struct SideBySide {
+  OneWheelLine<UsualDesign> usual;
+  OneWheelLine<PatternDesign> patterns;
+  PcSender pc;
+
+  void give(const Bytes& bytes) {
+    usual.send(bytes);
+    patterns.send(bytes);
+  }
+
+  // A cycle of both, and what each sent.
+  std::pair<Bytes, Bytes> cycleApart() {
+    usual.runThroughPulse();
+    patterns.runThroughPulse();
+    return {usual.takeSent(), patterns.takeSent()};
+  }
+
+  // A cycle in which both get the bytes, and send the same.
+  void cycle(const Bytes& bytes) {
+    give(bytes);
+    const auto [ofUsual, ofPatterns] = cycleApart();
+    EXPECT_EQ(ofUsual, ofPatterns);
+    EXPECT_FALSE(ofUsual.empty());
+  }
+};
+
+// An order of any quantity and value, now and then a stop.
+PcOrder anyOrder(std::mt19937& random, std::uint16_t id) {
+  const auto between = [&](int least, int greatest) {
+    return std::uniform_int_distribution<int>(least, greatest)(random);
+  };
+  constexpr std::array<int, 3> kLimits{3000, 24000, 10000};
+  const auto quantity = static_cast<std::uint8_t>(between(0, 2));
+  const int limit = kLimits.at(quantity);
+  return {.id = id,
+          .steering = static_cast<std::int16_t>(between(-3200, 3200)),
+          .wheels = {{{quantity, static_cast<std::int16_t>(between(-limit, limit))}}},
+          .stop = between(1, 8) == 1};
+}
+
+/// @brief Once the PC orders, both send the same bytes for the same bytes, whatever is ordered and
+/// however the wheel turns.
+TEST(BothDesigns, SendTheSameBytes) {
+  std::mt19937 random(seed());
+  SideBySide both;
+  // After N + 2 failed reads both look for the orders of the PC.
+  both.cycle(both.pc.hello());
+  both.give(both.pc.confirm(1));
+  for (int failed = 2; failed <= kN + 2; ++failed) {
+    both.cycleApart();
+    both.give(both.pc.keepAlive());
+  }
+  PcOrder order{.id = 1};
+  for (std::uint16_t id = 2; id < 1500 && !testing::Test::HasFailure(); ++id) {
+    if (random() % 8 == 0) {
+      order = anyOrder(random, id);
+    }
+    const bool silent = id % 5 == 0;  // one failed read does not change the mode
+    both.cycle(silent ? both.pc.keepAlive() : both.pc.order(order));
+  }
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "services/SystemConstants.hpp"
+#include "system/SteppedRobot.hpp"
+#include "usual_design/host/OneWheelLine.hpp"
+#include "usual_design/patterns/PatternDesign.hpp"
+#include "usual_design/usual/UsualDesign.hpp"
+
+namespace wr::test {
+
+/// The constant N of the operation states.
+inline constexpr int kN = SystemConstants::instance().waitingCycles();
+
+/// Both designs, in the order of the names below.
+using Designs = testing::Types<UsualDesign, PatternDesign>;
+
+/// Names the design in the name of a test.
+struct DesignName {
+  template <class Design>
+  static std::string GetName(int /*index*/) {
+    return std::is_same_v<Design, UsualDesign> ? "Usual" : "Patterns";
+  }
+};
+
+/// At which failed read in a row the mode changes first, and then at each one that follows. The
+/// usual design changes it when its counter reaches N, as the figure of nested ifs does. In the
+/// state machine the N-th failed read leads to the last waiting state, the next one to
+/// Reconnecting, and the one after it changes the mode.
+template <class Design>
+inline constexpr int kFirstAlternation = kN + 2;
+template <>
+inline constexpr int kFirstAlternation<UsualDesign> = kN;
+
+/// A design on the host, and a PC on its line.
+template <class Design>
+class OneWheelRobot : public SteppedRobot {
+ public:
+  template <class... More>
+  explicit OneWheelRobot(More&... more)
+      : OneWheelRobot(std::make_unique<OneWheelLine<Design>>(more...)) {}
+
+  /// An order of a velocity [0.1 rpm] for the wheel.
+  static PcOrder velocity(std::int16_t value, std::uint16_t id = 1) {
+    return {.id = id, .wheels = {{{0, value}}}};
+  }
+
+  /// Cycles in each of which the PC gives the same order.
+  void orderedCycles(const PcOrder& same, int count) {
+    for (int i = 0; i < count; ++i) {
+      order(same);
+      cycle();
+    }
+  }
+
+  /// Orders until one is read: the robot may look for orders elsewhere.
+  void commandByPcAgain(const PcOrder& same) {
+    for (int i = 0; i < 4 && !report().orderRead(); ++i) {
+      orderedCycles(same, 1);
+    }
+  }
+
+  /// The same cycles, and the mean of the velocities that are reported meanwhile.
+  double meanVelocity(const PcOrder& same, int count) {
+    double sum = 0;
+    for (int i = 0; i < count; ++i) {
+      orderedCycles(same, 1);
+      sum += report().velocity[0];
+    }
+    return sum / count;
+  }
+
+ private:
+  explicit OneWheelRobot(std::unique_ptr<OneWheelLine<Design>> owner)
+      : OneWheelRobot(*owner, owner) {}
+  OneWheelRobot(OneWheelLine<Design>& robot, std::unique_ptr<OneWheelLine<Design>>& owner)
+      : SteppedRobot(std::move(owner)), line(robot) {}
+
+ public:
+  OneWheelLine<Design>& line;
+};
+
+/// A suite of tests that both designs pass.
+template <class Design>
+class OfBothDesigns : public testing::Test {
+ protected:
+  OneWheelRobot<Design> robot;
+};
+
+}  // namespace wr::test

@@ -1,0 +1,9 @@
+#pragma once
+
+#include "usual_design/patterns/PatternDesign.hpp"
+
+namespace wr {
+
+using Design = PatternDesign;
+
+}  // namespace wr

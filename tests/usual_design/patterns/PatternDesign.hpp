@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+
+#include "construction/ControlSystemBuilder.hpp"
+#include "construction/ControlSystemPoolBuilder.hpp"
+#include "construction/MainControllerBuilder.hpp"
+#include "construction/RobotDirector.hpp"
+#include "construction/WheelSystemBuilder.hpp"
+#include "services/Pipe.hpp"
+#include "units/quantities.hpp"
+#include "usual_design/Devices.hpp"
+
+namespace wr {
+
+/// Main Control and one wheel of the modules of the robot: a composition, as that of each product.
+class PatternDesign {
+ public:
+  explicit PatternDesign(const Devices& devices);
+  PatternDesign(const PatternDesign&) = delete;
+  PatternDesign& operator=(const PatternDesign&) = delete;
+
+  void start();
+
+  // What the interrupts call.
+  void cycleTimerExpired();
+  void tickTimerExpired();
+  void hallEdge();
+  void remoteControlEdge();
+
+  // What the main loop calls after each interrupt: here the threads do the work.
+  void run() {}
+
+ private:
+  Pipe<Velocity> rcVelocity_;
+  Pipe<Angle> rcDirection_;
+  WheelSystemBuilder wheelBuilder_;
+  std::array<ControlSystemBuilder*, 1> systems_;
+  ControlSystemPoolBuilder poolBuilder_;
+  MainControllerBuilder controllerBuilder_;
+  RobotDirector director_;
+};
+
+}  // namespace wr

@@ -1,0 +1,815 @@
+#include "usual_design/usual/UsualDesign.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
+#include "communication/pc_connection/FirmwareIdentity.hpp"
+#include "functions/scaling.hpp"
+#include "services/SystemConstants.hpp"
+
+namespace wr {
+
+namespace {
+
+constexpr const SystemConstants& kConstants = SystemConstants::instance();
+constexpr std::uint8_t kN = kConstants.waitingCycles();
+
+// Operation states, as reports number them.
+constexpr std::uint8_t kWorking = 0;
+constexpr std::uint8_t kWaiting = 1;
+constexpr std::uint8_t kWaitingN = 2;
+constexpr std::uint8_t kReconnecting = 3;
+
+constexpr std::size_t kOrderLength = 17;
+constexpr std::size_t kReportLength = 108;
+constexpr std::size_t kWelcomeLength = 23;
+constexpr std::size_t kChunk = 64;
+constexpr std::size_t kMostChunks = 64;
+
+// Widths [us] and periods of the pulses of the remote control.
+constexpr Microseconds kShortestPeriod = milliseconds(15);
+constexpr Microseconds kLongestPeriod = milliseconds(30);
+constexpr std::int32_t kMiddle = 1500;
+constexpr std::int32_t kMiddleBand = 20;
+constexpr std::int32_t kFullDeflection = 500;
+constexpr std::int32_t kShortest = 900;
+constexpr std::int32_t kLongest = 2100;
+
+// Hall sensors.
+constexpr std::array<std::array<std::int8_t, 4>, 4> kDirections = {{
+    {0, 1, -1, 0},
+    {-1, 0, 0, 1},
+    {1, 0, 0, -1},
+    {0, -1, 1, 0},
+}};
+constexpr std::int32_t kTurnPerMicrosecond = 600'000'000;  // [0.1 rpm]
+constexpr std::int32_t kGreatestVelocity = 4500;           // [0.1 rpm]
+constexpr Microseconds kLeastGap(kTurnPerMicrosecond /
+                                 (std::int64_t{kGreatestVelocity} * kConstants.hallEdgesPerTurn()));
+constexpr Microseconds kStandstill = milliseconds(500);
+
+// Current sensor: 33000 mA over 4096 steps.
+constexpr std::int32_t kZeroSamples = 64;
+constexpr std::int32_t kMilliamperes = 33000;
+constexpr std::int32_t kRange = 4096;
+constexpr std::int32_t kZeroTolerance = (kRange - 1) / 20;
+constexpr std::int32_t kOvercurrent = 15000 * kRange / kMilliamperes;
+constexpr std::int32_t kGreatestCurrent = 16000;
+constexpr std::uint32_t kTooManyInARow = 5;
+constexpr std::uint32_t kGroup = 8;
+
+// Control of the wheel; docs/wheel_control.rst derives the gains.
+constexpr std::int64_t kThousand = 1000;
+constexpr std::int64_t kDecay = 637;
+constexpr std::int64_t kMean = 806;
+constexpr PiGains kVelocityGains{.proportional = 4650, .integral = 2094};
+constexpr std::int32_t kWinding = 1500;
+constexpr PiGains kCurrentGains{.proportional = 0, .integral = kWinding / 2};
+constexpr Tension kSlight(100);
+constexpr std::uint8_t kSlowCycles = 2;
+constexpr Tension kRise(12000);
+constexpr Tension kFall(2400);
+constexpr Tension kMuch(6000);
+constexpr std::uint8_t kBlindCycles = 10;
+constexpr std::int32_t kJitter = 1;
+constexpr std::int32_t kWholeDuty = 10000;
+
+void count(std::uint16_t& counter) {
+  if (counter < std::numeric_limits<std::uint16_t>::max()) {
+    ++counter;
+  }
+}
+
+bool within(std::int32_t value, std::int32_t limit) {
+  return -limit <= value && value <= limit;
+}
+
+bool isSlow(Velocity velocity) {
+  return velocity < kConstants.standstill() && velocity > -kConstants.standstill();
+}
+
+std::uint32_t get16(std::span<const std::uint8_t> bytes, std::size_t at) {
+  return bytes[at] | static_cast<std::uint32_t>(bytes[at + 1]) << 8U;
+}
+
+std::int16_t getSigned16(std::span<const std::uint8_t> bytes, std::size_t at) {
+  return static_cast<std::int16_t>(get16(bytes, at));
+}
+
+// Writes numbers into a payload, one after the other.
+class Payload {
+ public:
+  explicit Payload(std::uint8_t* place) : place_(place) {}
+
+  void put8(std::uint32_t value) { *place_++ = static_cast<std::uint8_t>(value); }
+  void put16(std::uint32_t value) {
+    put8(value);
+    put8(value >> 8U);
+  }
+  void put32(std::uint32_t value) {
+    put16(value);
+    put16(value >> 16U);
+  }
+  void putNearest16(std::int32_t value) {
+    using Limits = std::numeric_limits<std::int16_t>;
+    put16(
+        static_cast<std::uint32_t>(std::clamp<std::int32_t>(value, Limits::min(), Limits::max())));
+  }
+
+ private:
+  std::uint8_t* place_;
+};
+
+}  // namespace
+
+UsualDesign::UsualDesign(const Devices& devices)
+    : devices_(devices), velocityRegulator_(kVelocityGains), currentRegulator_(kCurrentGains) {}
+
+void UsualDesign::start() {
+  devices_.rcVelocity.start();
+  devices_.rcDirection.start();
+  takeHallPhase();
+  devices_.hallA.start();
+  devices_.hallB.start();
+  devices_.tickTimer.start(kConstants.tickPeriod());
+  devices_.cycleTimer.start(kConstants.cyclePeriod());
+}
+
+// ---- control cycle -----------------------------------------------------------------------------
+
+void UsualDesign::cycleTimerExpired() {
+  devices_.cycleTimer.acknowledge();
+  const std::uint32_t number = pulses_.load() + 1;
+  pulse_.write(number, devices_.timebase.now());
+  pulses_.store(number);
+}
+
+void UsualDesign::run() {
+  if (pulses_.load() == begun_) {
+    return;
+  }
+  const std::optional<Stamped<std::uint32_t>> pulse = pulse_.read();
+  begun_ = pulse->value;
+  cycle(pulse->at);
+}
+
+void UsualDesign::cycle(Instant clockPulse) {
+  ++cycle_;
+  clockPulse_ = clockPulse;
+  orderRead_ = false;
+  overran_ = false;
+  servePc();
+  readOrder();
+  control();
+  sendReport();
+  devices_.watchdog.refresh();
+}
+
+void UsualDesign::readOrder() {
+  const Instant now = devices_.timebase.now();
+  if (mode_ == Mode::Pc) {
+    if (pcOrderIsNew()) {
+      countNoMsg_ = 0;
+      setPoints_ = pcOrder_;
+      pcOrderUnread_ = false;
+      source_ = Mode::Pc;
+      orderRead_ = true;
+    } else {
+      if (countNoMsg_ <= kN) {
+        ++countNoMsg_;
+      }
+      if (countNoMsg_ >= kN) {
+        mode_ = Mode::Rc;
+      }
+    }
+  } else {
+    const std::optional<Stamped<std::int32_t>> velocity = rcVelocity_.value.read();
+    const std::optional<Stamped<std::int32_t>> direction = rcDirection_.value.read();
+    if (isNew(velocity, rcVelocity_.read, now) && isNew(direction, rcDirection_.read, now)) {
+      countNoMsg_ = 0;
+      readRcOrder(*velocity, *direction);
+      source_ = Mode::Rc;
+      orderRead_ = true;
+    } else {
+      if (countNoMsg_ <= kN) {
+        ++countNoMsg_;
+      }
+      if (countNoMsg_ >= kN) {
+        mode_ = Mode::Pc;
+      }
+    }
+  }
+}
+
+bool UsualDesign::pcOrderIsNew() const {
+  return link_ == Link::Connected && pcOrderUnread_ &&
+         devices_.timebase.now() - pcOrderAt_ <= kConstants.orderLifetime();
+}
+
+bool UsualDesign::isNew(const std::optional<Stamped<std::int32_t>>& value,
+                        const std::optional<Instant>& read, Instant now) {
+  return value && now - value->at <= kConstants.orderLifetime() && (!read || value->at > *read);
+}
+
+void UsualDesign::readRcOrder(const Stamped<std::int32_t>& velocity,
+                              const Stamped<std::int32_t>& direction) {
+  rcVelocity_.read = velocity.at;
+  rcDirection_.read = direction.at;
+  SetPoints order;
+  order.steering = Angle(direction.value);
+  for (WheelSetPoint& wheel : order.wheels) {
+    wheel = {.quantity = WheelQuantity::Velocity,
+             .value = static_cast<std::int16_t>(velocity.value)};
+  }
+  setPoints_ = order;
+}
+
+void UsualDesign::control() {
+  const Instant now = devices_.timebase.now();
+  const HallRecord hall = hallRecord_.read().value_or(Stamped<HallRecord>()).value;
+  measureVelocity(hall, now);
+  measureCurrent();
+  WheelMeasurements& wheel = measurements_.wheels[0];
+  wheel.position = HallCount(hall.count);
+  wheel.rejectedEdges = hall.rejected;
+  wheel.velocity.reset();
+  if (velocityAt_ && now - *velocityAt_ <= kConstants.measurementLifetime()) {
+    wheel.velocity = velocity_;
+  }
+  wheel.current.reset();
+  if (currentAt_ && now - *currentAt_ <= kConstants.measurementLifetime()) {
+    wheel.current = meanCurrent_;
+  }
+  held_ = stop_ || countNoMsg_ > kN || !setPoints_;
+  if (held_) {
+    blind_ = false;
+    stillCycles_ = 0;
+    lower();
+    if (cutOff_.load()) {
+      driverOff();
+      if (wheel.velocity && isSlow(*wheel.velocity)) {
+        cutOff_.store(false);
+      }
+    }
+  } else {
+    if (cutOff_.load()) {
+      driverOff();
+    } else {
+      followSetPoint(setPoints_->wheels[0], HallCount(hall.count), wheel);
+    }
+  }
+  wheel.cutOff = cutOff_.load();
+  wheel.blind = blind_;
+}
+
+void UsualDesign::sendReport() {
+  if (pulses_.load() != begun_) {
+    overran_ = true;
+    count(overruns_);
+  }
+  if (link_ != Link::Connected) {
+    return;
+  }
+  std::uint8_t state = kReconnecting;
+  if (countNoMsg_ == 0) {
+    state = kWorking;
+  } else if (countNoMsg_ < kN) {
+    state = kWaiting;
+  } else if (countNoMsg_ == kN) {
+    state = kWaitingN;
+  }
+  std::array<std::uint8_t, kReportLength> bytes{};
+  Payload payload(bytes.data());
+  payload.put32(cycle_);
+  payload.put32(static_cast<std::uint32_t>(clockPulse_.sinceStart() / 1000U));
+  payload.put8(state);
+  payload.put8(static_cast<std::uint8_t>(mode_));
+  payload.put8(static_cast<std::uint8_t>(source_));
+  payload.put8((stop_ ? 1U : 0U) | (orderRead_ ? 2U : 0U) | (held_ ? 4U : 0U) |
+               (overran_ ? 8U : 0U));
+  const SetPoints setPoints = setPoints_.value_or(SetPoints{});
+  payload.put16(setPoints.orderId);
+  payload.putNearest16(setPoints.steering.count());
+  for (const WheelSetPoint& wheel : setPoints.wheels) {
+    payload.put8(static_cast<std::uint8_t>(wheel.quantity));
+    payload.put16(static_cast<std::uint16_t>(wheel.value));
+  }
+  payload.putNearest16(measurements_.steering.value_or(Angle()).count());
+  std::uint32_t measured = 0;
+  std::uint32_t cutOffs = 0;
+  std::uint32_t blindWheels = 0;
+  for (std::size_t i = 0; i < kWheelCount; ++i) {
+    const WheelMeasurements& wheel = measurements_.wheels[i];
+    payload.putNearest16(wheel.velocity.value_or(Velocity()).count());
+    payload.putNearest16(wheel.current.value_or(Current()).count());
+    payload.put32(static_cast<std::uint32_t>(wheel.position.value_or(HallCount()).count()));
+    measured |= (wheel.velocity ? 1U : 0U) << (3 * i);
+    measured |= (wheel.current ? 2U : 0U) << (3 * i);
+    measured |= (wheel.position ? 4U : 0U) << (3 * i);
+    cutOffs |= (wheel.cutOff ? 1U : 0U) << i;
+    blindWheels |= (wheel.blind ? 1U : 0U) << i;
+  }
+  payload.put16(measured);
+  payload.putNearest16(applied_.value_or(Tension()).count());
+  payload.put32(0);  // tensions of the wheels 1 to 3
+  payload.put16(0);
+  payload.put8(0);  // turn of the steering
+  payload.put8(applied_ ? 1 : 0);
+  payload.put16(overruns_);
+  payload.put16(counts_.lostBytes);
+  payload.put16(counts_.damaged);
+  payload.put16(counts_.tooLong);
+  payload.put16(counts_.unknownVersion);
+  payload.put16(counts_.unknownType);
+  payload.put16(counts_.wrongLength);
+  payload.put16(counts_.outOfRange);
+  payload.put16(counts_.unexpected);
+  payload.put16(counts_.sequenceGaps);
+  payload.put16(counts_.reportsNotSent);
+  payload.put8(static_cast<std::uint8_t>(measurements_.steeringState));
+  payload.put8((measurements_.leftEnd ? 1U : 0U) | (measurements_.rightEnd ? 2U : 0U));
+  payload.put8(cutOffs);
+  payload.put8(blindWheels);
+  for (const WheelMeasurements& wheel : measurements_.wheels) {
+    payload.put16(wheel.rejectedEdges);
+  }
+  if (!send(FrameType::Report, bytes)) {
+    count(counts_.reportsNotSent);
+  }
+}
+
+// ---- link to the PC ----------------------------------------------------------------------------
+
+void UsualDesign::servePc() {
+  std::array<std::uint8_t, kChunk> chunk{};
+  std::size_t received = chunk.size();
+  for (std::size_t i = 0; i < kMostChunks && received == chunk.size(); ++i) {
+    received = devices_.pcPort.read(chunk);
+    for (const std::uint8_t byte : std::span(chunk).first(received)) {
+      switch (decoder_.push(byte)) {
+        case Decoded::Nothing:
+          break;
+        case Decoded::Whole:
+          receive(decoder_.frame());
+          break;
+        case Decoded::Damaged:
+          count(counts_.damaged);
+          break;
+        case Decoded::TooLong:
+          count(counts_.tooLong);
+          break;
+        case Decoded::UnknownVersion:
+          count(counts_.unknownVersion);
+          break;
+      }
+    }
+  }
+  counts_.lostBytes = devices_.pcPort.lostBytes();
+  const Microseconds silence = devices_.timebase.now() - lastAccepted_;
+  if (link_ == Link::Connected) {
+    if (silence >= kConstants.linkTimeout()) {
+      pcOrderUnread_ = false;
+      link_ = Link::Disconnected;
+    }
+  } else if (link_ == Link::Handshaking) {
+    if (silence >= kConstants.handshakeTimeout()) {
+      link_ = Link::Disconnected;
+    }
+  }
+}
+
+void UsualDesign::receive(const Frame& frame) {
+  std::size_t length = 0;
+  switch (frame.type) {
+    case FrameType::Hello:
+    case FrameType::KeepAlive:
+      break;
+    case FrameType::Confirm:
+      length = 1;
+      break;
+    case FrameType::Order:
+      length = kOrderLength;
+      break;
+    default:
+      count(counts_.unknownType);
+      return;
+  }
+  if (frame.payload.size() != length) {
+    count(counts_.wrongLength);
+    return;
+  }
+  if (accept(frame)) {
+    if (frame.type != FrameType::Hello && frame.sequence != nextReceived_) {
+      count(counts_.sequenceGaps);
+    }
+    nextReceived_ = static_cast<std::uint8_t>(frame.sequence + 1);
+    lastAccepted_ = devices_.timebase.now();
+  }
+}
+
+bool UsualDesign::accept(const Frame& frame) {
+  if (frame.type == FrameType::Hello) {
+    if (link_ == Link::Connected) {
+      pcOrderUnread_ = false;
+    }
+    sendWelcome();
+    link_ = Link::Handshaking;
+    return true;
+  }
+  if (frame.type == FrameType::Confirm) {
+    if (link_ == Link::Handshaking && frame.payload.front() == session_ &&
+        devices_.timebase.now() - lastAccepted_ <= kConstants.handshakeTimeout()) {
+      link_ = Link::Connected;
+      return true;
+    }
+  } else if (link_ == Link::Connected) {
+    if (frame.type == FrameType::KeepAlive) {
+      return true;
+    }
+    if (takeOrder(frame.payload)) {
+      return true;
+    }
+    count(counts_.outOfRange);
+    return false;
+  }
+  count(counts_.unexpected);
+  return false;
+}
+
+bool UsualDesign::takeOrder(std::span<const std::uint8_t> payload) {
+  SetPoints order;
+  order.orderId = static_cast<std::uint16_t>(get16(payload, 0));
+  order.steering = Angle(getSigned16(payload, 2));
+  if (!within(order.steering.count(), kConstants.steeringLimit().count())) {
+    return false;
+  }
+  std::size_t at = 4;
+  for (WheelSetPoint& wheel : order.wheels) {
+    wheel.quantity = static_cast<WheelQuantity>(payload[at]);
+    wheel.value = getSigned16(payload, at + 1);
+    at += 3;
+    std::int32_t limit = -1;
+    switch (wheel.quantity) {
+      case WheelQuantity::Velocity:
+        limit = kConstants.velocityLimit().count();
+        break;
+      case WheelQuantity::Tension:
+        limit = kConstants.tensionLimit().count();
+        break;
+      case WheelQuantity::Current:
+        limit = kConstants.currentLimit().count();
+        break;
+    }
+    if (!within(wheel.value, limit)) {
+      return false;
+    }
+  }
+  if (payload[at] > 1) {
+    return false;
+  }
+  stop_ = payload[at] == 1;
+  pcOrder_ = order;
+  pcOrderAt_ = devices_.timebase.now();
+  pcOrderUnread_ = true;
+  return true;
+}
+
+void UsualDesign::sendWelcome() {
+  session_ = session_ == std::numeric_limits<std::uint8_t>::max()
+                 ? std::uint8_t{1}
+                 : static_cast<std::uint8_t>(session_ + 1);
+  std::array<std::uint8_t, kWelcomeLength> bytes{};
+  Payload payload(bytes.data());
+  payload.put8(session_);
+  payload.put8(firmwareIdentity.major);
+  payload.put8(firmwareIdentity.minor);
+  payload.put8(firmwareIdentity.patch);
+  for (const char letter : firmwareIdentity.buildId) {
+    payload.put8(static_cast<std::uint8_t>(letter));
+  }
+  payload.put16(static_cast<std::uint32_t>(kConstants.cyclePeriod().count() / kThousand));
+  payload.put8(kN);
+  payload.put8(static_cast<std::uint8_t>(devices_.start.cause));
+  payload.put8(static_cast<std::uint8_t>(devices_.start.fault));
+  payload.put16(devices_.start.number);
+  payload.put32(devices_.start.address);
+  send(FrameType::Welcome, bytes);
+}
+
+bool UsualDesign::send(FrameType type, std::span<const std::uint8_t> payload) {
+  const Frame frame{.type = type, .sequence = nextSent_, .payload = payload};
+  if (!devices_.pcPort.write(encoder_.encode(frame))) {
+    return false;
+  }
+  ++nextSent_;
+  return true;
+}
+
+// ---- remote control ----------------------------------------------------------------------------
+
+void UsualDesign::remoteControlEdge() {
+  if (devices_.rcVelocity.acknowledge()) {
+    takeRcEdge(rcVelocity_, devices_.rcVelocity.level(), kConstants.velocityLimit().count());
+  }
+  if (devices_.rcDirection.acknowledge()) {
+    takeRcEdge(rcDirection_, devices_.rcDirection.level(), kConstants.steeringLimit().count());
+  }
+}
+
+void UsualDesign::takeRcEdge(RcChannel& channel, bool rising, std::int32_t fullDeflection) {
+  const Instant now = devices_.timebase.now();
+  if (rising) {
+    if (channel.rise) {
+      channel.period = now - *channel.rise;
+    }
+    channel.rise = now;
+    return;
+  }
+  if (!channel.rise || !channel.period || *channel.period < kShortestPeriod ||
+      *channel.period > kLongestPeriod) {
+    return;
+  }
+  const Microseconds pulse = now - *channel.rise;
+  if (pulse >= *channel.period || pulse.count() < kShortest || pulse.count() > kLongest) {
+    return;
+  }
+  const auto distance = static_cast<std::int32_t>(pulse.count()) - kMiddle;
+  std::int32_t value = 0;
+  if (distance < -kMiddleBand || distance > kMiddleBand) {
+    const std::int32_t deflection = std::clamp(distance, -kFullDeflection, kFullDeflection);
+    value = *quotient(std::int64_t{deflection} * fullDeflection, kFullDeflection);
+  }
+  channel.value.write(value, now);
+}
+
+// ---- sensors of the wheel ----------------------------------------------------------------------
+
+void UsualDesign::hallEdge() {
+  const bool edgeOfA = devices_.hallA.acknowledge();
+  const bool edgeOfB = devices_.hallB.acknowledge();
+  if (edgeOfA || edgeOfB) {
+    takeHallPhase();
+  }
+}
+
+void UsualDesign::takeHallPhase() {
+  const auto phase = static_cast<std::uint8_t>((devices_.hallA.level() ? 1U : 0U) |
+                                               (devices_.hallB.level() ? 2U : 0U));
+  const Instant now = devices_.timebase.now();
+  if (!phase_) {
+    phase_ = phase;
+    return;
+  }
+  const std::int8_t direction = kDirections[*phase_][phase];
+  phase_ = phase;
+  if (direction != 0 && (direction != direction_ || now - lastEdge_ >= kLeastGap)) {
+    direction_ = direction;
+    lastEdge_ = now;
+    hall_.last = now;
+    hall_.count += direction;
+  } else {
+    count(hall_.rejected);
+  }
+  hallRecord_.write(hall_, now);
+}
+
+void UsualDesign::tickTimerExpired() {
+  devices_.tickTimer.acknowledge();
+  const std::optional<std::uint16_t> sample = devices_.current.sample();
+  if (sample) {
+    takeCurrentSample(*sample);
+  }
+}
+
+void UsualDesign::takeCurrentSample(std::int32_t raw) {
+  if (!zeroPlausible_) {
+    if (zeroSamples_ < kZeroSamples) {
+      zero_ += raw;
+      ++zeroSamples_;
+      if (zeroSamples_ == kZeroSamples) {
+        zero_ = (zero_ + kZeroSamples / 2) / kZeroSamples;
+        zeroPlausible_ = std::abs(zero_ - kRange / 2) <= kZeroTolerance;
+        leastSample_ = std::max<std::int32_t>(zero_ - kOvercurrent, 1);
+        greatestSample_ = std::min<std::int32_t>(zero_ + kOvercurrent, kRange - 2);
+      }
+    }
+    return;
+  }
+  if (raw >= leastSample_ && raw <= greatestSample_) {
+    tooHigh_ = 0;
+  } else {
+    if (tooHigh_ < kTooManyInARow) {
+      ++tooHigh_;
+    }
+    if (tooHigh_ == kTooManyInARow) {
+      cutOff_.store(true);
+      devices_.enable.set(false);
+    }
+  }
+  current_.sum += static_cast<std::uint32_t>(raw - zero_);
+  ++current_.number;
+  if (current_.number % kGroup == 0) {
+    current_.at = devices_.timebase.now();
+    currentRecord_.write(current_, current_.at);
+  }
+}
+
+void UsualDesign::measureVelocity(const HallRecord& record, Instant now) {
+  std::optional<Velocity> measured;
+  if (record.last != seenEdge_) {
+    const std::int32_t edges = record.count - seenCount_;
+    const Microseconds elapsed = standing_ ? now - measuredAt_ : *record.last - *seenEdge_;
+    seenEdge_ = record.last;
+    seenCount_ = record.count;
+    standing_ = false;
+    measured = velocityOf(edges, elapsed);
+  } else {
+    standing_ = standing_ || now - *seenEdge_ >= kStandstill;
+    if (standing_) {
+      measured = Velocity(0);
+    } else {
+      const std::optional<Velocity> bound = velocityOf(1, now - *seenEdge_);
+      measured = bound ? std::clamp(velocity_, -*bound, *bound) : velocity_;
+    }
+  }
+  measuredAt_ = now;
+  if (measured) {
+    velocity_ = *measured;
+    velocityAt_ = now;
+  }
+}
+
+std::optional<Velocity> UsualDesign::velocityOf(std::int32_t edges, Microseconds elapsed) const {
+  const std::int64_t time =
+      std::clamp<std::int64_t>(elapsed.count(), 0, std::numeric_limits<std::int32_t>::max());
+  const std::optional<std::int32_t> value =
+      quotient(std::int64_t{edges} * kTurnPerMicrosecond, time * kConstants.hallEdgesPerTurn());
+  if (!value || !within(*value, kGreatestVelocity)) {
+    return std::nullopt;
+  }
+  return Velocity(*value);
+}
+
+void UsualDesign::measureCurrent() {
+  const CurrentRecord record = currentRecord_.read().value_or(Stamped<CurrentRecord>()).value;
+  const auto sum = static_cast<std::int32_t>(record.sum - seenCurrent_.sum);
+  const auto number = static_cast<std::int32_t>(record.number - seenCurrent_.number);
+  seenCurrent_ = record;
+  const std::optional<std::int32_t> value =
+      quotient(std::int64_t{sum} * kMilliamperes, std::int64_t{kRange} * number);
+  if (value && within(*value, kGreatestCurrent)) {
+    meanCurrent_ = Current(*value);
+    currentAt_ = record.at;
+  }
+}
+
+// ---- control of the wheel ----------------------------------------------------------------------
+
+void UsualDesign::followSetPoint(const WheelSetPoint& setPoint, HallCount position,
+                                 WheelMeasurements& wheel) {
+  const std::int32_t turned = position.count() - stillPosition_.count();
+  if (std::abs(applied_.value_or(Tension()).count()) <= kMuch.count() ||
+      std::abs(turned) > kJitter) {
+    stillPosition_ = position;
+    stillCycles_ = 0;
+  } else {
+    ++stillCycles_;
+    blind_ = blind_ || stillCycles_ >= kBlindCycles;
+  }
+  if (!wheel.velocity || !wheel.current || blind_) {
+    lower();
+    return;
+  }
+  if (setPoint.quantity != quantity_) {
+    resetAlgorithms();
+    quantity_ = setPoint.quantity;
+  }
+  const Tension calculated = calculate(setPoint, *wheel.velocity, *wheel.current);
+  const Tension most = kConstants.tensionLimit();
+  apply(std::clamp(calculated, -most, most), *wheel.velocity);
+  switch (quantity_) {
+    case WheelQuantity::Velocity:
+      velocityRegulator_.missed(calculated - *applied_);
+      if (*applied_ != calculated) {
+        model_ = wheel.velocity->count() * kThousand;
+      }
+      break;
+    case WheelQuantity::Current:
+      currentRegulator_.missed(calculated - *applied_);
+      break;
+    case WheelQuantity::Tension:
+      break;
+  }
+}
+
+Tension UsualDesign::calculate(const WheelSetPoint& setPoint, Velocity velocity, Current current) {
+  switch (setPoint.quantity) {
+    case WheelQuantity::Velocity:
+      return velocityTension(setPoint.value, velocity);
+    case WheelQuantity::Current:
+      return currentTension(setPoint.value, velocity, current);
+    case WheelQuantity::Tension:
+      break;
+  }
+  return Tension(setPoint.value);
+}
+
+Tension UsualDesign::velocityTension(std::int16_t setPoint, Velocity velocity) {
+  std::int64_t expected = velocity.count() * kThousand;
+  if (model_) {
+    const std::int64_t goal = velocitySetPoint_ * kThousand;
+    const std::int64_t deviation = *model_ - goal;
+    expected = goal + deviation * kMean / kThousand;
+    model_ = goal + deviation * kDecay / kThousand;
+  } else {
+    model_ = expected;
+  }
+  velocitySetPoint_ = setPoint;
+  const std::int64_t unloaded =
+      std::int64_t{kConstants.motorConstant().count()} * setPoint / kThousand;
+  const std::int64_t error = expected / kThousand - velocity.count();
+  return Tension(static_cast<std::int32_t>(unloaded)) +
+         velocityRegulator_.regulate(static_cast<std::int32_t>(error));
+}
+
+Tension UsualDesign::currentTension(std::int16_t setPoint, Velocity velocity, Current current) {
+  Tension correction;
+  Velocity foreseen = velocity;
+  if (velocityBefore_) {
+    correction = currentRegulator_.regulate(currentSetPoint_ - current.count());
+    foreseen = velocity * 2 - *velocityBefore_;
+  }
+  velocityBefore_ = velocity;
+  currentSetPoint_ = setPoint;
+  constexpr auto kPerMille = static_cast<std::int32_t>(kThousand);
+  const Tension winding(kWinding * setPoint / kPerMille);
+  const Tension turning(kConstants.motorConstant().count() * foreseen.count() / kPerMille);
+  return winding + turning + correction;
+}
+
+void UsualDesign::apply(Tension demand, Velocity velocity) {
+  const Tension before = applied_.value_or(Tension());
+  if (backwards_ ? demand >= kSlight : demand <= -kSlight) {
+    if (!isSlow(velocity)) {
+      slowCycles_ = 0;
+    } else if (slowCycles_ < kSlowCycles) {
+      ++slowCycles_;
+    }
+    if (slowCycles_ < kSlowCycles || before != Tension()) {
+      const Tension left = before - std::clamp(before, -kFall, kFall);
+      setTension(left);
+      applied_ = left;
+      return;
+    }
+    backwards_ = !backwards_;
+    devices_.orientation.set(backwards_);
+  } else {
+    demand = backwards_ ? std::min(demand, Tension()) : std::max(demand, Tension());
+  }
+  slowCycles_ = 0;
+  const Tension most = std::max(before, Tension()) + kRise;
+  const Tension least = std::min(before, Tension()) - kRise;
+  applied_ = std::clamp(demand, least, most);
+  setTension(*applied_);
+}
+
+void UsualDesign::lower() {
+  const Tension before = applied_.value_or(Tension());
+  const Tension left = before - std::clamp(before, -kFall, kFall);
+  setTension(left);
+  applied_ = left;
+  resetAlgorithms();
+}
+
+void UsualDesign::driverOff() {
+  setTension(Tension());
+  stillCycles_ = 0;
+  resetAlgorithms();
+  applied_.reset();
+}
+
+void UsualDesign::resetAlgorithms() {
+  velocityRegulator_.reset();
+  model_.reset();
+  currentRegulator_.reset();
+  velocityBefore_.reset();
+}
+
+void UsualDesign::setTension(Tension tension) {
+  const std::int32_t supply = kConstants.supply().count();
+  const std::int32_t magnitude = std::min(std::abs(tension.count()), supply);
+  devices_.pwm.set(DutyCycle((magnitude * kWholeDuty + supply / 2) / supply));
+  enableDriver();
+}
+
+void UsualDesign::enableDriver() {
+  if (!cutOff_.load()) {
+    devices_.enable.set(true);
+  }
+  if (cutOff_.load()) {  // the interrupt may have come before the driver was switched on
+    devices_.enable.set(false);
+  }
+}
+
+}  // namespace wr

@@ -1,0 +1,185 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "communication/framing/FrameDecoder.hpp"
+#include "communication/framing/FrameEncoder.hpp"
+#include "communication/serialization/ReportData.hpp"
+#include "services/Pipe.hpp"
+#include "units/Measurements.hpp"
+#include "units/SetPoints.hpp"
+#include "units/quantities.hpp"
+#include "usual_design/Devices.hpp"
+#include "wheel_control/algorithms/PiRegulator.hpp"
+
+namespace wr {
+
+/// Main Control and one wheel in the usual design: one class, variables that tell the state, and
+/// conditions on them. Interrupts collect; the main loop runs a control cycle at each clock pulse.
+class UsualDesign {
+ public:
+  explicit UsualDesign(const Devices& devices);
+  UsualDesign(const UsualDesign&) = delete;
+  UsualDesign& operator=(const UsualDesign&) = delete;
+
+  void start();
+
+  // What the interrupts call.
+  void cycleTimerExpired();
+  void tickTimerExpired();
+  void hallEdge();
+  void remoteControlEdge();
+
+  // What the main loop calls after each interrupt.
+  void run();
+
+ private:
+  enum class Mode : std::uint8_t { Rc = 0, Pc = 1, None = 255 };
+  enum class Link : std::uint8_t { Disconnected, Handshaking, Connected };
+
+  struct HallRecord {
+    std::optional<Instant> last;
+    std::int32_t count = 0;
+    std::uint16_t rejected = 0;
+  };
+  struct CurrentRecord {
+    std::uint32_t sum = 0;
+    std::uint32_t number = 0;
+    Instant at{};
+  };
+  struct RcChannel {
+    std::optional<Instant> rise;
+    std::optional<Microseconds> period;
+    std::optional<Instant> read;  // time of the value that was read last
+    Pipe<std::int32_t> value;
+  };
+
+  // One control cycle.
+  void cycle(Instant clockPulse);
+  void readOrder();
+  [[nodiscard]] bool pcOrderIsNew() const;
+  void readRcOrder(const Stamped<std::int32_t>& velocity, const Stamped<std::int32_t>& direction);
+  [[nodiscard]] static bool isNew(const std::optional<Stamped<std::int32_t>>& value,
+                                  const std::optional<Instant>& read, Instant now);
+  void control();
+  void sendReport();
+
+  // Link to the PC.
+  void servePc();
+  void receive(const Frame& frame);
+  [[nodiscard]] bool accept(const Frame& frame);
+  [[nodiscard]] bool takeOrder(std::span<const std::uint8_t> payload);
+  void sendWelcome();
+  bool send(FrameType type, std::span<const std::uint8_t> payload);
+
+  // Signals of the remote control.
+  void takeRcEdge(RcChannel& channel, bool rising, std::int32_t fullDeflection);
+
+  // The wheel.
+  void takeHallPhase();
+  void takeCurrentSample(std::int32_t raw);
+  void measureVelocity(const HallRecord& record, Instant now);
+  [[nodiscard]] std::optional<Velocity> velocityOf(std::int32_t edges, Microseconds elapsed) const;
+  void measureCurrent();
+  void followSetPoint(const WheelSetPoint& setPoint, HallCount position, WheelMeasurements& wheel);
+  [[nodiscard]] Tension calculate(const WheelSetPoint& setPoint, Velocity velocity,
+                                  Current current);
+  [[nodiscard]] Tension velocityTension(std::int16_t setPoint, Velocity velocity);
+  [[nodiscard]] Tension currentTension(std::int16_t setPoint, Velocity velocity, Current current);
+  void apply(Tension demand, Velocity velocity);
+  void lower();
+  void driverOff();
+  void resetAlgorithms();
+  void setTension(Tension tension);
+  void enableDriver();
+
+  Devices devices_;
+
+  // Control cycle.
+  std::atomic<std::uint32_t> pulses_{0};
+  Pipe<std::uint32_t> pulse_;
+  std::uint32_t begun_ = 0;
+  std::uint32_t cycle_ = 0;
+  std::uint16_t overruns_ = 0;
+  Instant clockPulse_{};
+  bool orderRead_ = false;
+  bool held_ = false;
+  bool overran_ = false;
+
+  // Reading of orders.
+  Mode mode_ = Mode::Rc;
+  Mode source_ = Mode::None;
+  std::uint8_t countNoMsg_ = 0;
+  std::optional<SetPoints> setPoints_;
+
+  // Link to the PC.
+  Link link_ = Link::Disconnected;
+  FrameDecoder decoder_;
+  FrameEncoder encoder_;
+  LinkCounts counts_{};
+  Instant lastAccepted_{};
+  std::uint8_t session_ = 0;
+  std::uint8_t nextReceived_ = 0;
+  std::uint8_t nextSent_ = 0;
+  SetPoints pcOrder_{};
+  Instant pcOrderAt_{};
+  bool pcOrderUnread_ = false;
+  bool stop_ = false;
+
+  // Remote control.
+  RcChannel rcVelocity_;
+  RcChannel rcDirection_;
+
+  // Hall sensors.
+  std::optional<std::uint8_t> phase_;
+  std::int8_t direction_ = 0;
+  Instant lastEdge_{};
+  HallRecord hall_;
+  Pipe<HallRecord> hallRecord_;
+
+  // Current sensor.
+  std::int32_t zeroSamples_ = 0;
+  std::int32_t zero_ = 0;
+  bool zeroPlausible_ = false;
+  std::int32_t leastSample_ = 0;
+  std::int32_t greatestSample_ = 0;
+  std::uint32_t tooHigh_ = 0;
+  CurrentRecord current_;
+  Pipe<CurrentRecord> currentRecord_;
+
+  // Measured velocity and current, and when.
+  bool standing_ = true;
+  Instant measuredAt_{};
+  std::optional<Instant> seenEdge_;
+  std::int32_t seenCount_ = 0;
+  Velocity velocity_{};
+  std::optional<Instant> velocityAt_;
+  CurrentRecord seenCurrent_;
+  Current meanCurrent_{};
+  std::optional<Instant> currentAt_;
+
+  // Control of the wheel.
+  WheelQuantity quantity_ = WheelQuantity::Velocity;
+  PiRegulator velocityRegulator_;
+  PiRegulator currentRegulator_;
+  std::optional<std::int64_t> model_;
+  std::optional<Velocity> velocityBefore_;
+  std::int16_t velocitySetPoint_ = 0;
+  std::int16_t currentSetPoint_ = 0;
+  std::optional<Tension> applied_;
+  bool backwards_ = false;
+  std::uint8_t slowCycles_ = 0;
+  HallCount stillPosition_{};
+  std::uint8_t stillCycles_ = 0;
+  bool blind_ = false;
+  std::atomic<bool> cutOff_{false};
+
+  Measurements measurements_{};
+};
+
+}  // namespace wr
