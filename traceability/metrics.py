@@ -22,11 +22,16 @@ def write_metrics(root: Path, model: Model, measured: dict[str, Any] | None = No
     """Writes the figures. ``measured`` adds what other steps of the run found, by key."""
     path = root / METRICS
     path.parent.mkdir(parents=True, exist_ok=True)
-    figures = metrics(model) | drift(root, model) | image(root) | (measured or {})
-    text = json.dumps(figures, indent=1, sort_keys=True) + "\n"
+    found = figures(root, model) | (measured or {})
+    text = json.dumps(found, indent=1, sort_keys=True) + "\n"
     if not path.exists() or path.read_text(encoding="utf-8") != text:
         path.write_text(text, encoding="utf-8")
     return path
+
+
+def figures(root: Path, model: Model) -> dict[str, Any]:
+    """What this run measured of the present sources."""
+    return metrics(model) | drift(root, model) | image(root)
 
 
 def drift(root: Path, model: Model) -> dict[str, Any]:

@@ -28,6 +28,7 @@ class Bluetooth final : public ModeDecorator {
   /// @brief Takes in what the device sent, then serves the wrapped mode.
   /// @satisfies FR-151
   /// @isr{no}
+  /// @satisfies FR-179
   void serve() override;
 
   /// @brief Saves the mode id of Bluetooth, then reads as the wrapped mode does.

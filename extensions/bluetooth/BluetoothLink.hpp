@@ -26,6 +26,7 @@ class BluetoothLink final {
   /// @brief Takes in all bytes that came, at most those of one cycle at 115200 baud.
   /// @isr{no}
   /// @satisfies FR-151
+  /// @satisfies FR-179
   void receive();
 
  private:

@@ -53,6 +53,7 @@ class ControlSystemBuilder {
   /// @pre The system is made.
   /// @errors A missing part ends the program with the assertion PartMissing.
   /// @isr{no}
+  /// @satisfies FR-92
   virtual void start() = 0;
 
   /// @brief The system that was made.

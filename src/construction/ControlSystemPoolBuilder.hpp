@@ -74,6 +74,7 @@ class ControlSystemPoolBuilder {
   /// @pre buildPool() was called.
   /// @errors Without a pool the program ends with the assertion PartMissing.
   /// @isr{no}
+  /// @satisfies FR-78
   [[nodiscard]] ControlSystemPool& pool();
 
   /// @brief The second timer that was made.
@@ -81,6 +82,7 @@ class ControlSystemPoolBuilder {
   /// @pre buildTimer() was called.
   /// @errors Without a timer the program ends with the assertion PartMissing.
   /// @isr{no}
+  /// @satisfies FR-78
   [[nodiscard]] SecondTimer& timer();
 
  private:

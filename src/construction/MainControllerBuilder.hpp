@@ -181,6 +181,7 @@ class MainControllerBuilder {
   /// @pre buildController() was called.
   /// @errors Without a controller the program ends with the assertion PartMissing.
   /// @isr{no}
+  /// @satisfies FR-78
   [[nodiscard]] MainController& controller();
 
   /// @brief The timer that begins the control cycles.
@@ -188,6 +189,7 @@ class MainControllerBuilder {
   /// @pre buildClock() was called.
   /// @errors Without a timer the program ends with the assertion PartMissing.
   /// @isr{no}
+  /// @satisfies FR-78
   [[nodiscard]] FirstTimer& clock();
 
   /// @brief The reader of the PC's orders.
@@ -195,6 +197,7 @@ class MainControllerBuilder {
   /// @pre buildConnection() was called.
   /// @errors Without a reader the program ends with the assertion PartMissing.
   /// @isr{no}
+  /// @satisfies FR-78
   [[nodiscard]] Reader& pcReader();
 
   /// @brief The link to the PC.
@@ -202,6 +205,7 @@ class MainControllerBuilder {
   /// @pre buildConnection() was called.
   /// @errors Without a link the program ends with the assertion PartMissing.
   /// @isr{no}
+  /// @satisfies FR-78
   [[nodiscard]] PcConnection& connection();
 
   /// @brief What serves the interrupts of the velocity pin.
@@ -209,6 +213,7 @@ class MainControllerBuilder {
   /// @pre buildRemoteControl() was called.
   /// @errors Without a remote control the program ends with the assertion PartMissing.
   /// @isr{no}
+  /// @satisfies FR-78
   [[nodiscard]] RcPin& velocityPin();
 
   /// @brief What serves the interrupts of the direction pin.
@@ -216,6 +221,7 @@ class MainControllerBuilder {
   /// @pre buildRemoteControl() was called.
   /// @errors Without a remote control the program ends with the assertion PartMissing.
   /// @isr{no}
+  /// @satisfies FR-78
   [[nodiscard]] RcPin& directionPin();
 
  private:

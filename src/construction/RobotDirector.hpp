@@ -29,6 +29,7 @@ class RobotDirector {
   /// @brief Makes all parts of a robot that only the PC commands.
   /// @post start() can be called.
   /// @isr{no}
+  /// @satisfies NFR-1
   void constructForPc();
 
   /// @brief Starts the control cycles.

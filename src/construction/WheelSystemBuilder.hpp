@@ -96,6 +96,7 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
   /// @pre buildSensors() was called.
   /// @errors Without a sensor the program ends with the assertion PartMissing.
   /// @isr{no}
+  /// @satisfies FR-78
   [[nodiscard]] ActiveSensor& sensor();
 
  private:

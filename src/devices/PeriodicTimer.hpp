@@ -23,6 +23,7 @@ class PeriodicTimer {
 
   /// @brief Tells the timer that its interrupt is being handled.
   /// @isr{yes}
+  /// @satisfies FR-1
   virtual void acknowledge() = 0;
 
  protected:

@@ -31,6 +31,7 @@ class SecondTimer final {
   /// @pre The timer does not run.
   /// @errors One command too many ends the program with the assertion TimerFull.
   /// @isr{no}
+  /// @satisfies FR-100
   void add(Command& command);
 
   /// @brief Starts the beat, one in each tick period.

@@ -24,6 +24,7 @@ class SerialPort {
   /// @brief Tells the room for bytes to send.
   /// @return number of bytes that a write can take now
   /// @isr{no}
+  /// @satisfies FR-64
   [[nodiscard]] virtual std::size_t free() const = 0;
 
   /// @brief Gives bytes to the port to send, all or none. Never waits.

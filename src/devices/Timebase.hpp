@@ -15,6 +15,7 @@ class Timebase {
   /// @brief Tells the time.
   /// @return time since start [us]; never less than at the call before
   /// @isr{yes}
+  /// @satisfies FR-127
   [[nodiscard]] virtual Instant now() const = 0;
 
  protected:

@@ -29,6 +29,7 @@ class K64Adc final : public AnalogInput {
   /// @brief Finds the channel of a signal; a signal that no pin has does not compile.
   /// @param signal name that the part gives it, such as ADC0_SE12
   /// @return its channel
+  /// @satisfies FR-142
   static consteval Channel channelOf(std::string_view signal) {
     static_cast<void>(pinOf(signal));
     std::uint8_t number = 0;

@@ -35,6 +35,7 @@ class K64Board {
   /// @brief Connects all pins that are no outputs. Touches no memory.
   /// @pre makeOutputsSafe() was called.
   /// @isr{no}
+  /// @satisfies FR-144
   static void connectInputs();
 
   /// @brief Lets the core execute instructions with floating-point numbers.
@@ -52,6 +53,7 @@ class K64Board {
 
   /// @brief Lets the clock into the timers, the converters and the serial ports.
   /// @isr{no}
+  /// @satisfies FR-140
   static void openGates();
 
   /// @brief Tells why this start came, and what was recorded before it. The record is told once.
@@ -80,6 +82,7 @@ class K64Board {
   /// @param exception number of the exception
   /// @return the fault; UnexpectedInterrupt for an exception that is no fault
   /// @isr{yes}
+  /// @satisfies FR-75
   [[nodiscard]] static FaultKind faultOf(std::uint16_t exception);
 };
 

@@ -21,6 +21,7 @@ class K64Pit final : public PeriodicTimer {
   /// @brief Switches the timer on, with all its channels. What runs already goes on.
   /// @pre The clocks of the timers run.
   /// @isr{no}
+  /// @satisfies FR-1
   static void switchOn();
 
   /// @param period time between two interrupts [us], 1 to 71582788

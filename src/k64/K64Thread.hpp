@@ -20,10 +20,12 @@ class K64Thread final : public ControlThread {
   /// @param line number of the line, 0 to 85
   /// @param priority its priority, not above that of the edges
   /// @isr{no}
+  /// @satisfies FR-172
   static void enable(std::uint8_t line, Priority priority);
 
   /// @brief Runs one activation. The vector of the line calls it.
   /// @isr{yes}
+  /// @satisfies FR-172
   void runPended();
 
  private:

@@ -19,6 +19,7 @@ class K64Timebase final : public Timebase {
   /// @brief Starts the clock at 0.
   /// @pre The clocks of the timers run.
   /// @isr{no}
+  /// @satisfies FR-127
   void start();
 
   /// @pre Two calls are less than 71 s apart.

@@ -28,11 +28,13 @@ class K64Uart final : public SerialPort {
   /// @brief Switches the port on.
   /// @pre The core runs at its full clock, and the clock of the port runs.
   /// @isr{no}
+  /// @satisfies FR-171
   void start();
 
   /// @brief Takes what was received, and gives what is to be sent. The vectors of the port's interrupts
   /// call it.
   /// @isr{yes}
+  /// @satisfies FR-171
   void serve();
 
   std::size_t read(std::span<std::uint8_t> bytes) override;

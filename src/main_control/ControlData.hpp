@@ -28,6 +28,7 @@ class ControlData {
   /// @brief Begins the next cycle; forgets what was noted, measured and applied in the cycle before.
   /// @param clockPulse time of the clock pulse
   /// @isr{no}
+  /// @satisfies FR-174
   void beginCycle(Instant clockPulse);
 
   /// @brief Notes which source is read now; it takes force with the next set-points.
@@ -45,11 +46,13 @@ class ControlData {
   /// @brief Notes whether a stop is in force in this cycle.
   /// @param stop true if any source ordered a stop
   /// @isr{no}
+  /// @satisfies FR-175
   void saveStop(bool stop);
 
   /// @brief Notes whether the control systems are held in this cycle.
   /// @param held true if the wheels are halted and the steering is held
   /// @isr{no}
+  /// @satisfies FR-175
   void saveHeld(bool held);
 
   /// @brief Counts this cycle as an overrun.
@@ -60,26 +63,31 @@ class ControlData {
   /// @brief The set-points in force.
   /// @return set-points that were read last; nothing before the first read.
   /// @isr{no}
+  /// @satisfies FR-14
   [[nodiscard]] const std::optional<SetPoints>& setPoints() const;
 
   /// @brief Tells whether a stop is in force in this cycle.
   /// @return true if any source ordered a stop.
   /// @isr{no}
+  /// @satisfies FR-21
   [[nodiscard]] bool stopped() const;
 
   /// @brief The number of the present cycle.
   /// @return number from 1; 0 before the first cycle.
   /// @isr{no}
+  /// @satisfies FR-174
   [[nodiscard]] std::uint32_t cycle() const;
 
   /// @brief The measured values of this cycle, to be filled in.
   /// @return values, all missing when a cycle begins.
   /// @isr{no}
+  /// @satisfies FR-93
   [[nodiscard]] Measurements& measurements();
 
   /// @brief The applied values of this cycle, to be filled in.
   /// @return values, all missing when a cycle begins.
   /// @isr{no}
+  /// @satisfies FR-94
   [[nodiscard]] Outputs& outputs();
 
   /// @brief The content of the report of this cycle.

@@ -56,6 +56,7 @@ class MainController {
 
   /// @brief Makes the thread run one cycle for each clock pulse from now on.
   /// @isr{no}
+  /// @satisfies FR-1
   void start();
 
   /// @brief Takes the time of a clock pulse and has the thread run a cycle.
@@ -100,11 +101,13 @@ class MainController {
   /// @brief The present reading mode.
   /// @return mode that orders are read from.
   /// @isr{no}
+  /// @satisfies FR-13
   [[nodiscard]] Mode& getMode();
 
   /// @brief The data of the present cycle.
   /// @return data that modes and states save to.
   /// @isr{no}
+  /// @satisfies FR-61
   [[nodiscard]] ControlData& getData();
 
   /// @brief Orders the control systems to follow the set-points that were read last.

@@ -22,6 +22,7 @@ class ControlThread {
   /// @pre The thread has no body yet.
   /// @errors Assertion ThreadStartedTwice when the thread has a body.
   /// @isr{no}
+  /// @satisfies FR-172
   void start(Command& body);
 
   /// @brief Asks for one activation of the body. When the activation before has not ended, an
@@ -29,6 +30,7 @@ class ControlThread {
   /// @return false when the thread has no body: nothing happens
   /// @isr{yes}
   /// @satisfies FR-4
+  /// @satisfies FR-172
   bool post();
 
   /// @brief Tells how often the thread was posted before the last activation had ended.

@@ -36,6 +36,7 @@ class Pipe {
   /// @param at when the value was obtained
   /// @pre No other write is under way.
   /// @isr{yes}
+  /// @satisfies FR-173
   void write(const T& value, Instant at) {
     slots_[written_] = Stamped<T>{value, at};
     written_ = shared_.exchange(written_ | kNew, std::memory_order_acq_rel) & kSlot;
@@ -45,6 +46,7 @@ class Pipe {
   /// @return the newest value and its time; nothing before the first write
   /// @pre No other read is under way.
   /// @isr{yes}
+  /// @satisfies FR-173
   [[nodiscard]] std::optional<Stamped<T>> read() {
     if ((shared_.load(std::memory_order_relaxed) & kNew) != 0U) {
       read_ = shared_.exchange(read_, std::memory_order_acq_rel) & kSlot;

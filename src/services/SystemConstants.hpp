@@ -23,6 +23,7 @@ class SystemConstants {
   /// @brief Gives access to the only instance.
   /// @return the constants
   /// @isr{yes}
+  /// @satisfies FR-178
   [[nodiscard]] static constexpr const SystemConstants& instance() { return instance_; }
 
   /// @brief Tells the time between two clock pulses.

@@ -15,6 +15,7 @@ namespace wr::test {
 namespace {
 
 /// @brief The same scenario gives the same events at the same times, always.
+/// @verifies NFR-6
 TEST(BoardRun, SameRunGivesSameTrace) {
   const auto hashOf = [](const char* scenario) {
     const Scenario steps =

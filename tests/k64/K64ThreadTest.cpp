@@ -63,6 +63,7 @@ TEST(K64ThreadOnBoard, FR37_SerialPortInterruptsTheCycle) {
 }
 
 /// @brief The thread of each wheel interrupts the main thread that posts it, and runs once for each post.
+/// @verifies FR-172
 TEST(K64ThreadOfAWheel, GoesBeforeTheMainThread) {
   constexpr std::uint16_t kMain = 4;
   DriverBoard drivers;

@@ -45,6 +45,7 @@ TEST_F(K64UartOnBoard, FR37_FullLineLosesNoByte) {
 
 /// @brief For ten seconds the line is never idle, in both directions, and none is lost.
 /// @verifies FR-37
+/// @verifies FR-171
 TEST_F(K64UartOnBoard, FR37_LineThatIsNeverIdleLosesNoByte) {
   robot.connect();
   constexpr int kFrames = 16'000;
@@ -63,6 +64,7 @@ TEST_F(K64UartOnBoard, FR37_LineThatIsNeverIdleLosesNoByte) {
 /// side to side, pulses of the remote control, and a line that is nearly never idle.
 /// @verifies FR-37
 /// @verifies FR-49
+/// @verifies FR-171
 TEST_F(K64UartOnBoard, FR37_FullControlLoadLosesNoByte) {
   constexpr int kCycles = 40;
   constexpr int kFrames = 110;  // of 7 bytes, beside an order: 70 ms of 100 on the line
@@ -123,6 +125,7 @@ TEST(K64UartOnBoardThatIsBusy, FR49_BytesBeyondTheStorageAreCounted) {
 
 /// @brief The second port, which has another clock, receives and sends at the same speed: a line that
 /// is never idle in both directions loses no byte, while the first port is in use too.
+/// @verifies FR-171
 TEST(K64UartOnSecondPort, LineThatIsNeverIdleLosesNoByte) {
   constexpr int kSecondPort = 4;
   DriverBoard drivers;

@@ -65,6 +65,7 @@ class Product : public testing::TestWithParam<const char*> {};
 
 /// @brief Each product starts, welcomes the PC, reports in every cycle and follows the PC, without a
 /// finding of the board.
+/// @verifies NFR-2
 TEST_P(Product, RunsWithoutFinding) {
   ProductRobot robot(GetParam());
   robot.commandByPc({.id = 4, .steering = 100});

@@ -15,6 +15,8 @@ class ControlDataTest : public testing::Test {
 };
 
 /// @brief Before the first cycle there is nothing but zeros, and no source.
+/// @verifies FR-19
+/// @verifies FR-174
 TEST_F(ControlDataTest, BeginsEmpty) {
   const ReportData expected{.operationState = 1, .readingMode = 1, .link = {.damaged = 5}};
   EXPECT_EQ(report(), expected);
@@ -36,6 +38,7 @@ TEST_F(ControlDataTest, FR19_SourceTakesForceWithTheSetPoints) {
 
 /// @brief The report holds everything that was saved in the cycle.
 /// @verifies FR-61
+/// @verifies FR-175
 TEST_F(ControlDataTest, FR61_ReportHoldsTheCycle) {
   data.beginCycle(Instant(123'456));
   data.saveModeId(ModeId::PC);

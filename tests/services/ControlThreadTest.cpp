@@ -47,6 +47,7 @@ class Body final : public Command {
 };
 
 /// @brief A thread without a body refuses to be posted, and a spurious dispatch does nothing.
+/// @verifies FR-172
 TEST(ControlThread, IsNotPostedBeforeItHasABody) {
   TestThread thread;
   EXPECT_FALSE(thread.post());
@@ -57,6 +58,7 @@ TEST(ControlThread, IsNotPostedBeforeItHasABody) {
 
 /// @brief Each post that meets an idle thread runs the body once.
 /// @verifies FR-1
+/// @verifies FR-172
 TEST(ControlThread, RunsItsBodyOncePerPost) {
   TestThread thread;
   Body body(thread);
@@ -120,6 +122,7 @@ TEST(ControlThread, FR4_OverrunsSaturate) {
 }
 
 /// @brief A thread has one body for its life.
+/// @verifies FR-176
 TEST(ControlThreadDeathTest, HasOneBody) {
   TestThread thread;
   Body body(thread);
@@ -130,6 +133,7 @@ TEST(ControlThreadDeathTest, HasOneBody) {
 /// @brief Posts that come at any moment of an activation neither lose the last one nor leave the
 /// thread pended for ever.
 /// @verifies FR-4
+/// @verifies FR-172
 TEST(ControlThread, FR4_PostsAtAnyMomentAreNeverLost) {
   constexpr int kPosts = 20000;
   TestThread thread;

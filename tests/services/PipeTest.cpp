@@ -9,6 +9,7 @@ namespace wr {
 namespace {
 
 /// @brief Before the first write there is no value.
+/// @verifies FR-173
 TEST(Pipe, IsEmptyBeforeTheFirstWrite) {
   Pipe<int> pipe;
   EXPECT_FALSE(pipe.read());
@@ -29,6 +30,7 @@ TEST(Pipe, KeepsItsValueWithItsTime) {
 
 /// @brief Only the newest of several values is read.
 /// @verifies FR-20
+/// @verifies FR-173
 TEST(Pipe, TellsTheNewestValue) {
   Pipe<int> pipe;
   for (int i = 1; i <= 5; ++i) {
@@ -40,6 +42,7 @@ TEST(Pipe, TellsTheNewestValue) {
 }
 
 /// @brief A reader never sees half a value, and never an older value after a newer one.
+/// @verifies FR-173
 TEST(Pipe, ReadsWholeValuesInOrder) {
   struct Pair {
     std::uint64_t number = 0;

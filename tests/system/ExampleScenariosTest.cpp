@@ -95,6 +95,7 @@ class ExampleScenarios : public testing::TestWithParam<const char*> {};
 
 /// @brief The robot does what each other example of a scenario expects. That of ten minutes is played by
 /// the tests of the programs.
+/// @verifies NFR-6
 TEST_P(ExampleScenarios, RobotDoesWhatIsExpected) {
   play(GetParam());
 }

@@ -92,6 +92,7 @@ TEST_F(OrdersOfRobot, FR20_OlderOrderIsNoMessage) {
 
 /// @brief A stop of the PC holds the robot in the mode PC, in every operation state.
 /// @verifies FR-21
+/// @verifies FR-175
 TEST_F(OrdersOfRobot, FR21_StopActsInEveryState) {
   robot.commandByPc();
   robot.order({.id = 40, .stop = true});
@@ -128,6 +129,7 @@ TEST_F(OrdersOfRobot, FR21_StopOutlivesTheConnection) {
 
 /// @brief Before the first order the control systems are held, in every operation state.
 /// @verifies FR-22
+/// @verifies FR-175
 TEST_F(OrdersOfRobot, FR22_RobotIsHeldBeforeTheFirstOrder) {
   robot.connect();
   for (int i = 0; i < kN + 3; ++i) {

@@ -47,6 +47,7 @@ TEST_F(ReportsOfRobot, FR60_NoReportWithoutConnection) {
 /// @brief A connected PC gets one report in every cycle, each numbered and timed by its clock pulse.
 /// @verifies FR-60
 /// @verifies FR-61
+/// @verifies FR-174
 TEST_F(ReportsOfRobot, FR60_OneReportInEveryCycle) {
   robot.connect();
   const std::uint32_t start =

@@ -13,6 +13,7 @@ namespace wr {
 namespace {
 
 /// @brief Quantities of one unit can be computed with.
+/// @verifies NFR-11
 TEST(Quantity, Computes) {
   EXPECT_EQ(Velocity(30) + Velocity(12), Velocity(42));
   EXPECT_EQ(Velocity(30) - Velocity(12), Velocity(18));
@@ -22,13 +23,22 @@ TEST(Quantity, Computes) {
   EXPECT_LT(Velocity(-1), Velocity());
 }
 
+template <class A, class B>
+concept Mix = requires(A a, B b) { a + b; } || requires(A a, B b) { a - b; } ||
+              requires(A a, B b) { a < b; } || requires(A a, B b) { a = b; };
+
 /// @brief Quantities of different units do not mix.
+/// @verifies NFR-11
 TEST(Quantity, DoesNotMixUnits) {
   EXPECT_FALSE((std::equality_comparable_with<Velocity, Current>));
+  EXPECT_FALSE((Mix<Velocity, Current>));
+  EXPECT_FALSE((Mix<Velocity, std::int32_t>));
+  EXPECT_TRUE((Mix<Velocity, Velocity>)) << "what is asked for exists";
   EXPECT_FALSE((std::convertible_to<std::int32_t, Velocity>));
 }
 
 /// @brief Instants and durations are computed with in microseconds.
+/// @verifies NFR-11
 TEST(Instant, Computes) {
   const Instant start(1000);
   EXPECT_EQ(start + milliseconds(2), Instant(3000));

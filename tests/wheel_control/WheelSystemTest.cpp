@@ -145,6 +145,7 @@ TEST_F(WheelSystemTest, FR88_HoldStopsTheWheel) {
 }
 
 /// @brief A second start ends the program.
+/// @verifies FR-176
 TEST_F(WheelSystemTest, SecondStartEndsTheProgram) {
   system.start();
   EXPECT_DEATH(system.start(), "assertion 3 failed");

@@ -15,6 +15,9 @@ from traceability.checks import (
     trees,
     uses,
 )
+from traceability.metrics import figures
+from traceability.model.build import set_states
+from traceability.model.evidence import settle_evidence
 from traceability.model.schema import Finding, Model
 
 FAMILIES = (
@@ -33,7 +36,9 @@ def run_checks(model: Model) -> list[Finding]:
     """All findings but those of the site's links, sorted. The model keeps them too."""
     assert model.facts is not None, "the model was not built from sources"
     found = [finding for family in FAMILIES for finding in family(model, model.facts)]
-    model.findings = sort(found)
+    settle_evidence(model, figures(model.facts.root, model), found)
+    set_states(model)
+    model.findings = sort(found + requirements.unmet(model))
     return list(model.findings)
 
 

@@ -230,6 +230,37 @@ _FIXED = [
         "write a test for the requirement, or tag the one that exists.",
     ),
     Check(
+        "req-method",
+        "Each public method serves a requirement",
+        "Every public method of a design module is tagged with @satisfies, stands in a tree, or "
+        "overrides or is overridden by one that does; a constructor serves what its module serves. "
+        "The others are justified in design/justified.toml.",
+        "whether the method is needed for the requirement.",
+        "tag the method, use it in a tree, remove it, or justify it.",
+    ),
+    Check(
+        "req-test",
+        "Each test verifies a requirement",
+        "Every test in C++ is tagged with @verifies, or justified in design/justified.toml.",
+        "whether the test is about the requirement; mutants show that.",
+        "tag the test, remove it, or justify it.",
+    ),
+    Check(
+        "req-justified",
+        "Justifications are needed",
+        "Every entry of design/justified.toml names a method or a test that serves no requirement.",
+        "whether the reason is good.",
+        "remove the entry, or correct its names.",
+    ),
+    Check(
+        "req-evidence",
+        "Measured requirements are met",
+        "Each @evidence of a requirement names a figure that was measured in this run and keeps "
+        "its bound: at most, at least or exactly.",
+        "whether the figure shows what the requirement says.",
+        "correct what is measured, or run the command that measures it.",
+    ),
+    Check(
         "req-passed",
         "Verifying tests ran and passed",
         "Every test that verifies a requirement ran in the last test run and passed.",

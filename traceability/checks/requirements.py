@@ -4,13 +4,55 @@ from __future__ import annotations
 
 import re
 
+from traceability.model.evidence import reasons
 from traceability.model.facts import Facts
 from traceability.model.results import RESULTS, RUNS
+from traceability.model.reverse import methods_without, tests_without
 from traceability.model.schema import Finding, Model, Place
 
 
 def check(model: Model, _facts: Facts) -> list[Finding]:
-    return _tags(model) + _requirements(model) + _unknown(model) + _stale(model) + _results(model)
+    parts = (_tags, _requirements, _unknown, _stale, _results, _without, _unneeded)
+    return [finding for part in parts for finding in part(model)]
+
+
+def _without(model: Model) -> list[Finding]:
+    """Methods and tests that serve no requirement, and are not justified."""
+    justified = {name for item in model.justified for name in item.covers}
+    methods = [
+        Finding(
+            method.place,
+            "req-method",
+            f"{method.id} serves no requirement",
+            "tag it with @satisfies, use it in a tree, or justify it in design/justified.toml",
+        )
+        for _, method in methods_without(model)
+        if method.id not in justified
+    ]
+    tests = [
+        Finding(
+            test.place,
+            "req-test",
+            f"{test.id} verifies no requirement",
+            "tag it with @verifies, or justify it in design/justified.toml",
+        )
+        for test in tests_without(model)
+        if test.id not in justified
+    ]
+    return methods + tests
+
+
+def _unneeded(model: Model) -> list[Finding]:
+    return [
+        Finding(
+            item.place,
+            "req-justified",
+            f"no {item.kind} needs this: {', '.join(item.names)}",
+            "remove the entry, or correct its names",
+        )
+        for item in model.justified
+        if not item.covers
+    ]
 
 
 def _stale(model: Model) -> list[Finding]:
@@ -31,7 +73,7 @@ def _stale(model: Model) -> list[Finding]:
 def _requirements(model: Model) -> list[Finding]:
     found: list[Finding] = []
     for requirement in model.requirements.values():
-        if not requirement.satisfied_by:
+        if requirement.by_calls and not requirement.satisfied_by:
             found.append(
                 Finding(
                     requirement.place,
@@ -40,7 +82,7 @@ def _requirements(model: Model) -> list[Finding]:
                     f"tag the method that does the work with @satisfies {requirement.id}",
                 )
             )
-        if not requirement.verified_by:
+        if not requirement.evidence and not requirement.verified_by:
             found.append(
                 Finding(
                     requirement.place,
@@ -50,6 +92,21 @@ def _requirements(model: Model) -> list[Finding]:
                 )
             )
     return found
+
+
+def unmet(model: Model) -> list[Finding]:
+    """Evidence that is missing or beyond its bound. The other checks are part of the evidence."""
+    return [
+        Finding(
+            evidence.place,
+            "req-evidence",
+            f"{requirement.id} is not met: {reason}",
+            "correct what is measured, or let the tool measure it in this run",
+        )
+        for requirement in model.requirements.values()
+        for evidence in requirement.evidence
+        for reason in reasons(evidence)
+    ]
 
 
 def _results(model: Model) -> list[Finding]:

@@ -20,6 +20,8 @@ def check(model: Model, facts: Facts) -> list[Finding]:
             )
     for requirement in model.requirements.values():
         if requirement.tree is None:
+            if not requirement.by_calls:
+                continue
             found.append(
                 Finding(
                     requirement.place,

@@ -10,8 +10,11 @@ from traceability.model.annotations import MemberText, Text, read_annotations
 from traceability.model.board_coverage import read_board_coverage
 from traceability.model.closed_loop import read_closed_loop
 from traceability.model.declared import read_declared
+from traceability.model.evidence import read_evidence
+from traceability.model.evidence import reasons as reasons_of_evidence
 from traceability.model.facts import Facts, gather_facts
 from traceability.model.results import read_coverage, read_sizes
+from traceability.model.reverse import justify
 from traceability.model.schema import (
     BINDINGS,
     VIRTUAL_K64,
@@ -70,7 +73,8 @@ def build(root: Path) -> Model:
     add_executed_modules(model, traces)
     _add_measures(model, root)
     add_trees(model, facts, traces)
-    _set_states(model)
+    justify(model, facts.declared.justified)
+    set_states(model)
     model.files = source_files(root)
     model.facts = facts
     return model
@@ -368,6 +372,7 @@ def _add_requirements(model: Model, facts: Facts) -> None:
             source=item.text.one("Source"),
             verification=item.text.one("Verification"),
             priority=item.text.one("Priority"),
+            evidence=[read_evidence(text, item.place) for text in item.text.all("Evidence")],
         )
     model.requirements = dict(
         sorted(model.requirements.items(), key=lambda entry: requirement_key(entry[0]))
@@ -434,7 +439,8 @@ def _add_measures(model: Model, root: Path) -> None:
             module.flash_bytes, module.ram_bytes = sizes[module.name]
 
 
-def _set_states(model: Model) -> None:
+def set_states(model: Model) -> None:
+    """Anew after the checks, which count among the evidence."""
     for requirement in model.requirements.values():
         requirement.reasons = _reasons(model, requirement)
         if any(model.tests[name].gave("failed") for name in requirement.verified_by):
@@ -448,9 +454,11 @@ def _set_states(model: Model) -> None:
 def _reasons(model: Model, requirement: Requirement) -> list[str]:
     """Why a requirement is not verified."""
     reasons: list[str] = []
-    if not requirement.satisfied_by:
+    for evidence in requirement.evidence:
+        reasons += reasons_of_evidence(evidence)
+    if requirement.by_calls and not requirement.satisfied_by:
         reasons.append("no method satisfies it")
-    if not requirement.verified_by:
+    if not requirement.evidence and not requirement.verified_by:
         reasons.append("no test verifies it")
     for result, words in (("failed", "failed"), ("skipped", "skipped"), (None, "did not run")):
         for binding in BINDINGS:
@@ -458,7 +466,7 @@ def _reasons(model: Model, requirement: Requirement) -> list[str]:
             if tests:
                 reasons.append(f"{words} on the {binding}: {', '.join(tests)}")
     if requirement.tree is None:
-        return [*reasons, "it has no tree of invocations"]
+        return [*reasons, "it has no tree of invocations"] if requirement.by_calls else reasons
     nodes = nodes_of(requirement.tree)
     reasons += [f"no call reaches {node.label}" for node in nodes if not node.reachable]
     if not requirement.runs:

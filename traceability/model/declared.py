@@ -12,6 +12,7 @@ from traceability.model.schema import (
     AllowedUse,
     ArchitectureElement,
     BoardFinding,
+    Justified,
     Place,
     StateMachine,
     Transition,
@@ -70,6 +71,7 @@ class Declared:
     names: dict[str, list[str]] = field(default_factory=dict)  # logic module -> its modules
     blocks: list[Block] = field(default_factory=list)
     board_findings: dict[str, BoardFinding] = field(default_factory=dict)
+    justified: list[Justified] = field(default_factory=list)
 
 
 def read_declared(root: Path) -> Declared:
@@ -106,6 +108,11 @@ def read_declared(root: Path) -> Declared:
     ]
     for item, place in _tables(root, design / "board_findings.toml", "finding"):
         declared.board_findings[item["id"]] = BoardFinding(item["id"], item["says"], place)
+    declared.justified = [
+        Justified(kind, item["names"], item["why"], place)
+        for kind in ("method", "test")
+        for item, place in _tables(root, design / "justified.toml", kind)
+    ]
     for item, _ in _tables(root, design / "modules.toml", "logic"):
         declared.names[item["folder"]] = item["modules"]
     return declared

@@ -253,6 +253,32 @@ class Test:
 
 
 @dataclass
+class Evidence:
+    """A figure that a tool measures, and its bound. One without a relation could not be read."""
+
+    figure: str
+    relation: str  # "at most", "at least", "exactly"
+    bound: float
+    unit: str
+    place: Place
+    value: float | None = None  # of this run
+
+    @property
+    def demand(self) -> str:
+        return f"{self.relation} {self.bound:g} {self.unit}".strip()
+
+    @property
+    def holds(self) -> bool:
+        if self.value is None:
+            return False
+        if self.relation == "at most":
+            return self.value <= self.bound
+        if self.relation == "at least":
+            return self.value >= self.bound
+        return self.relation == "exactly" and self.value == self.bound
+
+
+@dataclass
 class Requirement:
     """``state``: "verified", "failed", "stale" or "unverified"."""
 
@@ -264,12 +290,29 @@ class Requirement:
     source: str = ""
     verification: str = ""
     priority: str = ""
+    evidence: list[Evidence] = field(default_factory=list)  # instead of calls
     satisfied_by: list[str] = field(default_factory=list)
     verified_by: list[str] = field(default_factory=list)
     tree: TreeNode | None = None
     runs: dict[str, TreeRun] = field(default_factory=dict)  # binding -> run that holds the tree
     state: str = "unverified"
     reasons: list[str] = field(default_factory=list)
+
+    @property
+    def by_calls(self) -> bool:
+        """Whether calls fulfil it: it is functional, or has a tree although it is not."""
+        return self.id.startswith("FR-") or self.tree is not None
+
+
+@dataclass
+class Justified:
+    """Methods or tests that serve no requirement, and why this is right."""
+
+    kind: str  # "method", "test"
+    names: list[str]
+    why: str
+    place: Place
+    covers: list[str] = field(default_factory=list)  # ids that need it
 
 
 @dataclass
@@ -419,6 +462,7 @@ class Model:
     patterns: dict[str, PatternApplication] = field(default_factory=dict)
     requirements: dict[str, Requirement] = field(default_factory=dict)
     tests: dict[str, Test] = field(default_factory=dict)
+    justified: list[Justified] = field(default_factory=list)
     machines: dict[str, StateMachine] = field(default_factory=dict)
     uses: list[Use] = field(default_factory=list)
     allowed_uses: list[AllowedUse] = field(default_factory=list)

@@ -22,6 +22,7 @@ class Crc16 final {
   /// @brief Tells the check sum of all bytes that were added.
   /// @return the check sum
   /// @isr{yes}
+  /// @satisfies FR-40
   [[nodiscard]] std::uint16_t value() const { return value_; }
 
  private:

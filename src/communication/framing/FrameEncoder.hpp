@@ -22,6 +22,7 @@ class FrameEncoder final {
   /// @errors Assertion FrameTooLarge when the payload has more than 123 bytes.
   /// @isr{no}
   /// @satisfies FR-40
+  /// @satisfies FR-176
   [[nodiscard]] std::span<const std::uint8_t> encode(const Frame& frame);
 
  private:

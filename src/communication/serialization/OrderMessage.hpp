@@ -21,16 +21,19 @@ class OrderMessage final : public Serializable {
 
   /// @brief Tells what the order sets.
   /// @return the set-points
+  /// @satisfies FR-170
   [[nodiscard]] const SetPoints& setPoints() const { return setPoints_; }
 
   /// @brief Tells whether the robot is to stop.
   /// @return true for a stop
+  /// @satisfies FR-21
   [[nodiscard]] bool stop() const { return stop_ == kStop; }
 
   /// @brief Tells whether each field is in its range. The fields beside the stop count in a stop
   /// order too.
   /// @return true when the order can be carried out
   /// @satisfies FR-46
+  /// @satisfies FR-178
   [[nodiscard]] bool inRange() const;
 
   [[nodiscard]] bool readFrom(Reader& reader) override;

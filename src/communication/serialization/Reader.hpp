@@ -50,12 +50,14 @@ class Reader {
   /// @param field name of the field
   /// @return value of the field; 0 when the order has no such field
   /// @isr{no}
+  /// @satisfies FR-170
   virtual std::uint32_t readU32(Field field) = 0;
 
   /// @brief Reads a field of 32 bits with sign.
   /// @param field name of the field
   /// @return value of the field; 0 when the order has no such field
   /// @isr{no}
+  /// @satisfies FR-170
   virtual std::int32_t readI32(Field field) = 0;
 
   /// @brief Ends the read of one object. The object is consumed: it is not available any more.

@@ -20,6 +20,7 @@ class ReportMessage final : public Serializable {
 
   /// @brief Tells what the report tells.
   /// @return the data of the report
+  /// @satisfies FR-170
   [[nodiscard]] const ReportData& data() const { return data_; }
 
   [[nodiscard]] bool readFrom(Reader& reader) override;
@@ -37,6 +38,7 @@ class ReportMessage final : public Serializable {
   /// @satisfies FR-67
   /// @satisfies FR-68
   /// @satisfies FR-69
+  /// @satisfies FR-177
   [[nodiscard]] bool writeTo(Writer& writer) const override;
 
  private:

@@ -23,11 +23,13 @@ class SerialWriter final : public Writer {
 
   /// @brief Begins a new object: forgets all bytes.
   /// @isr{no}
+  /// @satisfies FR-170
   void clear();
 
   /// @brief Tells the bytes that were written since the last clear.
   /// @return the bytes, valid until the next write or clear
   /// @isr{no}
+  /// @satisfies FR-170
   [[nodiscard]] std::span<const std::uint8_t> bytes() const;
 
   void writeU8(Field field, std::uint8_t value) override;

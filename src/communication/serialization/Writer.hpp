@@ -19,35 +19,41 @@ class Writer {
   /// @param field name of the field
   /// @param value value of the field
   /// @isr{no}
+  /// @satisfies FR-170
   virtual void writeU8(Field field, std::uint8_t value) = 0;
 
   /// @brief Writes a field of 16 bits without sign.
   /// @param field name of the field
   /// @param value value of the field
   /// @isr{no}
+  /// @satisfies FR-170
   virtual void writeU16(Field field, std::uint16_t value) = 0;
 
   /// @brief Writes a field of 16 bits with sign.
   /// @param field name of the field
   /// @param value value of the field
   /// @isr{no}
+  /// @satisfies FR-170
   virtual void writeI16(Field field, std::int16_t value) = 0;
 
   /// @brief Writes a field of 32 bits without sign.
   /// @param field name of the field
   /// @param value value of the field
   /// @isr{no}
+  /// @satisfies FR-170
   virtual void writeU32(Field field, std::uint32_t value) = 0;
 
   /// @brief Writes a field of 32 bits with sign.
   /// @param field name of the field
   /// @param value value of the field
   /// @isr{no}
+  /// @satisfies FR-170
   virtual void writeI32(Field field, std::int32_t value) = 0;
 
   /// @brief Ends the write of one object.
   /// @return false when a field of the object found no room
   /// @isr{no}
+  /// @satisfies FR-170
   virtual bool finish() = 0;
 
  protected:

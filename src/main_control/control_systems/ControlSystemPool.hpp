@@ -33,6 +33,7 @@ class ControlSystemPool {
   /// @param system control system that lives as long as the pool
   /// @errors A pool that is full ends the program with the assertion PoolFull.
   /// @isr{no}
+  /// @satisfies FR-176
   void add(ControlSystem& system);
 
   /// @brief Orders all control systems to follow the set-points.

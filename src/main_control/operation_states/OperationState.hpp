@@ -64,6 +64,7 @@ class OperationState {
   /// @brief The number of this state.
   /// @return number of the state, as in reports.
   /// @isr{yes}
+  /// @satisfies FR-61
   [[nodiscard]] OperationStateId id() const;
 
  protected:

@@ -53,6 +53,7 @@ TEST(FrameEncoder, FR40_AgreesWithTheReference) {
 }
 
 /// @brief A payload that no frame can carry is a fault of the program.
+/// @verifies FR-176
 TEST(FrameEncoderDeathTest, RefusesAPayloadThatIsTooLarge) {
   FrameEncoder encoder;
   const Bytes payload(kMaxPayload + 1, 1);

@@ -139,6 +139,7 @@ TEST_F(BufferReaderTest, FR50_AFailedReadConsumes) {
 }
 
 /// @brief A field that such an order does not have is read as 0, and told at the finish.
+/// @verifies FR-51
 TEST_F(BufferReaderTest, UnknownFieldsFail) {
   velocitySignal(1);
   directionSignal(1);

@@ -24,6 +24,7 @@ OrderMessage withSteering(int angle) {
 }
 
 /// @brief An order without content is in range and does not stop.
+/// @verifies FR-178
 TEST(OrderMessage, IsAnOrderToStandStill) {
   const OrderMessage order;
   EXPECT_TRUE(order.inRange());
@@ -33,6 +34,7 @@ TEST(OrderMessage, IsAnOrderToStandStill) {
 
 /// @brief The steering may be set to 32 degrees to each side, and no further.
 /// @verifies FR-46
+/// @verifies FR-178
 TEST(OrderMessage, FR46_SteeringIsInRangeUpToTheLimit) {
   EXPECT_TRUE(withSteering(3200).inRange());
   EXPECT_TRUE(withSteering(-3200).inRange());
@@ -42,6 +44,7 @@ TEST(OrderMessage, FR46_SteeringIsInRangeUpToTheLimit) {
 
 /// @brief The value of each wheel is in range up to the limit of its quantity, forwards and backwards.
 /// @verifies FR-46
+/// @verifies FR-178
 TEST(OrderMessage, FR46_EachWheelIsInRangeUpToTheLimitOfItsQuantity) {
   const std::vector<std::pair<WheelQuantity, int>> limits{
       {WheelQuantity::Velocity, 3000},
@@ -76,6 +79,7 @@ TEST(OrderMessage, FR46_StopIsYesOrNo) {
 }
 
 /// @brief What is written is what the protocol says, and is read back the same.
+/// @verifies FR-170
 TEST(OrderMessage, IsReadAsItWasWritten) {
   SetPoints setPoints;
   setPoints.orderId = 0x1234;
@@ -98,6 +102,7 @@ TEST(OrderMessage, IsReadAsItWasWritten) {
 }
 
 /// @brief An order of which the source holds only a part is not read.
+/// @verifies FR-45
 TEST(OrderMessage, AnIncompleteOrderIsNotRead) {
   test::FakeTimebase clock;
   SerialReader reader(clock);

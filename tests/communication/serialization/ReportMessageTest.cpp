@@ -302,6 +302,7 @@ TEST(ReportMessage, FR69_EachCountOfRejectedEdgesHasItsPlace) {
 }
 
 /// @brief A value that its field cannot hold is sent as the nearest one that it can.
+/// @verifies FR-177
 TEST(ReportMessage, ValuesAreLimitedToTheirFields) {
   ReportData data;
   data.measurements.wheels[0].velocity = Velocity(40000);
@@ -332,6 +333,7 @@ TEST(ReportMessage, IsReadAsItWasWritten) {
 }
 
 /// @brief A report of which the source holds only a part is not read.
+/// @verifies FR-170
 TEST(ReportMessage, AnIncompleteReportIsNotRead) {
   Bytes bytes = written({});
   bytes.pop_back();
@@ -341,6 +343,7 @@ TEST(ReportMessage, AnIncompleteReportIsNotRead) {
 }
 
 /// @brief A report for which there is no room is told.
+/// @verifies FR-64
 TEST(ReportMessage, AReportWithoutRoomIsTold) {
   SerialWriter writer;
   ASSERT_TRUE(ReportMessage().writeTo(writer));

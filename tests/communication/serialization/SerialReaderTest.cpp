@@ -30,6 +30,7 @@ TEST_F(SerialReaderTest, FR20_HoldsNothingAfterStart) {
 }
 
 /// @brief Each field of an order is read as it was sent.
+/// @verifies FR-170
 TEST_F(SerialReaderTest, ReadsWhatWasSent) {
   auto bytes = orderBytes(0xFFFE, -3200, 0, -3000);
   bytes[7] = 1;  // wheel 1: tension 24000 mV
@@ -131,6 +132,7 @@ TEST_F(SerialReaderTest, FR40_NumbersAreLittleEndian) {
 }
 
 /// @brief A read beyond the end gives 0, is told at the finish, and does not spoil the next read.
+/// @verifies FR-45
 TEST_F(SerialReaderTest, AReadBeyondTheEndFails) {
   reader.offer(orderBytes(1, 0, 0, 0, 1));
   for (int i = 0; i < 4; ++i) {

@@ -23,6 +23,7 @@ TEST(SerialWriter, FR40_NumbersAreLittleEndian) {
 }
 
 /// @brief A cleared writer begins anew.
+/// @verifies FR-170
 TEST(SerialWriter, BeginsAnew) {
   SerialWriter writer;
   writer.writeU8({FieldName::Stop}, 1);
@@ -31,6 +32,7 @@ TEST(SerialWriter, BeginsAnew) {
 }
 
 /// @brief A field that does not fit is not written in part, and is told at the finish.
+/// @verifies FR-64
 TEST(SerialWriter, TellsThatAFieldDidNotFit) {
   SerialWriter writer;
   for (std::size_t i = 0; i + 1 < SerialWriter::kCapacity; ++i) {

@@ -81,6 +81,7 @@ TEST_F(ControlSystemPoolTest, FR62_PoolGathersValues) {
 }
 
 /// @brief A system too many ends the program.
+/// @verifies FR-176
 TEST_F(ControlSystemPoolTest, SystemTooManyEndsTheProgram) {
   for (std::size_t i = 0; i < ControlSystemPool::kCapacity; ++i) {
     pool.add(one);

@@ -133,6 +133,7 @@ TEST_F(BluetoothLinkTest, FR151_AllBytesOfACycleAreTakenIn) {
 }
 
 /// @brief Nothing is sent to the device.
+/// @verifies FR-179
 TEST_F(BluetoothLinkTest, NothingIsSent) {
   port.arrive(device.hello());
   port.arrive(device.order({.id = 6}));
