@@ -28,7 +28,8 @@ class Outcome:
 def run_tests(program: Path, mutant: int, seconds: dict[str, float]) -> Outcome:
     """Runs tests with a mutant switched on; 0 is none.
 
-    ``seconds`` names the tests, and tells how long each took without a mutant. A test that ends the program has failed; the others run in the next process.
+    ``seconds`` names the tests, and tells how long each took without a mutant. A test that ends the
+    program has failed; the others run in the next process.
     """
     outcome = Outcome()
     left = dict(seconds)
