@@ -1,16 +1,22 @@
-"""req-*: each requirement is satisfied by code and verified by tests that ran and passed."""
+"""req-*, suspect-*: each requirement is satisfied by code, verified by tests that ran and passed, and
+its links were reviewed."""
 
 from __future__ import annotations
 
 import re
 
+from traceability.model.declared import JUSTIFIED
 from traceability.model.facts import Facts
 from traceability.model.results import RESULTS, RUNS
-from traceability.model.schema import Finding, Model, Place
+from traceability.model.reviews import REVIEWS
+from traceability.model.schema import HOST, Finding, Model, Place
+
+_VERBS = {"method": "satisfies", "test": "verifies"}
 
 
-def check(model: Model, _facts: Facts) -> list[Finding]:
-    return _tags(model) + _requirements(model) + _unknown(model) + _stale(model) + _results(model)
+def check(model: Model, facts: Facts) -> list[Finding]:
+    families = (_tags, _requirements, _unknown, _stale, _results, _lines, _suspects)
+    return [finding for family in families for finding in family(model)] + _reasons(model, facts)
 
 
 def _stale(model: Model) -> list[Finding]:
@@ -104,3 +110,65 @@ def _tags(model: Model) -> list[Finding]:
                 )
             )
     return found
+
+
+def _lines(model: Model) -> list[Finding]:
+    """Each line of a method is executed by tests of its requirements, or justified."""
+    if model.stale_on(HOST):
+        return []
+    return [
+        Finding(
+            gap.place,
+            "req-line",
+            f"no test of {', '.join(gap.requirements) or 'any requirement'} executes "
+            f"{_listed(gap.lines)} of {gap.method}",
+            f"test it for its requirement, remove it, or justify it in {JUSTIFIED}",
+        )
+        for gap in model.line_gaps
+        if not gap.reason
+    ]
+
+
+def _listed(lines: list[int]) -> str:
+    return f"line{'s' if len(lines) > 1 else ''} {', '.join(map(str, lines))}"
+
+
+def _reasons(model: Model, facts: Facts) -> list[Finding]:
+    """No reason for what needs none."""
+    if model.stale_on(HOST):
+        return []
+    gaps = {gap.method for gap in model.line_gaps}
+    return [
+        Finding(
+            one.place,
+            "req-line",
+            f"tests of its requirements execute all lines of {one.method}, which is justified here",
+            "remove the entry",
+        )
+        for one in facts.declared.justified.values()
+        if one.method not in gaps
+    ]
+
+
+def _suspects(model: Model) -> list[Finding]:
+    found = [
+        Finding(
+            one.place,
+            f"suspect-{one.kind}",
+            f"{one.name} {one.text}"
+            if one.kind == "requirement"
+            else f"{one.name}, which {_VERBS[one.kind]} {requirement.id}, {one.text}",
+            f"look at it: ./wr review {requirement.id}",
+        )
+        for requirement in model.requirements.values()
+        for one in requirement.suspicions
+    ]
+    return found + [
+        Finding(
+            Place(str(REVIEWS), 1),
+            "suspect-requirement",
+            f"{name} was reviewed and is no more",
+            "remove its entry",
+        )
+        for name in model.reviews_of_nothing
+    ]

@@ -7,7 +7,18 @@ import os
 import sys
 from pathlib import Path
 
-from traceability.commands import check, firmware, flash, lint, portal, robot, serve, sim, test
+from traceability.commands import (
+    check,
+    firmware,
+    flash,
+    lint,
+    portal,
+    review,
+    robot,
+    serve,
+    sim,
+    test,
+)
 from traceability.commands.steps import FailureError, MissingError
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -18,7 +29,7 @@ INTERRUPTED = 130
 def parser() -> argparse.ArgumentParser:
     top = argparse.ArgumentParser(prog="./wr")
     commands = top.add_subparsers(dest="command", required=True, metavar="<command>")
-    for module in (portal, test, check, lint, firmware, flash, sim, robot, serve):
+    for module in (portal, test, check, review, lint, firmware, flash, sim, robot, serve):
         module.add(commands)
     setup = commands.add_parser(
         "setup",

@@ -18,6 +18,7 @@ from traceability.model.schema import (
     TreeNode,
 )
 
+JUSTIFIED = "requirements/justified_lines.toml"
 PACKAGE_DESIGN = Path(__file__).parents[2] / "design"
 
 
@@ -58,6 +59,15 @@ class Block:
 
 
 @dataclass
+class Justified:
+    """A method with lines that no test of its requirements executes, and why that is right."""
+
+    method: str
+    reason: str
+    place: Place
+
+
+@dataclass
 class Declared:
     machines: dict[str, StateMachine] = field(default_factory=dict)
     architecture: list[ArchitectureElement] = field(default_factory=list)
@@ -70,6 +80,7 @@ class Declared:
     names: dict[str, list[str]] = field(default_factory=dict)  # logic module -> its modules
     blocks: list[Block] = field(default_factory=list)
     board_findings: dict[str, BoardFinding] = field(default_factory=dict)
+    justified: dict[str, Justified] = field(default_factory=dict)  # method -> why
 
 
 def read_declared(root: Path) -> Declared:
@@ -106,6 +117,8 @@ def read_declared(root: Path) -> Declared:
     ]
     for item, place in _tables(root, design / "board_findings.toml", "finding"):
         declared.board_findings[item["id"]] = BoardFinding(item["id"], item["says"], place)
+    for item, place in _tables(root, root / JUSTIFIED, "justified"):
+        declared.justified[item["method"]] = Justified(item["method"], item["reason"], place)
     for item, _ in _tables(root, design / "modules.toml", "logic"):
         declared.names[item["folder"]] = item["modules"]
     return declared
