@@ -89,7 +89,7 @@ def metrics(model: Model) -> dict[str, Any]:
         "requirements.verified": (
             sum(item.state == "verified" for item in requirements) if fresh else None
         ),
-        "requirements.suspect": None,
+        "requirements.suspect": sum(bool(item.suspicions) for item in requirements),
         "trees.total": len(trees),
         "trees.static": sum(all(node.reachable for node in nodes) for nodes in trees),
         "trees.executed": (sum(bool(item.runs) for item in requirements) if fresh else None),

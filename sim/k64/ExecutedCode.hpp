@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -25,6 +26,9 @@ class ExecutedCode {
     const std::size_t half = address / 2;
     return half / 8 < bits_.size() && (bits_[half / 8] >> half % 8 & 1U) != 0;
   }
+
+  /// @brief Forgets all.
+  void clear() { std::ranges::fill(bits_, std::uint8_t{0}); }
 
   /// @brief All bits, from address 0.
   [[nodiscard]] std::span<const std::uint8_t> bits() const { return bits_; }

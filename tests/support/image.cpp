@@ -1,6 +1,6 @@
 // Boards with the image under test. The calls of the firmware are recorded as on the host: one file
-// for each test in the folder WR_TRACE_DIR, see trace.cpp. Which instructions all tests together
-// executed is in the file executed.bits there: one bit for each half-word of the flash.
+// for each test in the folder WR_TRACE_DIR, see trace.cpp. Which instructions it executed is in the
+// file <suite>.<test>.bits there: one bit for each half-word of the flash, up to the last one set.
 
 #include "support/image.hpp"
 
@@ -29,10 +29,21 @@ k64::ExecutedCode& executed() {
   return instance;
 }
 
+void writeBits(const std::filesystem::path& path) {
+  const auto bits = executed().bits();
+  const auto last = std::ranges::find_if(bits.rbegin(), bits.rend(),
+                                         [](std::uint8_t byte) { return byte != 0; });
+  std::ofstream file(path, std::ios::binary);
+  for (const std::uint8_t byte : std::ranges::subrange(bits.begin(), last.base())) {
+    file.put(static_cast<char>(byte));
+  }
+}
+
 class Recording final : public testing::EmptyTestEventListener {
   void OnTestStart(const testing::TestInfo& /*test*/) override {
     if (std::filesystem::exists(elfFile())) {
       recorder().clear();
+      executed().clear();
     }
   }
 
@@ -45,19 +56,11 @@ class Recording final : public testing::EmptyTestEventListener {
     const std::filesystem::path folder = WR_TRACE_DIR;
     std::filesystem::create_directories(folder);
     recorder().write(folder / (name + ".bin"));
+    writeBits(folder / (name + ".bits"));
     std::filesystem::remove(folder / (name + ".truncated"));
     if (recorder().truncated()) {
       std::ofstream(folder / (name + ".truncated"))
           << "The record ends after " << recorder().events().size() << " events.\n";
-    }
-  }
-
-  void OnTestProgramEnd(const testing::UnitTest& /*all*/) override {
-    const std::filesystem::path folder = WR_TRACE_DIR;
-    std::filesystem::create_directories(folder);
-    std::ofstream file(folder / "executed.bits", std::ios::binary);
-    for (const std::uint8_t byte : executed().bits()) {
-      file.put(static_cast<char>(byte));
     }
   }
 };

@@ -289,6 +289,39 @@ _FIXED = [
         "run ./wr test.",
     ),
     Check(
+        "req-line",
+        "Each line serves a requirement",
+        "Each line of a method of the design is executed by a passing test of a requirement that the "
+        "method serves: its tree holds the method, the method is tagged with it, or what calls the "
+        "method serves it. Other lines are justified in requirements/justified_lines.toml.",
+        "the drivers of the K64, whose lines the page of the virtual K64 lists; whether the test "
+        "looks at what the line does.",
+        "test the line for its requirement, remove it, or justify it.",
+    ),
+    Check(
+        "suspect-requirement",
+        "The text of a requirement was reviewed",
+        "A person reviewed each requirement with its links, and its text is as it was then.",
+        "how well the person looked; how the text is laid out in lines.",
+        "run ./wr review with the id of the requirement.",
+    ),
+    Check(
+        "suspect-method",
+        "Satisfying methods were reviewed",
+        "The methods that satisfy a requirement, and the specification of each, are as they were "
+        "when the requirement was reviewed.",
+        "the bodies of the methods: the tests look at them; formatting.",
+        "run ./wr review with the id of the requirement.",
+    ),
+    Check(
+        "suspect-test",
+        "Verifying tests were reviewed",
+        "The tests that verify a requirement, and the body of each, are as they were when the "
+        "requirement was reviewed.",
+        "fixtures and what a body calls; comments and formatting.",
+        "run ./wr review with the id of the requirement.",
+    ),
+    Check(
         "link-doc",
         "Links of hand-written pages",
         "Every reference in docs/ has a target.",

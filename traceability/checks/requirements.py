@@ -1,4 +1,5 @@
-"""req-*: each requirement is satisfied by code and verified by tests that ran and passed."""
+"""req-*, suspect-*: each requirement is satisfied by code, verified by tests that ran and passed, and
+its links were reviewed."""
 
 from __future__ import annotations
 
@@ -8,11 +9,14 @@ from traceability.model.evidence import reasons
 from traceability.model.facts import Facts
 from traceability.model.results import RESULTS, RUNS
 from traceability.model.reverse import methods_without, tests_without
-from traceability.model.schema import Finding, Model, Place
+from traceability.model.reviews import REVIEWS
+from traceability.model.schema import HOST, Finding, Model, Place
+
+_VERBS = {"method": "satisfies", "test": "verifies"}
 
 
 def check(model: Model, _facts: Facts) -> list[Finding]:
-    parts = (_tags, _requirements, _unknown, _stale, _results, _without, _unneeded)
+    parts = (_tags, _requirements, _unknown, _stale, _results, _without, _unneeded, _lines, _suspects)
     return [finding for part in parts for finding in part(model)]
 
 
@@ -51,7 +55,7 @@ def _unneeded(model: Model) -> list[Finding]:
             "remove the entry, or correct its names",
         )
         for item in model.justified
-        if not item.covers
+        if not item.covers and not (item.kind == "line" and model.stale_on(HOST))
     ]
 
 
@@ -161,3 +165,48 @@ def _tags(model: Model) -> list[Finding]:
                 )
             )
     return found
+
+
+def _lines(model: Model) -> list[Finding]:
+    """Each line of a method is executed by tests of its requirements, or justified."""
+    if model.stale_on(HOST):
+        return []
+    return [
+        Finding(
+            gap.place,
+            "req-line",
+            f"no test of {', '.join(gap.requirements) or 'any requirement'} executes "
+            f"{_listed(gap.lines)} of {gap.method}",
+            "test it for its requirement, remove it, or justify it in design/justified.toml",
+        )
+        for gap in model.line_gaps
+        if not gap.reason
+    ]
+
+
+def _listed(lines: list[int]) -> str:
+    return f"line{'s' if len(lines) > 1 else ''} {', '.join(map(str, lines))}"
+
+
+def _suspects(model: Model) -> list[Finding]:
+    found = [
+        Finding(
+            one.place,
+            f"suspect-{one.kind}",
+            f"{one.name} {one.text}"
+            if one.kind == "requirement"
+            else f"{one.name}, which {_VERBS[one.kind]} {requirement.id}, {one.text}",
+            f"look at it: ./wr review {requirement.id}",
+        )
+        for requirement in model.requirements.values()
+        for one in requirement.suspicions
+    ]
+    return found + [
+        Finding(
+            Place(str(REVIEWS), 1),
+            "suspect-requirement",
+            f"{name} was reviewed and is no more",
+            "remove its entry",
+        )
+        for name in model.reviews_of_nothing
+    ]

@@ -12,7 +12,7 @@ from typing import TextIO
 
 from traceability.commands.steps import FailureError, run
 from traceability.products import DEFAULT, PRODUCTS, image_of
-from traceability.sources import DESIGN, hash_of, source_hash
+from traceability.sources import hash_of, source_hash
 
 # CMake keeps what it once read of them, so that a change needs a fresh configuration.
 SETTINGS = ("CMakePresets.json", "setup/k64-toolchain.cmake")
@@ -89,9 +89,8 @@ def junit_counts(results: Path) -> Counts:
 
 
 def results_of(root: Path, run_name: str) -> Path:
-    """The result file of the tests; coverage.json is the coverage itself."""
-    name = "coverage_tests" if run_name == "coverage" else run_name
-    return root / "build" / "results" / f"{name}.json"
+    """The result file of the tests."""
+    return root / "build" / "results" / f"{run_name}.json"
 
 
 def tested(root: Path, run_name: str) -> dict[str, str]:
@@ -133,8 +132,6 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> tuple[Counts, bool]:
     stamp.unlink(missing_ok=True)
     binaries = root / "build" / (BOARD_PRESET if on_board else run_name)
     shutil.rmtree(binaries / ("traces-board" if on_board else "traces"), ignore_errors=True)
-    for counter in binaries.rglob("*.gcda"):
-        counter.unlink()
     program = binaries / "tests" / (BOARD_TESTS if on_board else "firmware_tests")
     ended = ""
     try:
@@ -148,24 +145,6 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> tuple[Counts, bool]:
         raise FailureError(ended)
     stamp.write_text(json.dumps(now) + "\n")
     return counts, True
-
-
-def measure_coverage(root: Path, log: TextIO) -> None:
-    """Writes build/results/coverage.json from the counters of the last run of the tests."""
-    result = root / "build" / "results" / "coverage.json"
-    ran = results_of(root, "coverage")
-    if result.exists() and result.stat().st_mtime >= ran.stat().st_mtime:
-        return
-    run(
-        log,
-        [
-            root / ".venv" / "bin" / "gcovr",
-            *("--root", root, "-j", jobs()),
-            *(word for name in DESIGN for word in ("--filter", root / name)),
-            *("--exclude-throw-branches", "--exclude-unreachable-branches"),
-            *("--json", result, root / "build" / "coverage"),
-        ],
-    )
 
 
 def require_counts(counts: Counts, fresh: bool) -> str:

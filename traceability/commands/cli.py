@@ -14,6 +14,7 @@ from traceability.commands import (
     lint,
     mutate,
     portal,
+    review,
     robot,
     serve,
     sim,
@@ -29,7 +30,7 @@ INTERRUPTED = 130
 def parser() -> argparse.ArgumentParser:
     top = argparse.ArgumentParser(prog="./wr")
     commands = top.add_subparsers(dest="command", required=True, metavar="<command>")
-    for module in (portal, test, check, mutate, lint, firmware, flash, sim, robot, serve):
+    for module in (portal, test, check, review, mutate, lint, firmware, flash, sim, robot, serve):
         module.add(commands)
     setup = commands.add_parser(
         "setup",

@@ -7,13 +7,7 @@ import time
 from pathlib import Path
 from typing import TextIO
 
-from traceability.commands.builds import (
-    BOARD,
-    Counts,
-    measure_coverage,
-    require_counts,
-    run_tests,
-)
+from traceability.commands.builds import BOARD, Counts, require_counts, run_tests
 from traceability.commands.check import STEPS as DOCUMENT_STEPS
 from traceability.commands.check import make_documents, report
 from traceability.commands.closed_loop import play_all
@@ -21,7 +15,7 @@ from traceability.commands.firmware import build_firmware
 from traceability.commands.serve import add_port, serve
 from traceability.commands.steps import Steps
 
-BUILD_STEPS = 6
+BUILD_STEPS = 5
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -50,7 +44,6 @@ def portal(root: Path, options: argparse.Namespace) -> int:
     if not options.docs_only:
         build_firmware(root, steps)
         traced_tests(root, steps)
-        covered_tests(root, steps)
         board_tests(root, steps)
         closed_loop(root, steps)
     figures = (lambda: {"build.cold_s": round(time.monotonic() - start, 1)}) if cold else dict
@@ -89,12 +82,3 @@ def counted_tests(root: Path, steps: Steps, title: str, run_name: str) -> Counts
 
     steps.run(f"tests ({title})", action)
     return counts
-
-
-def covered_tests(root: Path, steps: Steps) -> None:
-    def action(log: TextIO) -> str:
-        counts, fresh = run_tests(root, "coverage", log)
-        measure_coverage(root, log)
-        return require_counts(counts, fresh)
-
-    steps.run("tests (coverage)", action)

@@ -22,6 +22,7 @@ VIEWS = [
 ]
 VERDICTS = {
     "verified": ("ok", "verified"),
+    "suspect": ("warn", "suspect"),
     "failed": ("bad", "failed"),
     "stale": ("warn", "stale"),
     "unverified": ("none", "not verified"),

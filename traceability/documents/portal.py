@@ -21,7 +21,7 @@ from traceability.model.schema import Finding, Model, Module, Place, Requirement
 SITE = Path(__file__).resolve().parents[2] / "site"
 
 LATER = {"doc-warning", "link-doc", "link-site"}  # Sphinx and the finished site tell
-DYNAMIC = {"tree-dynamic", "req-passed"}  # they need results of these sources
+DYNAMIC = {"tree-dynamic", "req-passed", "req-line"}  # they need results of these sources
 
 
 @dataclass

@@ -1,7 +1,7 @@
-"""Which lines of the drivers the tests executed on the virtual K64.
+"""Which lines of the design were executed on the virtual K64.
 
-The drivers are built for the K64 only, so no coverage of this machine tells of them. The tests on
-the virtual K64 leave one bit for each half-word of the flash that they executed; the image knows
+The drivers are built for the K64 only, so no coverage of this machine tells of them. A test on
+the virtual K64 leaves one bit for each half-word of the flash that it executed; the image knows
 the line that each of its instructions was made from.
 """
 
@@ -14,41 +14,42 @@ from pathlib import Path
 
 from traceability.model.schema import VIRTUAL_K64
 from traceability.model.traces import SOURCES
+from traceability.sources import DESIGN
 
 ELF = SOURCES[VIRTUAL_K64].executable
-EXECUTED = SOURCES[VIRTUAL_K64].folder / "executed.bits"
-DRIVERS = "src/k64/"
+FOLDERS = tuple(f"{name}/" for name in DESIGN)
 FILE = re.compile(r"^(\S+):(?:\[\++\])?$")
 ROW = re.compile(r"^\S+\s+(\d+|-)\s+0x([0-9a-f]+)")
 
 Stretch = tuple[str, int, int, int]  # file, line, first address, address after the last one
 
 
-def read_board_coverage(root: Path) -> dict[str, dict[int, bool]] | None:
-    """File -> line -> whether it was executed; None when nothing was recorded."""
-    if not (root / EXECUTED).is_file() or not (root / ELF).is_file():
-        return None
+def read_stretches(root: Path) -> list[Stretch]:
+    """The code of the image in stretches of one line of source each; none without an image."""
     listing = subprocess.run(
         ["arm-none-eabi-objdump", "--dwarf=decodedline", root / ELF],
         capture_output=True, text=True, check=False,
     )  # fmt: skip
-    if listing.returncode != 0:
-        return None
-    return lines_executed(stretches(listing.stdout.splitlines()), (root / EXECUTED).read_bytes())
+    return list(stretches(listing.stdout.splitlines())) if listing.returncode == 0 else []
 
 
 def lines_executed(found: Iterable[Stretch], executed: bytes) -> dict[str, dict[int, bool]]:
-    """A line is executed when any instruction that was made from it is."""
+    """File -> line -> whether any instruction that was made from it was executed.
+
+    The bits end with the last instruction that was.
+    """
     files: dict[str, dict[int, bool]] = {}
+    last = 8 * len(executed)
     for file, line, first, end in found:
         lines = files.setdefault(file, {})
-        hit = any(executed[half // 8] >> half % 8 & 1 for half in range(first // 2, end // 2))
+        halves = range(first // 2, min(end // 2, last))
+        hit = any(executed[half // 8] >> half % 8 & 1 for half in halves)
         lines[line] = lines.get(line, False) or hit
     return files
 
 
 def stretches(listing: Iterable[str]) -> Iterator[Stretch]:
-    """The code of the drivers as the linker left it, in stretches of one line of source each."""
+    """The code of the design as the linker left it, in stretches of one line of source each."""
     file = ""
     before: tuple[str, int, int] | None = None
     dropped = False
@@ -59,6 +60,6 @@ def stretches(listing: Iterable[str]) -> Iterator[Stretch]:
             number, address = match[1], int(match[2], 16)
             if before is None:
                 dropped = address == 0  # code that the linker left out keeps no address
-            elif address > before[2] and not dropped and before[0].startswith(DRIVERS):
+            elif address > before[2] and not dropped and before[0].startswith(FOLDERS):
                 yield (*before, address)
             before = None if number == "-" else (file, int(number), address)

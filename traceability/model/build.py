@@ -7,16 +7,18 @@ import subprocess
 from pathlib import Path
 
 from traceability.model.annotations import MemberText, Text, read_annotations
-from traceability.model.board_coverage import read_board_coverage
 from traceability.model.closed_loop import read_closed_loop
+from traceability.model.coverage import Coverage, read_coverage
 from traceability.model.declared import read_declared
 from traceability.model.evidence import read_evidence
 from traceability.model.evidence import reasons as reasons_of_evidence
 from traceability.model.facts import Facts, gather_facts
-from traceability.model.results import read_coverage, read_sizes
+from traceability.model.results import read_sizes
 from traceability.model.reverse import justify
+from traceability.model.reviews import add_reviews
 from traceability.model.schema import (
     BINDINGS,
+    HOST,
     VIRTUAL_K64,
     Call,
     Function,
@@ -35,7 +37,10 @@ from traceability.model.syntax import BodyFact, MethodFact, read_syntax
 from traceability.model.tests import add_board_findings, add_executed_modules, add_tests
 from traceability.model.traces import nodes_of, read_traces
 from traceability.model.trees import add_trees
+from traceability.model.verification import add_verification
 from traceability.sources import DESIGN, SRC, files_below, source_hash
+
+DRIVERS = f"{SRC}/k64/"
 
 
 def build(root: Path) -> Model:
@@ -71,9 +76,12 @@ def build(root: Path) -> Model:
     add_board_findings(model, facts)
     model.closed_loop = read_closed_loop(root, model.sources_hash)
     add_executed_modules(model, traces)
-    _add_measures(model, root)
+    coverage = read_coverage(root, build_folder)
+    _add_measures(model, root, coverage)
     add_trees(model, facts, traces)
+    add_verification(model, facts, coverage)
     justify(model, facts.declared.justified)
+    add_reviews(model, root)
     set_states(model)
     model.files = source_files(root)
     model.facts = facts
@@ -415,28 +423,37 @@ def _add_uses(model: Model, facts: Facts) -> None:
             model.uses.append(Use(source, target, places))
 
 
-def _add_measures(model: Model, root: Path) -> None:
-    coverage = read_coverage(root)
-    if not model.stale_on(VIRTUAL_K64):
-        model.board_lines = read_board_coverage(root)
+def _add_measures(model: Model, root: Path, coverage: dict[str, Coverage]) -> None:
+    whole, covered = coverage[HOST].whole, coverage[HOST].all()
+    model.board_lines = _board_lines(model, coverage[VIRTUAL_K64])
     sizes = read_sizes(root)
     for module in model.modules.values():
         if module.datatype:
             continue
         for file in (module.header, module.source):
-            if file is None or file not in coverage:
+            if file is None or file not in whole.lines:
                 continue
-            measured = coverage[file]
-            module.line_hits[file] = measured.lines
-            module.lines_total = (module.lines_total or 0) + len(measured.lines)
-            hit = sum(1 for hits in measured.lines.values() if hits)
-            module.lines_covered = (module.lines_covered or 0) + hit
-            taken = sum(branch[0] for branch in measured.branches.values())
-            module.branches_covered = (module.branches_covered or 0) + taken
-            total = sum(branch[1] for branch in measured.branches.values())
-            module.branches_total = (module.branches_total or 0) + total
+            lines, hit = whole.lines[file], covered.lines.get(file, set())
+            branches, taken = whole.branches[file], covered.branches.get(file, set())
+            module.line_hits[file] = {line: int(line in hit) for line in sorted(lines)}
+            module.lines_total = (module.lines_total or 0) + len(lines)
+            module.lines_covered = (module.lines_covered or 0) + len(lines & hit)
+            module.branches_total = (module.branches_total or 0) + len(branches)
+            module.branches_covered = (module.branches_covered or 0) + len(branches & taken)
         if module.name in sizes:
             module.flash_bytes, module.ram_bytes = sizes[module.name]
+
+
+def _board_lines(model: Model, coverage: Coverage) -> dict[str, dict[int, bool]] | None:
+    """The lines of the drivers, which this machine does not run."""
+    if model.stale_on(VIRTUAL_K64) or not coverage.recordings:
+        return None
+    covered = coverage.all()
+    return {
+        file: {line: line in covered.lines.get(file, set()) for line in sorted(lines)}
+        for file, lines in sorted(coverage.whole.lines.items())
+        if file.startswith(DRIVERS)
+    }
 
 
 def set_states(model: Model) -> None:
@@ -448,7 +465,8 @@ def set_states(model: Model) -> None:
         elif requirement.reasons:
             requirement.state = "unverified"
         else:
-            requirement.state = "stale" if model.results_stale else "verified"
+            sound = "suspect" if requirement.suspicions else "verified"
+            requirement.state = "stale" if model.results_stale else sound
 
 
 def _reasons(model: Model, requirement: Requirement) -> list[str]:

@@ -110,7 +110,7 @@ def read_declared(root: Path) -> Declared:
         declared.board_findings[item["id"]] = BoardFinding(item["id"], item["says"], place)
     declared.justified = [
         Justified(kind, item["names"], item["why"], place)
-        for kind in ("method", "test")
+        for kind in ("method", "test", "line")
         for item, place in _tables(root, design / "justified.toml", kind)
     ]
     for item, _ in _tables(root, design / "modules.toml", "logic"):

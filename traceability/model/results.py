@@ -1,4 +1,4 @@
-"""Reads what the test run left: results, coverage and sizes."""
+"""Reads what the test run left: results and sizes."""
 
 from __future__ import annotations
 
@@ -24,12 +24,6 @@ class Result:
     message: str
     recordings: list[str] = field(default_factory=list)  # names of the files of recorded calls
     measured: str = ""  # what the test itself tells: its property of this name
-
-
-@dataclass
-class FileCoverage:
-    lines: dict[int, int] = field(default_factory=dict)  # line -> hits
-    branches: dict[int, tuple[int, int]] = field(default_factory=dict)  # line -> taken, all
 
 
 def read_json(path: Path) -> Any:
@@ -86,23 +80,6 @@ def _result(test: dict[str, Any]) -> Result:
     if test.get("status") != "RUN" or test.get("result") == "SKIPPED":
         return Result("skipped", milliseconds, "")
     return Result("passed", milliseconds, "", measured=str(test.get("measured", "")))
-
-
-def read_coverage(root: Path) -> dict[str, FileCoverage]:
-    data = read_json(root / RESULTS / "coverage.json")
-    found: dict[str, FileCoverage] = {}
-    for file in (data or {}).get("files", []):
-        coverage = found.setdefault(file["file"], FileCoverage())
-        for line in file.get("lines", []):
-            if line.get("gcovr/noncode") or line.get("gcovr/excluded"):
-                continue
-            number, count = line["line_number"], line["count"]
-            coverage.lines[number] = coverage.lines.get(number, 0) + count
-            branches = line.get("branches", [])
-            taken = sum(1 for branch in branches if branch["count"] > 0)
-            if branches:
-                coverage.branches[number] = (taken, len(branches))
-    return found
 
 
 def read_driver_faults(root: Path, sources: str) -> list[DriverFault] | None:

@@ -47,13 +47,18 @@ def tests_without(model: Model) -> list[Test]:
 
 
 def justify(model: Model, declared: list[Justified]) -> None:
-    """Notes which methods and tests each justification is needed for."""
+    """Notes which methods, tests and lines each justification is needed for."""
     model.justified = declared
     methods = [method.id for _, method in methods_without(model)]
     tests = tests_without(model)
     for item in model.justified:
         if item.kind == "method":
             item.covers = [name for name in methods if name in item.names]
+        elif item.kind == "line":
+            gaps = [gap for gap in model.line_gaps if gap.method in item.names]
+            item.covers = [gap.method for gap in gaps]
+            for gap in gaps:
+                gap.reason = item.why
         else:
             places = tuple(name for name in item.names if "/" in name)
             item.covers = [

@@ -216,6 +216,39 @@ class TreeRun:
     rows: list[TraceRow]
     start: int  # index of the first shown row in the whole recording
     places: list[int | None]  # the row that each node of the tree matches, from the root
+    folded: list[FoldedCall] = field(default_factory=list)
+
+
+@dataclass
+class FoldedCall:
+    """Calls of a recorded run that lead from one module into another, alike ones together."""
+
+    depth: int
+    module: str
+    methods: list[str]  # those that were called from the module above
+    count: int
+    declared_by: list[str]  # requirements whose trees lead from the one module into the other
+
+
+@dataclass
+class MethodCoverage:
+    """What the passing tests of one requirement executed of a method, on one binding."""
+
+    method: str
+    place: Place
+    lines: dict[int, bool]
+    branches: list[bool] | None  # None where branches are not recorded
+
+
+@dataclass
+class LineGap:
+    """Lines of a method that no test of its requirements executes; a reason justifies them."""
+
+    method: str
+    place: Place
+    lines: list[int]
+    requirements: list[str]
+    reason: str = ""
 
 
 @dataclass
@@ -279,8 +312,27 @@ class Evidence:
 
 
 @dataclass
+class Review:
+    """Who looked at the links of a requirement, and at what: kind -> name -> hash of the text."""
+
+    reviewer: str
+    date: str
+    hashes: dict[str, dict[str, str]]
+
+
+@dataclass
+class Suspicion:
+    """What a link depends on is not as it was reviewed. Kind: requirement, method or test."""
+
+    kind: str
+    name: str
+    place: Place
+    text: str
+
+
+@dataclass
 class Requirement:
-    """``state``: "verified", "failed", "stale" or "unverified"."""
+    """``state``: "verified", "suspect", "failed", "stale" or "unverified"."""
 
     id: str
     text: str
@@ -295,6 +347,9 @@ class Requirement:
     verified_by: list[str] = field(default_factory=list)
     tree: TreeNode | None = None
     runs: dict[str, TreeRun] = field(default_factory=dict)  # binding -> run that holds the tree
+    coverage: dict[str, list[MethodCoverage]] = field(default_factory=dict)  # binding -> methods
+    review: Review | None = None
+    suspicions: list[Suspicion] = field(default_factory=list)
     state: str = "unverified"
     reasons: list[str] = field(default_factory=list)
 
@@ -306,9 +361,9 @@ class Requirement:
 
 @dataclass
 class Justified:
-    """Methods or tests that serve no requirement, and why this is right."""
+    """Methods, tests or lines of methods that serve no requirement, and why this is right."""
 
-    kind: str  # "method", "test"
+    kind: str  # "method", "test", "line"
     names: list[str]
     why: str
     place: Place
@@ -471,6 +526,8 @@ class Model:
     driver_faults: list[DriverFault] | None = None  # of these sources
     # File of the drivers -> line -> whether the tests executed it on the virtual K64.
     board_lines: dict[str, dict[int, bool]] | None = None
+    line_gaps: list[LineGap] = field(default_factory=list)
+    reviews_of_nothing: list[str] = field(default_factory=list)  # requirements that are no more
     # What the design asks for, be it written or not.
     designed_modules: list[str] = field(default_factory=list)
     designed_applications: dict[str, str] = field(default_factory=dict)  # id -> pattern

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from itertools import product
 from typing import TYPE_CHECKING
 
 from traceability.model.schema import BINDINGS, HOST, Model, Requirement, TreeNode, TreeRun
 from traceability.model.syntax import BodyFact, is_board
+from traceability.model.fold import Edges, fold, starts
 from traceability.model.traces import Row, Traces, embed, excerpt, nodes_of, recorded_nodes
 
 if TYPE_CHECKING:
@@ -20,7 +22,6 @@ def add_trees(model: Model, facts: Facts, recordings: dict[str, Traces]) -> None
         for method in fact.methods
         if (top := model.modules.get(fact.name.split("::")[0])) and not top.datatype
     }
-    runs = [Run(binding, traces, facts, known) for binding, traces in recordings.items()]
     for name, (_, tree) in facts.declared.trees.items():
         requirement = model.requirements.get(name)
         if requirement is None or tree is None:
@@ -28,6 +29,9 @@ def add_trees(model: Model, facts: Facts, recordings: dict[str, Traces]) -> None
         requirement.tree = tree
         _resolve(tree, facts)
         _reach(tree, facts)
+    edges = declared_edges(model, facts)
+    runs = [Run(binding, traces, facts, known, edges) for binding, traces in recordings.items()]
+    for requirement in model.requirements.values():
         for run in runs:
             _execute(model, requirement, run)
 
@@ -93,6 +97,23 @@ def _is_activated(wanted: set[str], facts: Facts) -> bool:
     return bool(wanted & (commands | called))
 
 
+def declared_edges(model: Model, facts: Facts) -> Edges:
+    """Which requirements' trees lead from one module into another."""
+    found: Edges = {}
+    for requirement in model.requirements.values():
+        for node in nodes_of(requirement.tree) if requirement.tree else []:
+            for child in node.children:
+                for pair in product(_modules_of(node, facts), _modules_of(child, facts)):
+                    names = found.setdefault(pair, [])
+                    if requirement.id not in names:
+                        names.append(requirement.id)
+    return found
+
+
+def _modules_of(node: TreeNode, facts: Facts) -> set[str]:
+    return {node.module, *(method.split("::")[0] for method in accepted(node, facts))}
+
+
 @dataclass
 class Run:
     """What the recordings of a binding are searched with."""
@@ -101,6 +122,7 @@ class Run:
     traces: Traces
     facts: Facts
     known: set[str]  # methods of design modules
+    edges: Edges
     read: dict[str, list[Row]] = field(default_factory=dict)
 
     def rows(self, recording: str) -> list[Row]:
@@ -133,7 +155,9 @@ def _execute(model: Model, requirement: Requirement, run: Run) -> None:
         if found.failed is None:
             shown, start, numbers = excerpt(rows, sorted(found.rows.values()))
             places = [numbers.get(found.rows.get(id(node), -1)) for node in nodes]
-            requirement.runs[run.binding] = TreeRun(passing[name], shown, start, places)
+            requirement.runs[run.binding] = TreeRun(
+                passing[name], shown, start, places, fold(rows, starts(nodes, found.rows), run.edges)
+            )
             furthest = len(nodes)
             break
         furthest = max(furthest, order[id(found.failed)])

@@ -1,4 +1,4 @@
-"""Results, coverage and sizes, as the tools write them."""
+"""Results and sizes, as the tools write them."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from traceability.model.results import bindings_of, read_coverage, read_results, read_sizes
+from traceability.model.results import bindings_of, read_results, read_sizes
 from traceability.model.schema import HOST, VIRTUAL_K64
 
 
@@ -18,7 +18,6 @@ def write(root: Path, name: str, data: Any) -> None:
 
 def test_nothing_measured_is_nothing(tmp_path: Path) -> None:
     assert read_results(tmp_path, HOST) == {}
-    assert read_coverage(tmp_path) == {}
     assert read_sizes(tmp_path) == {}
 
 
@@ -63,16 +62,3 @@ def test_skipped_and_disabled_tests_did_not_pass(tmp_path: Path) -> None:
         "S.A": "skipped",
         "S.B": "skipped",
     }
-
-
-def test_coverage_adds_the_instances_of_a_line(tmp_path: Path) -> None:
-    branches = [{"count": 0}, {"count": 3}]
-    lines: list[dict[str, Any]] = [
-        {"line_number": 4, "count": 2, "branches": branches},
-        {"line_number": 4, "count": 1, "branches": []},
-        {"line_number": 5, "count": 0, "branches": []},
-    ]
-    write(tmp_path, "coverage.json", {"files": [{"file": "src/a.cpp", "lines": lines}]})
-    coverage = read_coverage(tmp_path)["src/a.cpp"]
-    assert coverage.lines == {4: 3, 5: 0}
-    assert coverage.branches == {4: (1, 2)}

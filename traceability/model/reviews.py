@@ -1,0 +1,165 @@
+"""Who reviewed the links of a requirement, and what has changed since.
+
+The file of reviews holds hashes of what was reviewed, and git the texts themselves.
+"""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from traceability.model.link_texts import (
+    hash_of_text,
+    requirement_texts,
+    specification_at,
+    test_texts,
+)
+from traceability.model.schema import Method, Model, Place, Requirement, Review, Suspicion
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+REVIEWS = Path("requirements/reviews.toml")
+HEADING = """\
+# Who reviewed the links of each requirement, and the hashes of what was reviewed: the text of the
+# requirement, the specifications of the methods that satisfy it, the bodies of the tests that
+# verify it. Written by ./wr review.
+"""
+KINDS = ("requirement", "method", "test")
+
+
+@dataclass(frozen=True)
+class LinkText:
+    """A text that a link of a requirement depends on."""
+
+    kind: str  # one of KINDS
+    name: str
+    place: Place
+    text: str
+
+    @property
+    def hash(self) -> str:
+        return hash_of_text(self.text)
+
+
+@dataclass
+class Sources:
+    """Files, each read once."""
+
+    root: Path
+    texts: dict[str, str] = field(default_factory=dict)
+
+    def text(self, file: str) -> str:
+        if file not in self.texts:
+            self.texts[file] = (self.root / file).read_text(encoding="utf-8")
+        return self.texts[file]
+
+
+def link_texts(model: Model, requirement: Requirement, sources: Sources) -> list[LinkText]:
+    """What there is to review of a requirement, as it is now."""
+    name, place = requirement.id, requirement.place
+    found = [
+        LinkText("requirement", name, place, text)
+        for text in list(requirement_texts(sources.text(place.file), name))[:1]
+    ]
+    for method_id in requirement.satisfied_by:
+        methods = _methods(model, method_id, name)
+        specifications = [_specification(method, sources) for method in methods]
+        found.append(LinkText("method", method_id, methods[0].place, "\n".join(specifications)))
+    for test_id in requirement.verified_by:
+        place = model.tests[test_id].place
+        bodies = list(test_texts(sources.text(place.file), test_id))
+        found += [LinkText("test", test_id, place, text) for text in bodies[:1]]
+    return found
+
+
+def _methods(model: Model, method_id: str, requirement: str) -> list[Method]:
+    return [
+        method
+        for method in model.modules[method_id.split("::")[0]].methods
+        if method.id == method_id and requirement in method.satisfies
+    ]
+
+
+def _specification(method: Method, sources: Sources) -> str:
+    lines = sources.text(method.place.file).splitlines()
+    return specification_at(lines, method.place.line)
+
+
+def read_reviews(root: Path) -> dict[str, Review]:
+    path = root / REVIEWS
+    if not path.exists():
+        return {}
+    return {
+        name: Review(
+            entry["reviewer"],
+            str(entry["date"]),
+            {
+                "requirement": {name: entry["text"]},
+                "method": entry.get("methods", {}),
+                "test": entry.get("tests", {}),
+            },
+        )
+        for name, entry in tomllib.loads(path.read_text(encoding="utf-8")).items()
+    }
+
+
+def write_review(root: Path, name: str, review: Review) -> None:
+    """Adds the review of one requirement, or puts it in the place of the one before."""
+    reviews = {**read_reviews(root), name: review}
+    parts = [HEADING]
+    for key in sorted(reviews, key=_order):
+        one = reviews[key]
+        parts.append(f"\n[{key}]\nreviewer = {json.dumps(one.reviewer, ensure_ascii=False)}\n")
+        parts.append(f'date = "{one.date}"\ntext = "{one.hashes["requirement"][key]}"\n')
+        for kind in ("method", "test"):
+            lines = [
+                f'{kind}s."{item}" = "{value}"\n' for item, value in sorted(one.hashes[kind].items())
+            ]
+            parts += lines
+    (root / REVIEWS).write_text("".join(parts), encoding="utf-8")
+
+
+def _order(name: str) -> tuple[str, int]:
+    kind, _, number = name.partition("-")
+    return kind, int(number)
+
+
+def hashes(texts: Iterable[LinkText]) -> dict[str, dict[str, str]]:
+    found: dict[str, dict[str, str]] = {kind: {} for kind in KINDS}
+    for one in texts:
+        found[one.kind][one.name] = one.hash
+    return found
+
+
+def add_reviews(model: Model, root: Path) -> None:
+    reviews = read_reviews(root)
+    sources = Sources(root)
+    for requirement in model.requirements.values():
+        requirement.review = reviews.get(requirement.id)
+        texts = link_texts(model, requirement, sources)
+        requirement.suspicions = suspicions(requirement, texts)
+    model.reviews_of_nothing = sorted(reviews.keys() - model.requirements.keys())
+
+
+def suspicions(requirement: Requirement, texts: list[LinkText]) -> list[Suspicion]:
+    """What is not as it was reviewed."""
+    if requirement.review is None:
+        return [Suspicion("requirement", requirement.id, requirement.place, "was never reviewed")]
+    found: list[Suspicion] = []
+    now = {(one.kind, one.name): one for one in texts}
+    for (kind, name), one in now.items():
+        known = requirement.review.hashes[kind].get(name)
+        if known is None:
+            found.append(Suspicion(kind, name, one.place, "was added since the review"))
+        elif known != one.hash:
+            found.append(Suspicion(kind, name, one.place, "changed since the review"))
+    for kind in KINDS:
+        for name in requirement.review.hashes[kind]:
+            if (kind, name) not in now:
+                text = "was removed since the review"
+                found.append(Suspicion(kind, name, requirement.place, text))
+    return found

@@ -1,0 +1,125 @@
+"""What the tests of each requirement executed of the methods that fulfil it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from traceability.model.coverage import Coverage, Covered
+from traceability.model.schema import HOST, LineGap, MethodCoverage, Model, Place, Requirement
+from traceability.model.syntax import BodyFact, is_board
+from traceability.model.traces import nodes_of
+from traceability.model.trees import accepted
+
+if TYPE_CHECKING:
+    from traceability.model.facts import Facts
+
+
+def add_verification(model: Model, facts: Facts, coverage: dict[str, Coverage]) -> None:
+    for requirement in model.requirements.values():
+        for binding, measured in coverage.items():
+            recordings = passing_recordings(model, [requirement.id], binding)
+            if any(name in measured.recordings for name in recordings):
+                requirement.coverage[binding] = _covered_methods(
+                    requirement, facts, measured, measured.of(recordings)
+                )
+    model.line_gaps = list(_line_gaps(model, facts, coverage[HOST]))
+
+
+def passing_recordings(model: Model, requirements: Iterable[str], binding: str) -> list[str]:
+    """The recordings of the tests that verify requirements and passed on a binding."""
+    tests = {test for name in requirements for test in model.requirements[name].verified_by}
+    return [
+        recording
+        for test in sorted(tests)
+        if binding in model.tests[test].gave("passed")
+        for recording in model.tests[test].results[binding].recordings
+    ]
+
+
+def _covered_methods(
+    requirement: Requirement, facts: Facts, measured: Coverage, covered: Covered
+) -> list[MethodCoverage]:
+    found: list[MethodCoverage] = []
+    whole = measured.whole
+    nodes = nodes_of(requirement.tree) if requirement.tree else []
+    for method in dict.fromkeys(name for node in nodes for name in sorted(accepted(node, facts))):
+        for body in facts.bodies.get(method, []):
+            lines = lines_of(body, whole.lines.get(body.place.file, set()))
+            hit = covered.lines.get(body.place.file, set())
+            branches = sorted(
+                branch
+                for branch in whole.branches.get(body.place.file, set())
+                if branch[0] in lines
+            )
+            taken = covered.branches.get(body.place.file, set())
+            if lines:
+                found.append(
+                    MethodCoverage(
+                        method,
+                        Place(body.place.file, body.place.line, body.end),
+                        {line: line in hit for line in lines},
+                        [branch in taken for branch in branches] if measured.branched else None,
+                    )
+                )
+    return found
+
+
+def lines_of(body: BodyFact, lines: set[int]) -> list[int]:
+    return sorted(line for line in lines if body.place.line <= line <= body.end)
+
+
+class Owners:
+    """The requirements that a method serves: by a tree, by a tag, or through those that call it."""
+
+    def __init__(self, model: Model, facts: Facts) -> None:
+        self.named: dict[str, set[str]] = {}
+        for requirement in model.requirements.values():
+            for node in nodes_of(requirement.tree) if requirement.tree else []:
+                for method in accepted(node, facts):
+                    self.named.setdefault(method, set()).add(requirement.id)
+            for method in requirement.satisfied_by:
+                self.named.setdefault(method, set()).add(requirement.id)
+        self.callers: dict[str, set[str]] = {}
+        for body in facts.syntax.bodies:
+            for call in body.calls:
+                for target in facts.targets(call.target, call.virtual):
+                    self.callers.setdefault(target, set()).add(body.id)
+
+    def of(self, method: str) -> set[str]:
+        found: set[str] = set()
+        seen: set[str] = set()
+        pending = [method]
+        while pending:
+            name = pending.pop()
+            if name in seen:
+                continue
+            seen.add(name)
+            if name in self.named:
+                found |= self.named[name]
+            else:
+                pending += self.callers.get(name, set())
+        return found
+
+
+def _line_gaps(model: Model, facts: Facts, coverage: Coverage) -> Iterable[LineGap]:
+    """Methods of the drivers are not on this machine; their lines have a page of their own."""
+    owners = Owners(model, facts)
+    executed: dict[frozenset[str], Covered] = {}
+    for body in facts.syntax.bodies:
+        module = model.modules.get(body.owner.split("::")[0]) if body.owner else None
+        if module is None or module.datatype or is_board(body.place.file):
+            continue
+        requirements = frozenset(owners.of(body.id) or model.requirements)
+        if requirements not in executed:
+            names = passing_recordings(model, requirements, HOST)
+            executed[requirements] = coverage.of(names)
+        hit = executed[requirements].lines.get(body.place.file, set())
+        lines = lines_of(body, coverage.whole.lines.get(body.place.file, set()) - hit)
+        if lines:
+            yield LineGap(
+                body.id,
+                Place(body.place.file, lines[0], lines[-1]),
+                lines,
+                sorted(requirements) if len(requirements) < len(model.requirements) else [],
+            )
