@@ -97,12 +97,12 @@ def text_reviewed(root: Path, now: LinkText, reviewed: str) -> str | None:
     """The text with this hash, out of the versions of the file that git holds."""
     from traceability.model.link_texts import (
         hash_of_text,
-        method_texts,
-        requirement_texts,
-        test_texts,
+        texts_of_method,
+        texts_of_requirement,
+        texts_of_test,
     )
 
-    finders = {"requirement": requirement_texts, "method": method_texts, "test": test_texts}
+    finders = {"requirement": texts_of_requirement, "method": texts_of_method, "test": texts_of_test}
     name = now.name.rsplit("::", 1)[-1]
     for version in versions(root, now.place.file):
         for text in finders[now.kind](version, name):

@@ -12,7 +12,7 @@ from pathlib import Path
 from sphinx.application import Sphinx
 from sphinx.util.docutils import docutils_namespace, patch_docutils
 
-from traceability.documents import search
+from traceability.documents import search, verification
 from traceability.documents.diagrams import DiagramError
 from traceability.documents.links import ROOT, depth_prefix
 from traceability.documents.pages import all_pages, doxygen_file
@@ -48,6 +48,7 @@ def build_site(root: Path, model: Model, findings: list[Finding]) -> SiteResult:
     kept = write_sources(portal, pages)
     warnings = run_sphinx(portal, pages)
     remove_others(root / "build" / "site", {f"{name}.html" for name in kept})
+    verification.write_exports(root, root / "build" / "site", model)
     return SiteResult(len(kept), warnings)
 
 

@@ -6,12 +6,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from traceability.documents import calls, plots
+from traceability.documents import calls, plots, verification
 from traceability.documents.links import logic_anchor
 from traceability.documents.portal import Page, Portal
 from traceability.metrics import read_products
 from traceability.model.schema import (
+    HOST,
     Method,
+    MethodCoverage,
     Module,
     PatternApplication,
     Place,
@@ -58,13 +60,7 @@ def overview_pages(portal: Portal) -> Iterator[Page]:
     yield portal.page("machines", "State machines", "machines", "machines")
     yield portal.page("uses", "Uses", "uses", "uses", rows=use_rows(portal))
     yield portal.page("architecture", "Architecture", "architecture", "architecture", wide=True)
-    yield portal.page(
-        "requirements/index",
-        "Requirements",
-        "requirements",
-        "requirements",
-        sections=sections(portal),
-    )
+    yield requirements_page(portal)
     yield portal.page("trees", "Invocation trees", "trees", "trees")
     yield portal.page("tests", "Tests", "tests", "tests", suites=suites(portal))
     yield portal.page(
@@ -303,14 +299,35 @@ def pattern_page(portal: Portal, application: PatternApplication) -> Page:
 # ---- requirements ------------------------------------------------------------
 
 
+def requirements_page(portal: Portal) -> Page:
+    model = portal.model
+    found = {item.id: verification.facets(model, item) for item in model.requirements.values()}
+    picks = {
+        "state": lambda one: [one.state],
+        "logic": lambda one: one.logic,
+        "pattern": lambda one: one.pattern,
+        "verification": lambda one: one.verification,
+        "binding": lambda one: one.binding,
+    }
+    return portal.page(
+        "requirements/index",
+        "Requirements",
+        "requirements",
+        "requirements",
+        sections=sections(portal),
+        facets=found,
+        options={
+            name: verification.options(found.values(), pick) for name, pick in picks.items()
+        },
+        bars=verification.chart(sections(portal)),
+        lines_of=verification.lines_of,
+        host=HOST,
+    )
+
+
 def requirement_page(portal: Portal, requirement: Requirement) -> Page:
     nodes = portal.flat(requirement.tree) if requirement.tree else []
     tests = [portal.model.tests[t] for t in requirement.verified_by if t in portal.model.tests]
-    methods = [
-        m
-        for m in (portal.links.find_method(n.resolved or n.label) for _, n in nodes)
-        if m and m.body
-    ]
     return portal.page(
         f"requirements/{requirement.id}",
         requirement.id,
@@ -324,10 +341,22 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
         ],
         rows=aligned(portal, requirement, None),
         tests=tests,
-        methods=list({m.id: m for m in methods}.values()),
+        covered=covered_methods(requirement),
+        gaps=[gap for gap in portal.model.line_gaps if requirement.id in gap.requirements],
+        lines_of=verification.lines_of,
+        branches_of=verification.branches_of,
         machines=machines_of(portal, requirement.id),
         line_kind=line_kind,
     )
+
+
+def covered_methods(requirement: Requirement) -> list[dict[str, MethodCoverage]]:
+    """A row for each body of a method of the tree: binding -> what the tests executed of it."""
+    rows: dict[tuple[str, int], dict[str, MethodCoverage]] = {}
+    for binding, methods in requirement.coverage.items():
+        for method in methods:
+            rows.setdefault((method.place.file, method.place.line), {})[binding] = method
+    return list(rows.values())
 
 
 def first_run(requirement: Requirement) -> TreeRun | None:

@@ -23,7 +23,7 @@ def hash_of_text(text: str) -> str:
     return hashlib.sha256(words.encode()).hexdigest()[:HASH_DIGITS]
 
 
-def requirement_texts(text: str, name: str) -> Iterator[str]:
+def texts_of_requirement(text: str, name: str) -> Iterator[str]:
     """All that is written below a requirement."""
     blocks = re.split(r"(?=[@\\]requirement\s)", text)
     for block in blocks:
@@ -37,7 +37,7 @@ def _joined(block: str) -> str:
     return "\n".join(" ".join(paragraph.split()) for paragraph in paragraphs if paragraph.strip())
 
 
-def method_texts(text: str, name: str) -> Iterator[str]:
+def texts_of_method(text: str, name: str) -> Iterator[str]:
     """Comment and declaration of each method of this name that has a comment."""
     lines = text.splitlines()
     for number, line in enumerate(lines):
@@ -62,7 +62,7 @@ def specification_at(lines: list[str], line: int) -> str:
     return "\n".join([*comment, re.split(r"[;{]", declaration)[0].strip()])
 
 
-def test_texts(text: str, name: str) -> Iterator[str]:
+def texts_of_test(text: str, name: str) -> Iterator[str]:
     """The body of the test ``Suite.Name``, without comments."""
     suite, _, case = name.partition(".")
     head = re.compile(rf"^TEST(?:_F|_P)?\(\s*{suite}\s*,\s*{case}\s*\)", re.MULTILINE)

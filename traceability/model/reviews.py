@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING
 
 from traceability.model.link_texts import (
     hash_of_text,
-    requirement_texts,
+    texts_of_requirement,
     specification_at,
-    test_texts,
+    texts_of_test,
 )
 from traceability.model.schema import Method, Model, Place, Requirement, Review, Suspicion
 
@@ -63,7 +63,7 @@ def link_texts(model: Model, requirement: Requirement, sources: Sources) -> list
     name, place = requirement.id, requirement.place
     found = [
         LinkText("requirement", name, place, text)
-        for text in list(requirement_texts(sources.text(place.file), name))[:1]
+        for text in list(texts_of_requirement(sources.text(place.file), name))[:1]
     ]
     for method_id in requirement.satisfied_by:
         methods = _methods(model, method_id, name)
@@ -71,7 +71,7 @@ def link_texts(model: Model, requirement: Requirement, sources: Sources) -> list
         found.append(LinkText("method", method_id, methods[0].place, "\n".join(specifications)))
     for test_id in requirement.verified_by:
         place = model.tests[test_id].place
-        bodies = list(test_texts(sources.text(place.file), test_id))
+        bodies = list(texts_of_test(sources.text(place.file), test_id))
         found += [LinkText("test", test_id, place, text) for text in bodies[:1]]
     return found
 

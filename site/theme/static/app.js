@@ -295,15 +295,19 @@
   all("[data-filter]").forEach((field) => {
     const rows = all(field.dataset.filter),
       count = one(".count", field.parentElement);
-    field.addEventListener("input", () => {
+    const facets = all("[data-facet]", field.parentElement);
+    const narrow = () => {
       const word = field.value.trim().toLowerCase();
+      const chosen = facets.filter((facet) => facet.value);
       rows.forEach((row) => {
-        row.hidden = !row.textContent.toLowerCase().includes(word);
+        const fits = (facet) => row.dataset[facet.dataset.facet].split("|").includes(facet.value);
+        row.hidden = !row.textContent.toLowerCase().includes(word) || !chosen.every(fits);
       });
+      const narrowed = word !== "" || chosen.length > 0;
       all(".tree details")
         .reverse()
         .forEach((part) => {
-          part.hidden = word !== "" && !all(".leaf", part).some((leaf) => !leaf.hidden);
+          part.hidden = narrowed && !all(".leaf", part).some((leaf) => !leaf.hidden);
         });
       all(".main > .sec").forEach((part) => {
         const own = rows.filter((row) => part.contains(row));
@@ -312,7 +316,8 @@
       const left = rows.filter((row) => !row.hidden).length;
       count.textContent =
         (left === rows.length ? "" : left + " of ") + rows.length + " " + count.dataset.noun;
-    });
+    };
+    [field, ...facets].forEach((control) => control.addEventListener("input", narrow));
   });
   all("[data-open]").forEach((control) =>
     control.addEventListener("click", () =>

@@ -1,0 +1,175 @@
+"""A requirement is verified by what its own tests executed, and by nothing else."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import struct
+from pathlib import Path
+
+import pytest
+
+from tests.python.model.small_tree import write_tree
+from traceability.checks import run_checks
+from traceability.documents.verification import junit, table
+from traceability.model import traces
+from traceability.model.fold import fold
+from traceability.model.results import RESULTS
+from traceability.model.reviews import Sources, hashes, link_texts, write_review
+from traceability.model.schema import HOST, Model, Review
+from traceability.model.traces import EXIT, SOURCES, Row
+from traceability.pipeline import build_model
+from traceability.sources import file_hash, source_hash
+
+CALLS = [
+    "MainController::read",
+    "OperationState::read",
+    "Working::actionNoMsg",
+    "MainController::changeOpState",
+]
+TEST = "Working.WaitsWithoutMessage"
+STATES = "src/main_control/operation_states"
+
+
+def write_results(root: Path, result: str = "COMPLETED") -> None:
+    """A run of the test with the present sources."""
+    folder = root / RESULTS
+    folder.mkdir(parents=True, exist_ok=True)
+    suite, case = TEST.split(".")
+    record = {"name": case, "status": "RUN", "result": result, "time": "0.002s"}
+    suites = {"testsuites": [{"name": suite, "testsuite": [record]}]}
+    (folder / "trace.json").write_text(json.dumps(suites))
+    (folder / "trace.hash").write_text(json.dumps({"sources": source_hash(root)}))
+
+
+def write_trace(root: Path, calls: list[str]) -> None:
+    """A recording in which each call lies within the one before it."""
+    executable = root / SOURCES[HOST].executable
+    executable.parent.mkdir(parents=True, exist_ok=True)
+    executable.write_text("stands for a program")
+    state = executable.stat()
+    known = {
+        "key": f"{state.st_mtime_ns} {state.st_size} {file_hash(Path(traces.__file__))}",
+        "symbols": {str(number): name for number, name in enumerate(CALLS)},
+    }
+    cache = root / "build" / "model" / "symbols-nm.json"
+    cache.parent.mkdir(parents=True, exist_ok=True)
+    cache.write_text(json.dumps(known))
+    numbers = [CALLS.index(name) for name in calls]
+    events = [*numbers, *(number | EXIT for number in reversed(numbers))]
+    folder = root / SOURCES[HOST].folder
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / f"{TEST}.bin").write_bytes(struct.pack(f"<{len(events)}Q", *events))
+
+
+def record_review(root: Path) -> None:
+    model = build_model(root)
+    texts = link_texts(model, model.requirements["FR-15"], Sources(root))
+    write_review(root, "FR-15", Review("A. Reader", "2026-01-31", hashes(texts)))
+
+
+@pytest.fixture(scope="module")
+def sound(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    root = write_tree(tmp_path_factory.mktemp("verified"))
+    write_results(root)
+    write_trace(root, CALLS)
+    record_review(root)
+    return root
+
+
+@pytest.fixture
+def tree(sound: Path, tmp_path: Path) -> Path:
+    root = Path(shutil.copytree(sound, tmp_path / "tree"))
+    write_trace(root, CALLS)
+    return root
+
+
+def checked(root: Path) -> tuple[str, set[str], Model]:
+    """The state of the requirement, and which checks find something of it."""
+    model = build_model(root)
+    found = run_checks(model)
+    checks = {one.check for one in found if one.check.startswith(("req-", "tree-", "suspect-"))}
+    return model.requirements["FR-15"].state, checks, model
+
+
+def change(root: Path, file: str, old: str, new: str) -> None:
+    path = root / file
+    text = path.read_text()
+    assert old in text
+    path.write_text(text.replace(old, new))
+
+
+def test_what_passed_and_executed_its_tree_is_verified(sound: Path) -> None:
+    state, _, model = checked(sound)
+    assert state == "verified"
+    run = model.requirements["FR-15"].runs[HOST]
+    assert [(call.depth, call.module, call.declared_by) for call in run.folded] == [
+        (0, "MainController", []),
+        (1, "OperationState", ["FR-15"]),
+        (2, "Working", ["FR-15"]),
+        (3, "MainController", ["FR-15"]),
+    ]
+
+
+def test_a_skipped_test_is_not_a_passed_one(tree: Path) -> None:
+    write_results(tree, "SKIPPED")
+    state, checks, _ = checked(tree)
+    assert state == "unverified"
+    assert "req-passed" in checks
+
+
+def test_a_call_that_is_no_longer_made_is_found(tree: Path) -> None:
+    change(tree, f"{STATES}/Working.cpp", "mCtrl.changeOpState(next_);", "static_cast<void>(mCtrl);")
+    write_results(tree)
+    write_trace(tree, CALLS[:-1])
+    state, checks, model = checked(tree)
+    assert state == "unverified"
+    assert "tree-static" in checks
+    assert model.requirements["FR-15"].runs == {}
+
+
+def test_a_test_that_does_not_make_the_calls_does_not_verify(tree: Path) -> None:
+    write_trace(tree, CALLS[:2])
+    state, checks, _ = checked(tree)
+    assert state == "unverified"
+    assert "tree-dynamic" in checks
+
+
+def test_a_test_of_another_requirement_does_not_verify(tree: Path) -> None:
+    change(tree, "tests/main_control/WorkingTest.cpp", "@verifies FR-15", "@verifies FR-16")
+    write_results(tree)
+    state, checks, _ = checked(tree)
+    assert state == "unverified"
+    assert {"req-verified", "req-unknown", "suspect-test"} <= checks
+
+
+def test_a_changed_text_is_suspect(tree: Path) -> None:
+    change(tree, "requirements/reading.dox", "any source", "the PC")
+    state, checks, _ = checked(tree)
+    assert state == "suspect"
+    assert "suspect-requirement" in checks
+
+
+def test_the_exports_tell_the_same(tree: Path) -> None:
+    change(tree, "requirements/reading.dox", "any source", "the PC")
+    _, _, model = checked(tree)
+    row = table(model)["requirements"][0]
+    assert (row["id"], row["state"]) == ("FR-15", "suspect")
+    assert row["review"] == {"reviewer": "A. Reader", "date": "2026-01-31"}
+    assert row["tests"] == {TEST: {HOST: "passed"}}
+    top = junit(model)
+    assert (top.get("tests"), top.get("failures")) == ("1", "1")
+
+
+def test_calls_are_folded_to_modules() -> None:
+    rows = [
+        Row(0, "A::run", -1, 5),
+        Row(1, "A::help", 0, 3),
+        Row(2, "B::work", 1, 3),
+        Row(1, "B::work", 0, 4),
+        Row(1, "C::tick", 0, 5, activation=1),
+    ]
+    folded = fold(rows, [0], {("A", "B"): ["FR-1"]})
+    assert [(call.module, call.depth, call.count) for call in folded] == [("A", 0, 1), ("B", 1, 2)]
+    assert folded[1].methods == ["B::work"]
+    assert folded[1].declared_by == ["FR-1"]
