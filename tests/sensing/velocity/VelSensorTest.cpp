@@ -95,6 +95,28 @@ TEST_F(VelSensorTest, FR122_FallsWhileEdgesStayAway) {
   }
 }
 
+/// @brief A wheel slows down. Whether its last edge comes just before the measurement or just after
+/// it, the velocity is the same.
+/// @verifies FR-122
+TEST_F(VelSensorTest, FR122_AnEdgeAtTheMeasurementMakesNoStep) {
+  for (const int direction : {1, -1}) {
+    TurningWheel before;
+    TurningWheel after;
+    for (TurningWheel* each : {&before, &after}) {
+      each->turn(25 * direction, milliseconds(1000));  // its last edge is 20 ms old
+      each->measure();
+      each->turn(0, milliseconds(37));
+      each->edge(direction);
+      each->turn(0, milliseconds(62));
+    }
+    before.edge(direction);
+    const double with = before.measure();
+    const double without = after.measure();
+    EXPECT_NEAR(with, without, 0.5);
+    EXPECT_NEAR(with * direction, 2e4 / (20 + 37 + 62), 0.5);
+  }
+}
+
 /// @brief A slow wheel keeps its velocity between two edges, since no edge is overdue.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_KeepsAVelocityThatNoEdgeDenies) {
