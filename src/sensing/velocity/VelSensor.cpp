@@ -53,12 +53,17 @@ std::uint16_t VelSensor::rejectedEdges() {
 std::optional<Velocity> VelSensor::withEdges(const Instants& instants, Instant now) {
   const std::int32_t edges = difference(instants.count, count_);
   const Instant from = standing_ ? measuredAt_ : *edge_;
-  const Instant to = standing_ ? now : *instants.last;
+  const std::optional<Velocity> mean =
+      standing_ ? fromStandstill(edges, now - from) : velocity(edges, *instants.last - from);
   edge_ = instants.last;
   count_ = instants.count;
   standing_ = false;
-  const std::optional<Velocity> mean = velocity(edges, to - from);
   return mean ? std::optional(bounded(*mean, edges, now - from)) : std::nullopt;
+}
+
+std::optional<Velocity> VelSensor::fromStandstill(std::int32_t edges, Microseconds elapsed) const {
+  const auto direction = std::clamp<std::int32_t>(edges, -1, 1);
+  return velocity(2 * edges - direction, elapsed + elapsed);
 }
 
 Velocity VelSensor::withoutEdges(Instant now) {

@@ -79,6 +79,18 @@ TEST_F(VelSensorTest, FR120_StartsFromStandstill) {
   EXPECT_NEAR(measured, 500, 1.5);
 }
 
+/// @brief One edge after a standstill counts as half: the wheel may have stood right before it.
+/// @verifies FR-120
+TEST_F(VelSensorTest, FR120_FirstEdgeAfterStandstill) {
+  for (const int direction : {1, -1}) {
+    cycles(0, 6);
+    wheel.turn(0, milliseconds(50));
+    wheel.edge(direction);
+    wheel.turn(0, milliseconds(50));
+    EXPECT_EQ(wheel.measure() * direction, 50);
+  }
+}
+
 /// @brief While edges stay away the velocity is at most one edge in the time since the last one.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_FallsWhileEdgesStayAway) {
