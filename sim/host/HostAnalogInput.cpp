@@ -11,7 +11,7 @@ std::optional<std::uint16_t> HostAnalogInput::sample() {
 }
 
 void HostAnalogInput::drive(double share) {
-  const double steps = std::floor(share * (kFullScale + 1.0));
+  const double steps = std::floor(share * (kFullScale + 1.0) + 0.5);
   level_ = static_cast<std::uint16_t>(std::clamp(steps, 0.0, double{kFullScale}));
 }
 

@@ -10,12 +10,19 @@ void HostScheduler::add(HostThread& thread) {
   threads_.push_back(&thread);
 }
 
+void HostScheduler::beforeThread(std::function<void(const HostThread& thread)> call) {
+  beforeThread_ = std::move(call);
+}
+
 void HostScheduler::dispatch() {
   if (interrupts_ > 0) {
     return;
   }
   for (HostThread* thread = next(); thread != nullptr; thread = next()) {
     const int interrupted = std::exchange(runningPriority_, thread->priority());
+    if (beforeThread_) {
+      beforeThread_(*thread);
+    }
     thread->runPended();
     runningPriority_ = interrupted;
   }

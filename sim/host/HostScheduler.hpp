@@ -21,6 +21,9 @@ class HostScheduler {
   /// @param thread thread that lives as long as the scheduler
   void add(HostThread& thread);
 
+  /// @brief Sets what is called when a thread has its turn, before it runs.
+  void beforeThread(std::function<void(const HostThread& thread)> call);
+
   /// @brief Runs every pended thread whose turn it is.
   void dispatch();
 
@@ -32,6 +35,7 @@ class HostScheduler {
   [[nodiscard]] HostThread* next() const;
 
   std::vector<HostThread*> threads_;
+  std::function<void(const HostThread&)> beforeThread_;
   int runningPriority_ = 0;
   int interrupts_ = 0;
 };

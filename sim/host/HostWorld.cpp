@@ -15,10 +15,11 @@ constexpr Microseconds kFirstStep(std::chrono::microseconds(sim::Robot::kFirstSt
 // K64: clock, calibration of the converters, construction.
 constexpr Microseconds kStartUp(4866);
 
-// From a beat to the measurements of the cycle that begins with it, as the image takes it on
-// average of the wheels. A cycle on the host takes no time, so its clock pulse comes when it
-// measures.
-constexpr Microseconds kToMeasuring(70);
+// From a beat to the first turn of a wheel's thread in the cycle that begins with it, and from one
+// such turn to the next, as the image takes them on the virtual K64. All else on the host takes no
+// time, so the clock pulse comes when the first thread has its turn.
+constexpr Microseconds kToWheels(7);
+constexpr Microseconds kOfWheel(20);
 
 // The microsecond that an edge is in; the firmware's clock has no finer time.
 Instant at(Instant begin, std::chrono::nanoseconds offset) {
@@ -34,6 +35,13 @@ HostWorld::HostWorld(SerialPort& pcPort, HostEquipment equipment)
       equipment_(equipment),
       binding_(robot.pins(), physics) {
   binding_.measure();
+  robot.scheduler().beforeThread([this](const HostThread& thread) {
+    if (thread.priority() == HostRobot::kWheelPriority) {
+      const Instant turn = time.now() + kOfWheel;
+      bringEdges(turn);
+      advanceTo(turn);
+    }
+  });
 }
 
 void HostWorld::start() {
@@ -41,7 +49,7 @@ void HostWorld::start() {
   const Instant begin = time.now() + kStartUp;
   nextStep_ = time.now() + kFirstStep;
   nextBeat_ = begin + robot.beatPeriod();
-  nextPulse_ = begin + robot.period() + kToMeasuring;
+  nextPulse_ = begin + robot.period() + kToWheels;
 }
 
 void HostWorld::runUntil(Instant instant) {

@@ -1,41 +1,30 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "sim/k64/Nvic.hpp"
 #include "sim/k64/SystemControl.hpp"
-
-struct uc_struct;
+#include "sim/k64/Timing.hpp"
+#include "sim/k64/processor/Core.hpp"
 
 namespace wr::k64 {
 
-class ExecutedCode;
-
-/// @brief A Cortex-M4F: instructions by the Unicorn engine; exceptions, interrupt controller and
-/// system control by this class.
+/// @brief A Cortex-M4F: what exceptions, the interrupt controller and system control do to the core
+/// that executes the instructions.
 ///
-/// Unicorn is under the GPL. It is linked to the simulator and its tests only, never to the
-/// firmware.
+/// Time is counted in cycles, as Timing says. The same program gives the same run, always.
 ///
-/// Time is counted in cycles: one for each instruction, 12 for the entry to an exception, 10 for
-/// the return from it, 6 from one exception to the next. The same program gives the same run,
-/// always.
-///
-/// Not modelled: bit-banding, the memory protection unit, a fault from an unaligned LDRD, LDM or
-/// VLDR, lazy stacking of the floating-point registers (they are stacked at entry).
+/// Not modelled: bit-banding, the memory protection unit, lazy stacking of the floating-point
+/// registers (they are stacked at entry), LDM and STM that an interrupt divides.
 class CortexM4 {
  public:
-  /// @brief What a program may do with memory.
-  enum class Access { ReadWrite, ReadExecute, ReadWriteExecute };
+  using Access = Memory::Access;
+  using Read = Memory::Read;
+  using Write = Memory::Write;
 
   /// @brief What the program did that stopped it.
   struct Problem {
@@ -55,14 +44,12 @@ class CortexM4 {
   /// @brief Why an exception was entered or left.
   enum class Step { Entered, Left };
 
-  using Read = std::function<std::uint32_t(std::uint32_t address, unsigned size)>;
-  using Write = std::function<void(std::uint32_t address, unsigned size, std::uint32_t value)>;
-
   /// @brief Makes a processor without memory.
   /// @param lines number of interrupt lines, 1 to 240
   /// @param priorityBits number of bits of a priority, 3 to 8
-  explicit CortexM4(unsigned lines = 110, unsigned priorityBits = 4);
-  ~CortexM4();
+  /// @param timing what instructions cost
+  explicit CortexM4(unsigned lines = 110, unsigned priorityBits = 4,
+                    Timing timing = Timing::NoWaitStates);
   CortexM4(const CortexM4&) = delete;
   CortexM4& operator=(const CortexM4&) = delete;
 
@@ -79,15 +66,13 @@ class CortexM4 {
   /// @param write takes what the program writes
   void mapWindow(std::uint32_t address, std::uint32_t size, Read read, Write write);
 
-  /// @brief Adds the last page of a memory, 4096 bytes, from which an access across its end faults.
-  /// @param address the border of the two memories, at the end of the page
-  void mapBorder(std::uint32_t address);
-
   /// @brief Writes memory from outside, also where the program may not.
   void load(std::uint32_t address, std::span<const std::uint8_t> bytes);
 
   /// @brief Reads a word of memory from outside.
-  [[nodiscard]] std::uint32_t word(std::uint32_t address) const;
+  [[nodiscard]] std::uint32_t word(std::uint32_t address) const {
+    return core_.memory.read<std::uint32_t>(address);
+  }
 
   /// @brief Resets the processor: stack pointer and start from the vectors at address 0.
   void reset();
@@ -110,10 +95,10 @@ class CortexM4 {
   void skipTo(std::uint64_t cycle);
 
   /// @brief Cycles since construction; a reset does not clear them.
-  [[nodiscard]] std::uint64_t cycles() const;
+  [[nodiscard]] std::uint64_t cycles() const { return core_.cycles(); }
 
   /// @brief Instructions since construction.
-  [[nodiscard]] std::uint64_t instructions() const;
+  [[nodiscard]] std::uint64_t instructions() const { return core_.instructions(); }
 
   /// @brief The instruction that runs, or the next one.
   [[nodiscard]] std::uint32_t pc() const;
@@ -123,7 +108,7 @@ class CortexM4 {
   void setCore(unsigned number, std::uint32_t value);
 
   /// @brief Number of the exception that runs, 0 in thread mode.
-  [[nodiscard]] unsigned exception() const;
+  [[nodiscard]] unsigned exception() const { return core_.registers.exception; }
 
   /// @brief Sets the level of an interrupt line.
   void setLine(unsigned line, bool high);
@@ -158,109 +143,61 @@ class CortexM4 {
   /// @brief Sets what is called when a fault meets no handler that may run. Without it: a problem.
   void onLockup(std::function<void()> call);
 
-  /// @brief Sets what is called at the start of each block of instructions. Set before the first run.
+  /// @brief Sets what is called before the first instruction after a reset and after each branch.
   void onBlock(std::function<void(std::uint32_t address)> call);
 
   /// @brief Notes each instruction that is executed from now on.
   /// @param code where they are noted; must outlive the processor
-  void noteExecuted(ExecutedCode& code) { executed_ = &code; }
+  void noteExecuted(ExecutedCode& code) { core_.noteExecuted(code); }
 
  private:
-  struct Hooks;
-  struct Window {
-    CortexM4* owner;
-    std::uint32_t address;
-    Read read;
-    Write write;
-  };
-  struct Release {
-    void operator()(std::uint8_t* bytes) const { std::free(bytes); }
-  };
-  struct Memory {
-    std::uint32_t address;
-    std::uint32_t size;
-    Access access;
-    std::unique_ptr<std::uint8_t, Release> bytes;  // what the engine reads and writes
-  };
-
-  void mapMemory(std::uint32_t address, std::uint32_t size, std::uint32_t rights, Access access);
-  [[nodiscard]] std::uint32_t reg(int id) const;
-  void setReg(int id, std::uint32_t value) const;
-  template <std::size_t Count>
-  [[nodiscard]] std::array<std::uint32_t, Count> regs(std::array<int, Count> ids) const;
-  template <std::size_t Count>
-  void setRegs(std::array<int, Count> ids, std::array<std::uint32_t, Count> values) const;
-  [[nodiscard]] std::uint8_t* at(std::uint32_t address, std::uint32_t size) const;
-  [[nodiscard]] std::uint16_t halfword(std::uint32_t address) const;
-  [[nodiscard]] std::uint8_t* stackAt(std::uint32_t address) const;
-  template <typename Value>
-  [[nodiscard]] Value load(std::uint32_t address) const;
-  bool push(std::uint32_t address, std::span<const std::uint32_t> words) const;
-  bool pop(std::uint32_t address, std::span<std::uint32_t> words) const;
+  [[nodiscard]] std::uint32_t readSystem(std::uint32_t address, unsigned size);
+  void writeSystem(std::uint32_t address, unsigned size, std::uint32_t value);
+  void systemChanged();
 
   [[nodiscard]] int executionPriority(bool withPrimask = true) const;
-  void reevaluate() { stopAt_ = 0; }
+  void reevaluate() { core_.setStop(0); }
   void takePending();
   bool enterNext();
   void execute();
-  void stopped(int error);
-  void pass(std::uint64_t cycles) { skipTo(cycles_ + cycles); }
-  void lookAt(uc_struct* engine);
-  bool mayRun(std::uint32_t address);
-  void hint(std::uint32_t past);
+  void serve(Trap trap);
+  void sleep();
+  void supervisorCall();
+  void breakpoint();
   void enter(unsigned exception, std::uint32_t returnsTo);
   void vector(unsigned exception, std::uint32_t link);
   [[nodiscard]] bool stack(std::uint32_t returnsTo, std::uint32_t& link);
   void exceptionReturn(std::uint32_t link);
   [[nodiscard]] bool linkIsValid(std::uint32_t link, unsigned number) const;
   void unstack(std::uint32_t link);
-  void setItBits(std::uint32_t state) const;
+  void instructionFault(Trap trap);
+  void accessFault(Trap trap);
   void fault(unsigned exception, std::uint32_t status, std::uint32_t pc, const std::string& id,
              const std::string& what);
   void deliver(unsigned exception, std::uint32_t pc);
-  void supervisorCall(std::uint32_t past);
-  void breakpoint(std::uint32_t at);
-  void badAccess();
   void lockUp(std::uint32_t pc);
 
-  uc_struct* engine_ = nullptr;
-  Nvic nvic_;
-  SystemControl system_;
-  std::vector<std::unique_ptr<Window>> windows_;
-  std::vector<Memory> memories_;
-  std::uint64_t cycles_ = 0;
-  std::uint64_t otherCycles_ = 0;  ///< those in which no instruction ran
-  std::uint64_t limit_ = 0;
-  std::uint64_t stopAt_ = 0;
-  std::uint32_t pc_ = 0;
-  unsigned exception_ = 0;
-  bool running_ = false;  ///< inside the engine
-  bool stoppedByHook_ = false;
-  bool careful_ = false;  ///< it is asked for each instruction whether it may run
-  bool looks_ = false;    ///< there is more to do for each instruction than to count it
-  bool maskedPending_ = false;
-  bool resumed_ = false;  ///< the next block was begun before
-  bool sleeping_ = false;
-  bool exit_ = false;
-  bool faultsAreProblems_ = false;
-  int interrupt_ = -1;  ///< exception of the engine
-  std::uint32_t borderAt_ = 0;
-  std::uint32_t badAddress_ = 0;
-  int badAccess_ = -1;
   struct Refused {
     std::uint32_t address;
     std::string id;
     std::string what;
   };
-  std::optional<Refused> refused_;
+
+  Core core_;
+  Nvic nvic_;
+  SystemControl system_;
+  std::uint64_t limit_ = 0;
+  bool running_ = false;  ///< inside the core
+  bool sleeping_ = false;
+  bool exit_ = false;
+  bool faultsAreProblems_ = false;
   unsigned raised_ = 0;
+  std::optional<Refused> refused_;
   std::optional<Problem> problem_;
   std::function<void(CortexM4&)> semihosting_;
   std::function<void(Step, unsigned)> exceptionCall_;
   std::function<void()> resetCall_;
   std::function<void()> lockupCall_;
-  std::function<void(std::uint32_t)> blockCall_;
-  ExecutedCode* executed_ = nullptr;
 };
 
 }  // namespace wr::k64

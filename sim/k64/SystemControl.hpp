@@ -28,6 +28,8 @@ class SystemControl {
   static constexpr std::uint32_t kInvalidState = 1U << 17;
   static constexpr std::uint32_t kInvalidPc = 1U << 18;
   static constexpr std::uint32_t kNoCoprocessor = 1U << 19;
+  static constexpr std::uint32_t kUnaligned = 1U << 24;
+  static constexpr std::uint32_t kDivideByZero = 1U << 25;
   // Bits of HFSR, B3.2.16.
   static constexpr std::uint32_t kVectorTable = 1U << 1;
   static constexpr std::uint32_t kForced = 1U << 30;
@@ -65,6 +67,8 @@ class SystemControl {
   [[nodiscard]] bool sleepsOnExit() const { return (control_ & 2U) != 0; }
   [[nodiscard]] bool sleepsDeep() const { return (control_ & 4U) != 0; }
   [[nodiscard]] bool alignsStack() const { return (configuration_ & 0x200U) != 0; }
+  [[nodiscard]] bool trapsUnaligned() const { return (configuration_ & 8U) != 0; }
+  [[nodiscard]] bool trapsDivideByZero() const { return (configuration_ & 0x10U) != 0; }
   [[nodiscard]] bool threadFromAnyLevel() const { return (configuration_ & 1U) != 0; }
 
  private:

@@ -33,7 +33,6 @@ namespace {
 constexpr std::uint32_t kFlashSize = 0x100000;
 constexpr std::uint32_t kRamLower = 0x1FFF0000;
 constexpr std::uint32_t kRamLowerSize = 0x10000;
-constexpr std::uint32_t kPage = 0x1000;
 constexpr std::uint32_t kRamUpper = 0x20000000;
 constexpr std::uint32_t kRamUpperSize = 0x30000;
 constexpr std::uint32_t kPeripherals = 0x40000000;
@@ -44,6 +43,8 @@ constexpr std::uint32_t kSimUpper = 0x40048000;
 
 constexpr std::uint32_t kFlashOption = 0x40D;
 constexpr unsigned kFirstLine = 16;
+constexpr unsigned kLines = 110;
+constexpr unsigned kPriorityBits = 4;
 constexpr unsigned kPorts = 5;
 constexpr unsigned kTimers = 4;
 constexpr unsigned kConverters = 2;
@@ -73,6 +74,7 @@ class VirtualBoard::Parts final : public Surroundings {
   Parts(std::vector<std::uint8_t> image, Options options)
       : options_(std::move(options)),
         image_(std::move(image)),
+        cpu_(kLines, kPriorityBits, options_.timing),
         sim_(*this, image_.size() <= kFlashOption || (image_[kFlashOption] & 1U) != 0),
         mcg_(*this, options_.externalClock),
         osc_(*this, "OSC", 1, kOsc),
@@ -227,8 +229,7 @@ void VirtualBoard::Parts::build() {
   std::vector<std::uint8_t> flash(kFlashSize, 0xFF);
   std::ranges::copy(image_, flash.begin());
   cpu_.mapMemory(0, kFlashSize, CortexM4::Access::ReadExecute);
-  cpu_.mapMemory(kRamLower, kRamLowerSize - kPage, CortexM4::Access::ReadWrite);
-  cpu_.mapBorder(kRamUpper);
+  cpu_.mapMemory(kRamLower, kRamLowerSize, CortexM4::Access::ReadWrite);
   cpu_.mapMemory(kRamUpper, kRamUpperSize, CortexM4::Access::ReadWrite);
   cpu_.load(0, flash);
   cpu_.mapWindow(

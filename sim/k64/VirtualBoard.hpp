@@ -11,6 +11,7 @@
 
 #include "sim/k64/Event.hpp"
 #include "sim/k64/Finding.hpp"
+#include "sim/k64/Timing.hpp"
 
 namespace wr::k64 {
 
@@ -23,7 +24,8 @@ struct Options {
   bool externalClock = true;      ///< the clock of 50 MHz is there
   bool calibrates = true;         ///< the calibration of the analog-to-digital converters succeeds
   bool resetsAreFindings = true;  ///< a reset that the program causes stops the run
-  bool faultsAreFindings = true;  ///< a fault stops the run; false: the program gets it
+  Timing timing = Timing::NoWaitStates;  ///< what instructions cost
+  bool faultsAreFindings = true;         ///< a fault stops the run; false: the program gets it
 };
 
 /// @brief A K64 microcontroller with its clock and a line to a PC, which runs an image unchanged.

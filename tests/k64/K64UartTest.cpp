@@ -107,7 +107,7 @@ TEST_F(K64UartOnBoard, FR49_FramingErrorIsCounted) {
 /// comes after is counted byte by byte.
 /// @verifies FR-49
 TEST(K64UartOnBoardThatIsBusy, FR49_BytesBeyondTheStorageAreCounted) {
-  constexpr std::uint32_t kRounds = 11'800'000;  // 197 ms of the core
+  constexpr std::uint32_t kRounds = 4'728'000;  // 197 ms of the core, five cycles for each
   BoardRobot robot(withHandler(readImage(imageFile()), kUnusedException, stubs::takeTime(kRounds)));
   robot.startUp();
   robot.connect();

@@ -1,6 +1,7 @@
 #include "sensing/velocity/VelSensor.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "functions/arguments/BaseArguments.hpp"
 #include "functions/arguments/RangeArguments.hpp"
@@ -51,20 +52,28 @@ std::uint16_t VelSensor::rejectedEdges() {
 
 std::optional<Velocity> VelSensor::withEdges(const Instants& instants, Instant now) {
   const std::int32_t edges = difference(instants.count, count_);
-  const Microseconds elapsed = standing_ ? now - measuredAt_ : *instants.last - *edge_;
+  const Instant from = standing_ ? measuredAt_ : *edge_;
+  const std::optional<Velocity> mean =
+      standing_ ? fromStandstill(edges, now - from) : velocity(edges, *instants.last - from);
   edge_ = instants.last;
   count_ = instants.count;
   standing_ = false;
-  return velocity(edges, elapsed);
+  return mean ? std::optional(bounded(*mean, edges, now - from)) : std::nullopt;
 }
 
-std::optional<Velocity> VelSensor::withoutEdges(Instant now) {
+std::optional<Velocity> VelSensor::fromStandstill(std::int32_t edges, Microseconds elapsed) const {
+  const auto direction = std::clamp<std::int32_t>(edges, -1, 1);
+  return velocity(2 * edges - direction, elapsed + elapsed);
+}
+
+Velocity VelSensor::withoutEdges(Instant now) {
   standing_ = standing_ || now - *edge_ >= kStandstill;
-  if (standing_) {
-    return Velocity(0);
-  }
-  const std::optional<Velocity> bound = velocity(1, now - *edge_);
-  return bound ? std::clamp(velocity_, -*bound, *bound) : velocity_;
+  return standing_ ? Velocity(0) : bounded(velocity_, 0, now - *edge_);
+}
+
+Velocity VelSensor::bounded(Velocity value, std::int32_t edges, Microseconds elapsed) const {
+  const std::optional<Velocity> bound = velocity(std::abs(edges) + 1, elapsed);
+  return bound ? std::clamp(value, -*bound, *bound) : value;
 }
 
 std::optional<Velocity> VelSensor::velocity(std::int32_t edges, Microseconds elapsed) const {

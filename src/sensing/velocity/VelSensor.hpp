@@ -31,8 +31,10 @@ class VelSensor final {
 
   /// @brief Measures the velocity and writes it to the pipe. With new edges it is their number,
   /// less those backwards, over the time from the edge before them to the newest; after a
-  /// standstill, over the time since the measurement before. Without new edges it is the velocity
-  /// before, but at most one edge in the time since the last one, and 0 once that is 500 ms.
+  /// standstill, half an edge less over the time since the measurement before.
+  /// Without new edges it is the velocity before. In all cases it is at most the velocity whose
+  /// next edge would come now, so that an edge at the moment of the measurement changes a falling
+  /// velocity by nothing. It is 0 once no edge came for 500 ms.
   /// @errors A velocity that the function refuses is not written: the value in the pipe grows old.
   /// @isr{no}
   /// @satisfies FR-120
@@ -59,8 +61,17 @@ class VelSensor final {
   /// @brief Velocity when edges came since the measurement before.
   [[nodiscard]] std::optional<Velocity> withEdges(const Instants& instants, Instant now);
 
+  /// @brief Velocity when the wheel stood at the measurement before. It stood somewhere between two
+  /// edges: the way to the first edge is half of one to the next, on average.
+  [[nodiscard]] std::optional<Velocity> fromStandstill(std::int32_t edges,
+                                                       Microseconds elapsed) const;
+
   /// @brief Velocity when no edge came since the measurement before.
-  [[nodiscard]] std::optional<Velocity> withoutEdges(Instant now);
+  [[nodiscard]] Velocity withoutEdges(Instant now);
+
+  /// @brief A velocity, but at most that of one edge more than came in a time: a faster wheel would
+  /// have given that edge.
+  [[nodiscard]] Velocity bounded(Velocity value, std::int32_t edges, Microseconds elapsed) const;
 
   SensorCollector& collector_;
   const Function& function_;

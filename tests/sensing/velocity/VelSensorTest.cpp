@@ -79,6 +79,18 @@ TEST_F(VelSensorTest, FR120_StartsFromStandstill) {
   EXPECT_NEAR(measured, 500, 1.5);
 }
 
+/// @brief One edge after a standstill counts as half: the wheel may have stood right before it.
+/// @verifies FR-120
+TEST_F(VelSensorTest, FR120_FirstEdgeAfterStandstill) {
+  for (const int direction : {1, -1}) {
+    cycles(0, 6);
+    wheel.turn(0, milliseconds(50));
+    wheel.edge(direction);
+    wheel.turn(0, milliseconds(50));
+    EXPECT_EQ(wheel.measure() * direction, 50);
+  }
+}
+
 /// @brief While edges stay away the velocity is at most one edge in the time since the last one.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_FallsWhileEdgesStayAway) {
@@ -92,6 +104,28 @@ TEST_F(VelSensorTest, FR122_FallsWhileEdgesStayAway) {
     }
     cycles(0, 1);
     EXPECT_EQ(measured, 0);
+  }
+}
+
+/// @brief A wheel slows down. Whether its last edge comes just before the measurement or just after
+/// it, the velocity is the same.
+/// @verifies FR-122
+TEST_F(VelSensorTest, FR122_AnEdgeAtTheMeasurementMakesNoStep) {
+  for (const int direction : {1, -1}) {
+    TurningWheel before;
+    TurningWheel after;
+    for (TurningWheel* each : {&before, &after}) {
+      each->turn(25 * direction, milliseconds(1000));  // its last edge is 20 ms old
+      each->measure();
+      each->turn(0, milliseconds(37));
+      each->edge(direction);
+      each->turn(0, milliseconds(62));
+    }
+    before.edge(direction);
+    const double with = before.measure();
+    const double without = after.measure();
+    EXPECT_NEAR(with, without, 0.5);
+    EXPECT_NEAR(with * direction, 2e4 / (20 + 37 + 62), 0.5);
   }
 }
 

@@ -145,18 +145,11 @@ void UsualDesign::cycleTimerExpired() {
   pulses_.store(number);
 }
 
-void UsualDesign::run() {
-  if (pulses_.load() == begun_) {
-    return;
-  }
+void UsualDesign::cycle() {
   const std::optional<Stamped<std::uint32_t>> pulse = pulse_.read();
   begun_ = pulse->value;
-  cycle(pulse->at);
-}
-
-void UsualDesign::cycle(Instant clockPulse) {
+  clockPulse_ = pulse->at;
   ++cycle_;
-  clockPulse_ = clockPulse;
   orderRead_ = false;
   overran_ = false;
   servePc();

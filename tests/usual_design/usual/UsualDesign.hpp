@@ -36,7 +36,11 @@ class UsualDesign {
   void remoteControlEdge();
 
   // What the main loop calls after each interrupt.
-  void run();
+  void run() {
+    if (pulses_.load(std::memory_order_relaxed) != begun_) {
+      cycle();
+    }
+  }
 
  private:
   enum class Mode : std::uint8_t { Rc = 0, Pc = 1, None = 255 };
@@ -60,7 +64,7 @@ class UsualDesign {
   };
 
   // One control cycle.
-  void cycle(Instant clockPulse);
+  void cycle();
   void readOrder();
   [[nodiscard]] bool pcOrderIsNew() const;
   void readRcOrder(const Stamped<std::int32_t>& velocity, const Stamped<std::int32_t>& direction);

@@ -1,0 +1,253 @@
+#include "sim/k64/processor/Core.hpp"
+
+#include <utility>
+
+#include "sim/k64/processor/Encoding.hpp"
+
+namespace wr::k64 {
+
+namespace {
+
+// ARMv7-M ARM, B3.1: from here on nothing may be executed, whatever is there.
+bool isNeverExecuted(std::uint32_t address) {
+  return (address >= 0x40000000 && address < 0x60000000) || address >= 0xA0000000;
+}
+
+bool isWide(std::uint32_t firstHalf) {
+  return firstHalf >> 11 >= 0b11101;
+}
+
+}  // namespace
+
+void Core::branchAndExchange(std::uint32_t address) {
+  if (registers.exception != 0 && address >> 28 == 0xF) {
+    trap(Trap::ExceptionReturn, address);
+    next = address & ~1U;
+    return;
+  }
+  branchOnly(address);
+}
+
+void Core::branchOnly(std::uint32_t address) {
+  branch(address);
+  if ((address & 1U) == 0) {
+    registers.thumb = false;
+    trap(Trap::InvalidState);
+  }
+}
+
+bool Core::beginFp() {
+  if (!fpu.on) {
+    trap(Trap::FpuOff);
+    return false;
+  }
+  if (fpu.activates && (registers.control & Registers::kFpActive) == 0) {
+    registers.fpscr = (registers.fpscr & ~0x07C00000U) | fpu.defaults;
+    registers.control |= Registers::kFpActive;
+  }
+  return true;
+}
+
+Trap Core::run() {
+  const bool looks = executed_ != nullptr || blockCall_ != nullptr;
+  if (slowFlash_) {
+    looks ? runInstructions<true, true>() : runInstructions<true, false>();
+  } else {
+    looks ? runInstructions<false, true>() : runInstructions<false, false>();
+  }
+  return std::exchange(trap_, Trap::None);
+}
+
+template <bool kSlowFlash, bool kLooks>
+void Core::runInstructions() {
+  while (cycles_ < stopAt_) {
+    const std::uint32_t address = next;
+    registers.r[Registers::kPc] = address + 4;
+    const Instruction* instruction = fetch(address);
+    if (instruction == nullptr) [[unlikely]] {
+      return;
+    }
+    if constexpr (kSlowFlash) {
+      fetchSlowly(address, instruction->bytes());
+    }
+    ++cycles_;
+    if constexpr (kLooks) {
+      note(address);
+    }
+    next = address + instruction->bytes();
+    if (registers.it == 0) [[likely]] {
+      instruction->run(*this, *instruction);
+      continue;
+    }
+    const std::uint8_t block = registers.it;
+    registers.advanceIt();
+    if (registers.passes(block >> 4U)) {
+      instruction->run(*this, *instruction);
+      if (trap_ >= Trap::Breakpoint) {
+        registers.it = block;
+      }
+    }
+  }
+}
+
+void Core::note(std::uint32_t address) {
+  if (std::exchange(branched_, false) && blockCall_) {
+    blockCall_(address);
+  }
+  if (executed_ != nullptr && (registers.it == 0 || registers.passes(registers.it >> 4U))) {
+    executed_->note(address);
+  }
+}
+
+inline const Instruction* Core::fetch(std::uint32_t address) {
+  const std::uint32_t offset = address - codeAddress_;
+  if (offset < codeSize_) [[likely]] {
+    Instruction& slot = code_[offset / 2];
+    if ((slot.form & Instruction::kPlace) == Instruction::place(registers.it != 0)) [[likely]] {
+      return &slot;
+    }
+    return decodeAt(address, slot);
+  }
+  const Memory::Area* area = memory.find(address);
+  if (area == nullptr || area->instructions == nullptr) {
+    return decodeAt(address, single_);
+  }
+  codeAddress_ = area->address;
+  codeSize_ = area->size;
+  code_ = area->instructions.get();
+  return fetch(address);
+}
+
+bool Core::fetchHalf(std::uint32_t address, std::uint32_t& half) {
+  const Memory::Area* area = memory.find(address);
+  if (isNeverExecuted(address) || (area != nullptr && !area->mayExecute)) {
+    trap(Trap::InstructionViolation, address);
+    return false;
+  }
+  if (area == nullptr) {
+    trap(Trap::InstructionBus, address);
+    return false;
+  }
+  half = memory.read<std::uint16_t>(address);
+  return true;
+}
+
+const Instruction* Core::decodeAt(std::uint32_t address, Instruction& slot) {
+  const bool inBlock = registers.it != 0;
+  std::uint32_t first = 0;
+  if (!fetchHalf(address, first)) {
+    return nullptr;
+  }
+  std::uint32_t bits = first;
+  if (isWide(first)) {
+    std::uint32_t second = 0;
+    if (!fetchHalf(address + 2, second)) {
+      return nullptr;
+    }
+    bits = first << 16 | second;
+  }
+  slot = decode({.bits = bits, .inBlock = inBlock}, isWide(first));
+  slot.form = static_cast<std::uint8_t>(Instruction::place(inBlock) | (isWide(first) ? 4U : 2U));
+  return &slot;
+}
+
+void Core::fetchSlowly(std::uint32_t address, std::uint32_t size) {
+  for (std::uint32_t at = address; at != address + size; at += 2) {
+    const std::uint32_t phrase = at & ~(kPhrase - 1);
+    if (phrase != phrase_ && at - codeAddress_ < codeSize_) {
+      phrase_ = phrase;
+      spend(kFlashCycles);
+    }
+  }
+}
+
+void Core::spendForRead(std::uint32_t address) {
+  if (const Memory::Area* area = memory.find(address);
+      slowFlash_ && area != nullptr && area->isFlash()) {
+    spend(kFlashCycles);
+  }
+}
+
+bool Core::loadAligned(std::uint32_t address, std::uint32_t& value) {
+  if ((address & 3U) != 0) {
+    trap(Trap::Unaligned);
+    return false;
+  }
+  return load<std::uint32_t>(address, value);
+}
+
+bool Core::storeAligned(std::uint32_t address, std::uint32_t value) {
+  if ((address & 3U) != 0) {
+    trap(Trap::Unaligned);
+    return false;
+  }
+  return store<std::uint32_t>(address, value);
+}
+
+// An unaligned access is made as two or three aligned ones: Cortex-M4 TRM, 3.3.3.
+bool Core::unalignedIsFine(const Memory::Area* area, std::uint32_t address, std::uint32_t size) {
+  const std::uint32_t odd = address & (size - 1);
+  if (odd == 0) {
+    return true;
+  }
+  if (trapsUnaligned || area->bytes == nullptr) {  // a window is device memory: A3.2.1
+    trap(Trap::Unaligned);
+    return false;
+  }
+  spend((odd & 1U) != 0 && size == 4 ? 2 : 1);
+  return true;
+}
+
+bool Core::loadElsewhere(std::uint32_t address, std::uint32_t size, std::uint32_t& value) {
+  const Memory::Area* area = memory.find(address);
+  if (area == nullptr) {
+    trap(Trap::LoadBus, address);
+    return false;
+  }
+  if (!unalignedIsFine(area, address, size)) {
+    return false;
+  }
+  if (area->bytes == nullptr) {
+    value = area->read(address, size);
+    return trap_ == Trap::None;
+  }
+  if (!area->holds(address, size)) {
+    trap(memory.find(address + (size - 1)) == nullptr ? Trap::LoadBus : Trap::LoadAcross, address);
+    return false;
+  }
+  value = 0;
+  std::memcpy(&value, area->at(address), size);
+  spendForRead(address);
+  if (((address ^ (address + (size - 1))) & ~3U) != 0) {
+    spendForRead(address + (size - 1));
+  }
+  return true;
+}
+
+bool Core::storeElsewhere(std::uint32_t address, std::uint32_t size, std::uint32_t value) {
+  const Memory::Area* area = memory.find(address);
+  if (area == nullptr) {
+    trap(Trap::StoreBus, address);
+    return false;
+  }
+  if (!unalignedIsFine(area, address, size)) {
+    return false;
+  }
+  if (area->bytes == nullptr) {
+    area->write(address, size, size == 4 ? value : value & ((1U << 8 * size) - 1));
+    return trap_ == Trap::None;
+  }
+  if (!area->mayWrite) {
+    trap(Trap::FlashStore, address);
+    return false;
+  }
+  if (!area->holds(address, size)) {
+    trap(memory.find(address + (size - 1)) == nullptr ? Trap::StoreBus : Trap::StoreAcross,
+         address);
+    return false;
+  }
+  std::memcpy(area->at(address), &value, size);
+  return true;
+}
+
+}  // namespace wr::k64

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <span>
+
+#include "sim/k64/processor/Instruction.hpp"
+
+namespace wr::k64 {
+
+static_assert(std::endian::native == std::endian::little, "as the processor");
+
+/// @brief What is at which address.
+class Memory {
+ public:
+  /// @brief What a program may do with memory.
+  enum class Access { ReadWrite, ReadExecute, ReadWriteExecute };
+
+  using Read = std::function<std::uint32_t(std::uint32_t address, unsigned size)>;
+  using Write = std::function<void(std::uint32_t address, unsigned size, std::uint32_t value)>;
+
+  /// @brief Gives memory back that was taken with calloc.
+  struct Release {
+    void operator()(void* memory) const { std::free(memory); }
+  };
+
+  /// @brief Memory, or a window: a range of addresses whose accesses are calls.
+  struct Area {
+    std::uint32_t address = 0;
+    std::uint32_t size = 0;
+    std::uint32_t direct = 0;    ///< bytes from which aligned loads need no call
+    std::uint32_t writable = 0;  ///< bytes to which aligned stores need no call
+    bool mayWrite = false;
+    bool mayExecute = false;
+    std::unique_ptr<std::uint8_t, Release> bytes;          ///< none of a window
+    std::unique_ptr<Instruction, Release> instructions{};  ///< one for each half-word, as decoded
+    Read read{};
+    Write write{};
+
+    [[nodiscard]] bool holds(std::uint32_t place, std::uint32_t count = 1) const {
+      const std::uint32_t offset = place - address;
+      return offset < size && size - offset >= count;
+    }
+    [[nodiscard]] std::uint8_t* at(std::uint32_t place) const {
+      return bytes.get() + (place - address);
+    }
+    /// @brief Memory that cannot be stored to, which is flash.
+    [[nodiscard]] bool isFlash() const { return bytes != nullptr && !mayWrite; }
+  };
+
+  /// @brief Makes an empty memory.
+  /// @param readsFlashDirectly false: each load from flash is a call
+  explicit Memory(bool readsFlashDirectly) : readsFlashDirectly_(readsFlashDirectly) {
+    areas_.fill(&nothing_);
+  }
+
+  /// @brief Adds memory.
+  void map(std::uint32_t address, std::uint32_t size, Access access);
+
+  /// @brief Adds a window.
+  void map(std::uint32_t address, std::uint32_t size, Read read, Write write);
+
+  /// @brief The first area of the megabyte of an address: mostly the one that has the address.
+  [[nodiscard]] const Area& near(std::uint32_t address) const {
+    return *areas_[address / kMegabyte];
+  }
+
+  /// @brief The area of an address; none where nothing is.
+  [[nodiscard]] Area* find(std::uint32_t address);
+  [[nodiscard]] const Area* find(std::uint32_t address) const;
+
+  /// @brief Writes from outside, also where the program may not.
+  void load(std::uint32_t address, std::span<const std::uint8_t> bytes);
+
+  /// @brief Reads from outside; 0 where no memory is.
+  template <typename Value>
+  [[nodiscard]] Value read(std::uint32_t address) const {
+    Value value = 0;
+    if (const Area* area = find(address);
+        area != nullptr && area->bytes != nullptr && area->holds(address, sizeof value)) {
+      std::memcpy(&value, area->at(address), sizeof value);
+    }
+    return value;
+  }
+
+  /// @brief The words of a stack; none where not all of it can be written.
+  [[nodiscard]] std::uint8_t* stack(std::uint32_t address, std::uint32_t size) const;
+
+ private:
+  static constexpr std::uint32_t kMegabyte = 0x100000;
+
+  Area& add(std::uint32_t address, std::uint32_t size);
+
+  bool readsFlashDirectly_;
+  Area nothing_{};
+  std::deque<Area> all_;
+  std::array<Area*, 4096> areas_{};
+};
+
+}  // namespace wr::k64

@@ -1,0 +1,86 @@
+// A third reading mode: a Bluetooth device orders over a second serial port, in the frames of the
+// PC, without a handshake. The modes follow each other as RC, PC, Bluetooth.
+
+#include "sim/host/HostSerialPort.hpp"
+#include "usual_design/host/OneWheelRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+constexpr int kBluetooth = 2;
+
+// A device, and a design that has a port for it.
+template <class Design>
+class BluetoothMode : public testing::Test {
+ protected:
+  void deviceOrders(const PcOrder& order) { port.arrive(device.order(order)); }
+
+  // Cycles without orders until the robot reads in a mode.
+  void waitForMode(int mode) {
+    for (int i = 0; i < 3 * kN && robot.report().mode != mode; ++i) {
+      robot.silentCycle();
+    }
+    ASSERT_EQ(robot.report().mode, mode);
+  }
+
+  HostSerialPort port;
+  PcSender device;
+  OneWheelRobot<Design> robot{port};
+};
+TYPED_TEST_SUITE(BluetoothMode, Designs, DesignName);
+
+/// @brief Without orders the three modes follow each other.
+TYPED_TEST(BluetoothMode, FollowsPcAndIsFollowedByRc) {
+  this->robot.commandByPc();
+  this->waitForMode(kBluetooth);
+  for (const int mode : {kRc, kPc, kBluetooth, kRc}) {
+    this->robot.silentCycle();
+    EXPECT_EQ(this->robot.report().mode, mode);
+  }
+}
+
+/// @brief In its mode the orders of the device are read, and keep the mode.
+TYPED_TEST(BluetoothMode, ReadsTheOrdersOfTheDevice) {
+  this->robot.commandByPc();
+  this->waitForMode(kBluetooth);
+  for (std::uint16_t id = 70; id < 80; ++id) {
+    this->deviceOrders({.id = id, .steering = 250, .wheels = {{{0, 300}}}});
+    this->robot.silentCycle();
+    EXPECT_EQ(this->robot.report().mode, kBluetooth);
+    EXPECT_EQ(this->robot.report().source, kBluetooth);
+    EXPECT_EQ(this->robot.report().orderId, id);
+    EXPECT_EQ(this->robot.report().wheels[0].value, 300);
+    EXPECT_TRUE(this->robot.report().orderRead());
+  }
+}
+
+/// @brief While the PC orders, the device does not command, but its stop acts until it is taken back.
+TYPED_TEST(BluetoothMode, StopOfTheDeviceActsInEachMode) {
+  this->robot.commandByPc();
+  this->deviceOrders({.id = 900});
+  this->robot.orderedCycles({.id = 2}, 1);
+  EXPECT_EQ(this->robot.report().orderId, 2);
+  this->deviceOrders({.id = 901, .stop = true});
+  this->robot.orderedCycles({.id = 3}, 2);
+  EXPECT_EQ(this->robot.report().mode, kPc);
+  EXPECT_TRUE(this->robot.report().stop());
+  EXPECT_TRUE(this->robot.report().held());
+  this->deviceOrders({.id = 902});
+  this->robot.orderedCycles({.id = 4}, 1);
+  EXPECT_FALSE(this->robot.report().stop());
+}
+
+/// @brief What the device sends beside orders changes nothing.
+TYPED_TEST(BluetoothMode, PassesOverAllButOrders) {
+  this->robot.commandByPc();
+  for (std::uint16_t id = 2; id < 20; ++id) {
+    this->port.arrive(Bytes(300, static_cast<std::uint8_t>(id * 13)));
+    this->port.arrive(this->device.hello());
+    this->robot.orderedCycles({.id = id}, 1);
+    EXPECT_EQ(this->robot.report().orderId, id);
+  }
+  EXPECT_EQ(this->port.takeSent(), Bytes{});
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,47 @@
+// A state that warns: after K - 1 = N - 2 failed reads the next one sets WaitingK, which lights a
+// lamp; the robot goes on meanwhile, and moves to Reconnecting after N failed reads as before.
+
+#include "sim/host/HostDigitalOutput.hpp"
+#include "usual_design/host/OneWheelRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+constexpr int kWaitingK = 4;
+
+// A lamp, and a design that warns with it.
+template <class Design>
+class WarningState : public testing::Test {
+ protected:
+  HostDigitalOutput lamp;
+  OneWheelRobot<Design> robot{lamp};
+};
+TYPED_TEST_SUITE(WarningState, Designs, DesignName);
+
+/// @brief The lamp shines in the cycle before the last waiting state, and in no other one; the set-points
+/// are followed meanwhile.
+TYPED_TEST(WarningState, WarnsBeforeTheLastWaitingState) {
+  this->robot.commandByPc();
+  EXPECT_FALSE(this->lamp.isOn());
+  for (int failed = 1; failed <= kN + 1; ++failed) {
+    this->robot.silentCycle();
+    const bool warns = failed == kN - 1;
+    EXPECT_EQ(this->lamp.isOn(), warns) << failed;
+    EXPECT_EQ(this->robot.report().state == kWaitingK, warns) << failed;
+    EXPECT_EQ(this->robot.report().held(), failed > kN) << failed;
+  }
+  EXPECT_EQ(this->robot.report().state, kReconnecting);
+}
+
+/// @brief A message ends the warning.
+TYPED_TEST(WarningState, EndsWithAMessage) {
+  this->robot.commandByPc();
+  this->robot.silentCycles(kN - 1);
+  EXPECT_TRUE(this->lamp.isOn());
+  this->robot.orderedCycles({.id = 5}, 1);
+  EXPECT_FALSE(this->lamp.isOn());
+  EXPECT_EQ(this->robot.report().state, kWorking);
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,47 @@
+// A new algorithm for the velocity of a wheel: the set-point is approached by at most 20 rpm in a
+// cycle, from the velocity at which control begins.
+
+#include "usual_design/host/OneWheelRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+template <class Design>
+class RampedVelocity : public OfBothDesigns<Design> {};
+TYPED_TEST_SUITE(RampedVelocity, Designs, DesignName);
+
+// Tension that turns an unloaded motor at a velocity: 5236 mV at 100 rpm.
+constexpr int unloaded(int tenthRpm) {
+  return 5236 * tenthRpm / 1000;
+}
+
+/// @brief The first cycles after a step apply the tension of a set-point that rises by 20 rpm in each.
+TYPED_TEST(RampedVelocity, RisesByTwentyRpmInACycle) {
+  const PcOrder step{.id = 2, .wheels = {{{0, 3000}}}};
+  this->robot.physics().setFault(sim::Fault::Hall, 0, true);  // so that the error stays small
+  this->robot.commandByPc();
+  this->robot.orderedCycles(step, 1);
+  EXPECT_EQ(this->robot.report().tension[0], unloaded(200));
+  this->robot.orderedCycles(step, 1);
+  EXPECT_GE(this->robot.report().tension[0], unloaded(400));
+  EXPECT_LT(this->robot.report().tension[0], unloaded(600));
+}
+
+/// @brief The set-point is reached in the end, and left as slowly.
+TYPED_TEST(RampedVelocity, ReachesTheSetPoint) {
+  const auto order = this->robot.velocity(1000);
+  this->robot.commandByPc(order);
+  this->robot.orderedCycles(order, 30);
+  EXPECT_NEAR(this->robot.meanVelocity(order, 20), 1000, 50);
+}
+
+/// @brief A set-point of another quantity is applied at once.
+TYPED_TEST(RampedVelocity, LeavesOtherQuantitiesAsTheyAre) {
+  const PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
+  this->robot.commandByPc();
+  this->robot.orderedCycles(order, 1);
+  EXPECT_EQ(this->robot.report().tension[0], 9000);
+}
+
+}  // namespace
+}  // namespace wr::test
