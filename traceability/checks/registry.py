@@ -291,9 +291,9 @@ _FIXED = [
     Check(
         "req-line",
         "Each line serves a requirement",
-        "Each line of a method of the design is executed by a passing test of a requirement that the "
-        "method serves: its tree holds the method, the method is tagged with it, or what calls the "
-        "method serves it. Other lines are justified in design/justified.toml.",
+        "Each line of a method of the design is executed by a passing test of a requirement that "
+        "the method serves: its tree holds the method, the method is tagged with it, or what calls "
+        "the method serves it. Other lines are justified in design/justified.toml.",
         "the drivers of the K64, whose lines the page of the virtual K64 lists; whether the test "
         "looks at what the line does.",
         "test the line for its requirement, remove it, or justify it.",

@@ -1,5 +1,7 @@
-"""req-*, suspect-*: each requirement is satisfied by code, verified by tests that ran and passed, and
-its links were reviewed."""
+"""req-*, suspect-*: each requirement is satisfied by code, verified by tests that passed.
+
+What its links depend on is as a person reviewed it.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +18,17 @@ _VERBS = {"method": "satisfies", "test": "verifies"}
 
 
 def check(model: Model, _facts: Facts) -> list[Finding]:
-    parts = (_tags, _requirements, _unknown, _stale, _results, _without, _unneeded, _lines, _suspects)
+    parts = (
+        _tags,
+        _requirements,
+        _unknown,
+        _stale,
+        _results,
+        _without,
+        _unneeded,
+        _lines,
+        _suspects,
+    )
     return [finding for part in parts for finding in part(model)]
 
 

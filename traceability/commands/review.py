@@ -32,9 +32,11 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument("id", help="one requirement, such as FR-15")
     parser.add_argument("--name", help="who reviews; without it the name that git knows")
     parser.add_argument(
-        "--yes", action="store_true", help="do not ask; for use with --name, where no one can answer"
+        "--yes",
+        action="store_true",
+        help="do not ask; only with --name",
     )
-    parser.set_defaults(run=lambda root, options: review(root, options))
+    parser.set_defaults(run=review)
 
 
 def review(root: Path, options: argparse.Namespace) -> int:
@@ -102,7 +104,11 @@ def text_reviewed(root: Path, now: LinkText, reviewed: str) -> str | None:
         texts_of_test,
     )
 
-    finders = {"requirement": texts_of_requirement, "method": texts_of_method, "test": texts_of_test}
+    finders = {
+        "requirement": texts_of_requirement,
+        "method": texts_of_method,
+        "test": texts_of_test,
+    }
     name = now.name.rsplit("::", 1)[-1]
     for version in versions(root, now.place.file):
         for text in finders[now.kind](version, name):

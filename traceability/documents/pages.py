@@ -316,9 +316,7 @@ def requirements_page(portal: Portal) -> Page:
         "requirements",
         sections=sections(portal),
         facets=found,
-        options={
-            name: verification.options(found.values(), pick) for name, pick in picks.items()
-        },
+        options={name: verification.options(found.values(), pick) for name, pick in picks.items()},
         bars=verification.chart(sections(portal)),
         lines_of=verification.lines_of,
         host=HOST,

@@ -177,9 +177,7 @@ def junit(model: Model) -> ET.Element:
                 top, "testsuite", name=requirement.section
             )
         suite = sections[requirement.section]
-        case = ET.SubElement(
-            suite, "testcase", classname=requirement.section, name=requirement.id
-        )
+        case = ET.SubElement(suite, "testcase", classname=requirement.section, name=requirement.id)
         if requirement.state != "verified":
             texts = requirement.reasons + [f"{s.name} {s.text}" for s in requirement.suspicions]
             failure = ET.SubElement(case, "failure", message=requirement.state)

@@ -117,7 +117,9 @@ def _read_host(root: Path) -> Coverage:
     files = sorted((root / SOURCES[HOST].folder).glob("*.arcs"))
     if not files:
         return coverage
-    units = {path.with_suffix(""): read_graphs(path) for path in (root / HOST_BUILD).rglob("*.gcno")}
+    units = {
+        path.with_suffix(""): read_graphs(path) for path in (root / HOST_BUILD).rglob("*.gcno")
+    }
     for graphs in units.values():
         for graph in graphs.values():
             if file := design_file(root, graph.file):
@@ -140,9 +142,7 @@ def _read_host(root: Path) -> Coverage:
     return coverage
 
 
-def _executed(
-    root: Path, graphs: dict[int, Graph], line: str
-) -> tuple[str, set[int], set[Branch]]:
+def _executed(root: Path, graphs: dict[int, Graph], line: str) -> tuple[str, set[int], set[Branch]]:
     number, *counters = map(int, line.split())
     graph = graphs.get(number)
     if graph is None or not (file := design_file(root, graph.file)):

@@ -1,4 +1,4 @@
-"""Folds recorded calls to the level of modules: only calls from one module into another are left."""
+"""Folds recorded calls to the level of modules: calls from one module into another are left."""
 
 from __future__ import annotations
 

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 
 from traceability.model.link_texts import (
     hash_of_text,
-    texts_of_requirement,
     specification_at,
+    texts_of_requirement,
     texts_of_test,
 )
 from traceability.model.schema import Method, Model, Place, Requirement, Review, Suspicion
@@ -79,7 +79,7 @@ def link_texts(model: Model, requirement: Requirement, sources: Sources) -> list
 def _methods(model: Model, method_id: str, requirement: str) -> list[Method]:
     return [
         method
-        for method in model.modules[method_id.split("::")[0]].methods
+        for method in model.modules[method_id.split("::", maxsplit=1)[0]].methods
         if method.id == method_id and requirement in method.satisfies
     ]
 
@@ -117,7 +117,8 @@ def write_review(root: Path, name: str, review: Review) -> None:
         parts.append(f'date = "{one.date}"\ntext = "{one.hashes["requirement"][key]}"\n')
         for kind in ("method", "test"):
             lines = [
-                f'{kind}s."{item}" = "{value}"\n' for item, value in sorted(one.hashes[kind].items())
+                f'{kind}s."{item}" = "{value}"\n'
+                for item, value in sorted(one.hashes[kind].items())
             ]
             parts += lines
     (root / REVIEWS).write_text("".join(parts), encoding="utf-8")

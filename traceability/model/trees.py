@@ -6,9 +6,9 @@ from dataclasses import dataclass, field
 from itertools import product
 from typing import TYPE_CHECKING
 
+from traceability.model.fold import Edges, fold, starts
 from traceability.model.schema import BINDINGS, HOST, Model, Requirement, TreeNode, TreeRun
 from traceability.model.syntax import BodyFact, is_board
-from traceability.model.fold import Edges, fold, starts
 from traceability.model.traces import Row, Traces, embed, excerpt, nodes_of, recorded_nodes
 
 if TYPE_CHECKING:
@@ -156,7 +156,11 @@ def _execute(model: Model, requirement: Requirement, run: Run) -> None:
             shown, start, numbers = excerpt(rows, sorted(found.rows.values()))
             places = [numbers.get(found.rows.get(id(node), -1)) for node in nodes]
             requirement.runs[run.binding] = TreeRun(
-                passing[name], shown, start, places, fold(rows, starts(nodes, found.rows), run.edges)
+                passing[name],
+                shown,
+                start,
+                places,
+                fold(rows, starts(nodes, found.rows), run.edges),
             )
             furthest = len(nodes)
             break

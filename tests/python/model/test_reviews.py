@@ -96,7 +96,11 @@ def test_what_was_reviewed_and_changed_is(
     ("file", "old", "new"),
     [
         (TEXT, "set a waiting state", "set a\n  waiting state"),
-        (HEADER, "/// @brief Whether an order has come.", "/// @brief Whether an\n  /// order has come."),
+        (
+            HEADER,
+            "an order has come.",
+            "an\n  /// order has come.",
+        ),
         (TEST, "EXPECT_TRUE(true);", "EXPECT_TRUE( true );  // at once"),
     ],
 )
@@ -130,9 +134,7 @@ def test_a_review_needs_a_known_id_and_someone_who_answers(
 
 
 def test_the_texts_of_an_earlier_version_are_found() -> None:
-    text = (
-        "/**\n@requirement FR-1 One.\n\n@priority high\n*/\n\n/**\n@requirement FR-10 Ten.\n*/\n"
-    )
+    text = "/**\n@requirement FR-1 One.\n\n@priority high\n*/\n\n/**\n@requirement FR-10 Ten.\n*/\n"
     assert list(texts_of_requirement(text, "FR-1")) == ["@requirement FR-1 One.\n@priority high"]
     header = "  /// @brief Reads.\n  /// @satisfies FR-1\n  void read(int a,\n            int b);\n"
     assert list(texts_of_method(header, "read")) == ["@brief Reads.\nvoid read(int a, int b)"]

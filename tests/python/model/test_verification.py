@@ -119,7 +119,9 @@ def test_a_skipped_test_is_not_a_passed_one(tree: Path) -> None:
 
 
 def test_a_call_that_is_no_longer_made_is_found(tree: Path) -> None:
-    change(tree, f"{STATES}/Working.cpp", "mCtrl.changeOpState(next_);", "static_cast<void>(mCtrl);")
+    change(
+        tree, f"{STATES}/Working.cpp", "mCtrl.changeOpState(next_);", "static_cast<void>(mCtrl);"
+    )
     write_results(tree)
     write_trace(tree, CALLS[:-1])
     state, checks, model = checked(tree)
