@@ -210,6 +210,7 @@ def make_requirement() -> Requirement:
     ]
     return Requirement(
         "FR-15", "<p>The system shall wait.</p>", "Reading", Place("requirements/a.dox", 5),
-        "<p>Why.</p>", "<p>The paper.</p>", "<p>Test.</p>", "high", ["RC::read"],
-        ["RcTest.Reads"], root, {HOST: TreeRun("RcTest.Reads", trace, 40, [0, 2])}, "verified",
+        "<p>Why.</p>", "<p>The paper.</p>", "<p>Test.</p>", "high", satisfied_by=["RC::read"],
+        verified_by=["RcTest.Reads"], tree=root, state="verified",
+        runs={HOST: TreeRun("RcTest.Reads", trace, 40, [0, 2])},
     )  # fmt: skip
