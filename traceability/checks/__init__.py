@@ -9,6 +9,7 @@ from traceability.checks import (
     documents,
     links,
     modules,
+    paper,
     patterns,
     registers,
     requirements,
@@ -27,6 +28,7 @@ FAMILIES = (
     uses.check,
     registers.check,
     board.check,
+    paper.check,
     trees.check,
     requirements.check,
 )
@@ -43,8 +45,8 @@ def run_checks(model: Model) -> list[Finding]:
 
 
 def run_link_checks(model: Model, site: Path) -> list[Finding]:
-    """The dead links of the built site."""
-    return sort(links.check(model, site))
+    """The dead links of the built site, and the pages that it should have."""
+    return sort(links.check(model, site) + paper.check_pages(model, site))
 
 
 def sort(findings: list[Finding]) -> list[Finding]:

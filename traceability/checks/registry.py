@@ -322,6 +322,30 @@ _FIXED = [
         "run ./wr review with the id of the requirement.",
     ),
     Check(
+        "paper-complete",
+        "The concordance with the paper is complete",
+        "Every figure, table, section and named element of the paper that design/paper.toml lists "
+        "has one entry in design/concordance.toml, which says where it is here, or why it is not.",
+        "an element that the list leaves out; it was made from the text of the paper by hand.",
+        "write the entry, or correct its kind or name.",
+    ),
+    Check(
+        "paper-stale",
+        "The concordance names what exists",
+        "Every module, method, application, state machine, requirement, check and page that an "
+        "entry of design/concordance.toml names exists.",
+        "whether it is what the paper means; a person reads that.",
+        "name what stands for the element now.",
+    ),
+    Check(
+        "paper-alias",
+        "Other names than the paper's have a reason",
+        "A module, method or state whose name here is not the paper's has an alias with the "
+        "reason, and no other one has.",
+        "whether the reason is good.",
+        "say why the name differs, or use the name of the paper.",
+    ),
+    Check(
         "link-doc",
         "Links of hand-written pages",
         "Every reference in docs/ has a target.",

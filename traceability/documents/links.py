@@ -74,6 +74,9 @@ class Links:
     def pattern(self, identifier: str) -> str | None:
         return f"{ROOT}patterns/{identifier}.html" if identifier in self.model.patterns else None
 
+    def change(self, identifier: str) -> str | None:
+        return f"{ROOT}changes/{identifier}.html" if identifier in self.model.changes else None
+
     def machine(self, identifier: str) -> str | None:
         known = identifier in self.model.machines
         return f"{ROOT}machines.html#{slug(identifier)}" if known else None

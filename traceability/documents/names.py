@@ -105,6 +105,9 @@ class Names:
     def pat(self, identifier: str) -> Markup:
         return anchor(self.links.pattern(identifier), identifier, "id")
 
+    def change(self, identifier: str) -> Markup:
+        return anchor(self.links.change(identifier), identifier, "id")
+
     def test(self, identifier: str) -> Markup:
         text = Markup("<code>{}</code>").format(breakable(identifier))
         return anchor(self.links.test(identifier), text)
@@ -184,6 +187,11 @@ class Names:
             return whole
 
         return Markup(ID_OR_CODE.sub(name, html))
+
+
+def marked(words: str) -> str:
+    """A plain text with `names` in it, as HTML."""
+    return re.sub(r"`([^`]*)`", r"<code>\1</code>", str(escape(words)))
 
 
 def gist(brief: str) -> str:

@@ -118,11 +118,15 @@ def understand(model: Model) -> list[Entry]:
         Entry("structure", "Module structure", "structure.html", "", designs),
         Entry("patterns", "Pattern applications", "patterns/index.html", "P", patterns),
         Entry("machines", "State machines", "machines.html", "", len(model.machines)),
+        Entry("changes", "Likely changes", "changes.html", "", len(model.changes)),
+        Entry("secrets", "Secrets", "secrets.html", "", designs),
         Entry("guide", "Module guide", "guide.html", "G"),
         Entry("interfaces", "Interfaces", "interfaces.html", "I"),
+        Entry("inheritances", "Interface inheritances", "inheritances.html"),
         Entry("products", "Product line", "products.html", "", len(PRODUCTS)),
         Entry("datatypes", "Data types", "datatypes.html", "", types),
         Entry("uses", "Uses", "uses.html"),
+        Entry("concordance", "Concordance with the paper", "concordance.html"),
     ]
 
 

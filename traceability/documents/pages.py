@@ -8,6 +8,7 @@ from pathlib import Path
 
 from traceability.documents import calls, plots, verification
 from traceability.documents.links import logic_anchor
+from traceability.documents.paper_views import paper_views
 from traceability.documents.portal import Page, Portal
 from traceability.metrics import read_products
 from traceability.model.schema import (
@@ -33,6 +34,7 @@ EXAMPLE = "FR-15"  # the requirement that the first page follows
 
 def all_pages(portal: Portal) -> Iterator[Page]:
     yield from overview_pages(portal)
+    yield from paper_views(portal)
     for module in portal.designs:
         yield module_page(portal, module)
     for application in portal.model.patterns.values():
@@ -206,6 +208,8 @@ def module_page(portal: Portal, module: Module) -> Page:
         siblings=[name for name in (logic.modules if logic else []) if name != module.name],
         ancestors=ancestors(portal, module),
         bars=coverage_bars(portal, module),
+        changes=portal.changes_of(module.name),
+        in_paper=portal.in_paper(module.name),
         on_board=[hit for lines in board_hits(portal, module).values() for hit in lines.values()],
     )
 

@@ -16,7 +16,17 @@ from traceability.documents.highlight import Highlighter
 from traceability.documents.links import Links
 from traceability.documents.navigation import Navigation, hand_written
 from traceability.metrics import drift, image, metrics
-from traceability.model.schema import Finding, Model, Module, Place, Requirement, Test, TreeNode
+from traceability.model.schema import (
+    Finding,
+    Method,
+    Model,
+    Module,
+    PaperElement,
+    Place,
+    Requirement,
+    Test,
+    TreeNode,
+)
 
 SITE = Path(__file__).resolve().parents[2] / "site"
 
@@ -93,10 +103,11 @@ class Portal:
             lstrip_blocks=True,
         )
         environment.filters["text"] = self.names.text
+        environment.filters["marked"] = lambda words: self.names.text(names.marked(words))
         environment.filters["gist"] = names.gist
         environment.filters["file_name"] = names.file_name
         environment.filters["bold"] = Markup("<b>{}</b>").format
-        for kind in ("mod", "meth", "pat", "req", "src"):
+        for kind in ("mod", "meth", "pat", "req", "src", "change", "check"):
             environment.filters[kind] = getattr(self.names, kind)
         environment.globals.update(
             model=self.model,
@@ -232,6 +243,26 @@ class Portal:
 
     def applications_of(self, module: Module) -> list[str]:
         return list(dict.fromkeys(role.application for role in module.roles))
+
+    def callers(self, method: Method) -> list[str]:
+        """The methods that call it, in the modules of the robot and of the extensions."""
+        return [name for name in method.called_by if name in self.links.methods]
+
+    def changes_of(self, module: str) -> list[str]:
+        """The likely changes that a module absorbs: it hides them, or one way of them."""
+        return [
+            change.application
+            for change in self.model.changes.values()
+            if module in (change.hidden_by, *change.altered)
+        ]
+
+    def in_paper(self, module: str) -> list[PaperElement]:
+        """What the paper names that is this module, or one of its methods."""
+        return [
+            element
+            for element in self.model.paper
+            if any(one.split(":", 1)[1].split("::")[0] == module for one in element.here)
+        ]
 
     def is_later(self, check: str) -> bool:
         """Whether nothing is known of a check before the pages are written."""

@@ -7,6 +7,7 @@ import subprocess
 from pathlib import Path
 
 from traceability.model.annotations import MemberText, Text, read_annotations
+from traceability.model.changes import add_changes
 from traceability.model.closed_loop import read_closed_loop
 from traceability.model.coverage import Coverage, read_coverage
 from traceability.model.declared import read_declared
@@ -33,7 +34,7 @@ from traceability.model.schema import (
     RoleBinding,
     Use,
 )
-from traceability.model.syntax import BodyFact, MethodFact, read_syntax
+from traceability.model.syntax import BodyFact, ClassFact, MethodFact, read_syntax
 from traceability.model.tests import add_board_findings, add_executed_modules, add_tests
 from traceability.model.traces import nodes_of, read_traces
 from traceability.model.trees import add_trees
@@ -83,6 +84,9 @@ def build(root: Path) -> Model:
     justify(model, facts.declared.justified)
     add_reviews(model, root)
     set_states(model)
+    model.paper = facts.declared.concordance.entries
+    model.paper_places = facts.declared.concordance.places
+    add_changes(model, facts.declared.changes)
     model.files = source_files(root)
     model.facts = facts
     return model
@@ -168,7 +172,7 @@ def _add_modules(model: Model, facts: Facts) -> None:
             name=fact.name,
             qualified=fact.qualified,
             logic=logic,
-            abstract=fact.abstract,
+            abstract=fact.abstract or _for_heirs_only(fact),
             datatype=text.datatype,
             brief=text.brief,
             function=text.one("Function"),
@@ -200,6 +204,12 @@ def _add_modules(model: Model, facts: Facts) -> None:
     for module in model.modules.values():
         for method in module.methods:
             _inherit_specification(method, model)
+
+
+def _for_heirs_only(fact: ClassFact) -> bool:
+    """Whether only heirs can make one: all its constructors are protected."""
+    made = [m.access for m in fact.methods if m.kind == "constructor" and not m.deleted]
+    return bool(made) and set(made) == {"protected"}
 
 
 def comment_places(root: Path, place: Place, pattern: str) -> list[Place]:

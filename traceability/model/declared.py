@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from traceability.model.changes import ChangeTexts, read_change_texts
+from traceability.model.concordance import Concordance, read_concordance
 from traceability.model.schema import (
     AllowedUse,
     ArchitectureElement,
@@ -72,6 +74,8 @@ class Declared:
     blocks: list[Block] = field(default_factory=list)
     board_findings: dict[str, BoardFinding] = field(default_factory=dict)
     justified: list[Justified] = field(default_factory=list)
+    concordance: Concordance = field(default_factory=Concordance)
+    changes: ChangeTexts = field(default_factory=ChangeTexts)
 
 
 def read_declared(root: Path) -> Declared:
@@ -113,6 +117,8 @@ def read_declared(root: Path) -> Declared:
         for kind in ("method", "test", "line")
         for item, place in _tables(root, design / "justified.toml", kind)
     ]
+    declared.concordance = read_concordance(root)
+    declared.changes = read_change_texts(root)
     for item, _ in _tables(root, design / "modules.toml", "logic"):
         declared.names[item["folder"]] = item["modules"]
     return declared

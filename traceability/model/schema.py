@@ -342,12 +342,12 @@ class Requirement:
     source: str = ""
     verification: str = ""
     priority: str = ""
-    evidence: list[Evidence] = field(default_factory=list)  # instead of calls
     satisfied_by: list[str] = field(default_factory=list)
     verified_by: list[str] = field(default_factory=list)
     tree: TreeNode | None = None
     runs: dict[str, TreeRun] = field(default_factory=dict)  # binding -> run that holds the tree
     coverage: dict[str, list[MethodCoverage]] = field(default_factory=dict)  # binding -> methods
+    evidence: list[Evidence] = field(default_factory=list)  # instead of calls
     review: Review | None = None
     suspicions: list[Suspicion] = field(default_factory=list)
     state: str = "unverified"
@@ -421,6 +421,49 @@ class ArchitectureElement:
     text: str
     modules: list[str]
     place: Place
+
+
+@dataclass
+class PaperPlace:
+    """A figure, table, section or box of the paper."""
+
+    id: str
+    kind: str
+    title: str
+    place: Place
+
+
+@dataclass
+class PaperElement:
+    """What the paper names, and where it is here. ``here`` holds targets as "kind:name"."""
+
+    kind: str
+    name: str
+    here: list[str]
+    alias: str = ""  # why it has another name here
+    deviation: str = ""  # what is different here on purpose
+    note: str = ""
+    where: list[str] = field(default_factory=list)  # places of the paper that name it
+    place: Place = field(default_factory=lambda: Place("", 0))
+
+
+@dataclass
+class LikelyChange:
+    """What a change takes that an application of a pattern absorbs."""
+
+    application: str
+    pattern: str
+    hidden_by: str  # module
+    altered: list[str]  # modules that each hide one way that exists
+    role: str  # role of a new class; "" when none is added
+    derives: list[str]  # what a new class derives from
+    logic: str  # where the present ones are
+    edits: list[str]  # modules that make a new class known
+    untouched: list[str]
+    requirements: list[str]  # to look at again
+    tests: list[str]
+    steps: list[str]
+    examples: list[str]  # modules of extensions that are such a change
 
 
 @dataclass
@@ -522,6 +565,9 @@ class Model:
     uses: list[Use] = field(default_factory=list)
     allowed_uses: list[AllowedUse] = field(default_factory=list)
     architecture: list[ArchitectureElement] = field(default_factory=list)
+    paper: list[PaperElement] = field(default_factory=list)
+    paper_places: list[PaperPlace] = field(default_factory=list)
+    changes: dict[str, LikelyChange] = field(default_factory=dict)  # by application
     board_findings: dict[str, BoardFinding] = field(default_factory=dict)
     driver_faults: list[DriverFault] | None = None  # of these sources
     # File of the drivers -> line -> whether the tests executed it on the virtual K64.

@@ -15,6 +15,7 @@ from traceability.model.schema import (
     Clause,
     Curve,
     DriverFault,
+    LikelyChange,
     LogicModule,
     LoopFigure,
     LoopPlot,
@@ -23,6 +24,8 @@ from traceability.model.schema import (
     Method,
     Model,
     Module,
+    PaperElement,
+    PaperPlace,
     Param,
     PatternApplication,
     Place,
@@ -140,6 +143,19 @@ def make_model() -> Model:
             {HOST: LoopRun(True, "")},
         )
     ]  # fmt: skip
+    model.paper_places = [PaperPlace("Figure 1", "figure", "Modes", Place("design/paper.toml", 4))]
+    model.paper = [
+        PaperElement("figure", "Figure 1", ["machine:reading-modes", "view:guide"]),
+        PaperElement("module", "CR", ["module:RC"], "The name is `RC` here.", where=["Figure 1"]),
+        PaperElement("method", "Mode::ask", ["method:Mode::read"], deviation="It reads."),
+    ]
+    model.changes = {
+        "reading-modes": LikelyChange(
+            "reading-modes", "State", "Mode", ["RC"], "Concrete State", ["Mode"], MODES, [],
+            ["Mode", "RC", "MainController"], ["FR-15"], ["RcTest.Reads"],
+            ["Derive from {derives}.", "Make it known in {edits}."], [],
+        )
+    }  # fmt: skip
     model.files = [f for m in model.modules.values() for f in (m.header, str(m.source))]
     return model
 
@@ -194,6 +210,7 @@ def make_requirement() -> Requirement:
     ]
     return Requirement(
         "FR-15", "<p>The system shall wait.</p>", "Reading", Place("requirements/a.dox", 5),
-        "<p>Why.</p>", "<p>The paper.</p>", "<p>Test.</p>", "high", ["RC::read"],
-        ["RcTest.Reads"], root, {HOST: TreeRun("RcTest.Reads", trace, 40, [0, 2])}, "verified",
+        "<p>Why.</p>", "<p>The paper.</p>", "<p>Test.</p>", "high", satisfied_by=["RC::read"],
+        verified_by=["RcTest.Reads"], tree=root, state="verified",
+        runs={HOST: TreeRun("RcTest.Reads", trace, 40, [0, 2])},
     )  # fmt: skip

@@ -15,6 +15,7 @@ from traceability.documents.highlight import highlighted_lines
 from traceability.documents.links import Links
 from traceability.documents.names import Names
 from traceability.documents.pages import aligned, all_pages
+from traceability.documents.paper_views import families
 from traceability.documents.portal import CheckText, Portal
 from traceability.image import sources_of_image
 from traceability.model.schema import (
@@ -54,6 +55,7 @@ def test_every_element_has_a_page(pages: dict[str, str]) -> None:
         "index", "structure", "modules/RC", "modules/Mode", "patterns/reading-modes",
         "requirements/FR-15", "checks/tree-static", f"source/src/{MODES}/RC.cpp", "tests",
         "machines", "uses", "trees", "architecture", "guide", "interfaces", "datatypes",
+        "changes", "changes/reading-modes", "secrets", "inheritances", "concordance",
     }  # fmt: skip
     assert wanted <= pages.keys()
 
@@ -64,6 +66,34 @@ def test_a_module_page_has_its_secret_caller_role_requirement_and_test(
     page = pages["modules/RC"]
     for part in ("The secret of RC", "MainController</tspan>", "Concrete State", "FR-15", "Reads"):
         assert part in page
+
+
+def test_the_page_of_a_change_has_steps_and_what_stays_untouched(pages: dict[str, str]) -> None:
+    page = pages["changes/reading-modes"]
+    assert 'Derive from <a class="mod a" data-m="Mode"' in page
+    assert "Make it known in a composition." in page
+    assert "All 3 modules that stay untouched" in page
+    assert "requirements/FR-15.html" in page
+    assert "Tests of these requirements: 1" in page
+    assert "@/changes/reading-modes.html" in pages["patterns/reading-modes"]
+    assert "@/changes/reading-modes.html" in pages["modules/Mode"]
+    assert "@/changes/reading-modes.html" in pages["index"]
+
+
+def test_an_heir_overrides_what_it_has_of_its_base(portal: Portal) -> None:
+    family = families(portal)[0]
+    seen = [(heir.module.name, heir.depth, len(heir.own), len(heir.overridden)) for heir in family]
+    assert seen == [("Mode", 0, 1, 0), ("RC", 1, 0, 1)]
+
+
+def test_the_concordance_leads_both_ways(pages: dict[str, str]) -> None:
+    page = pages["concordance"]
+    there = page.partition('id="names"')[2]
+    assert "CR</td>" in there and 'href="@/modules/RC.html"' in there
+    assert 'href="#Figure-1"' in there
+    assert 'href="@/machines.html#reading-modes"' in page and 'href="@/guide.html"' in page
+    assert "The name is" in pages["modules/RC"] and "Figure 1" in pages["modules/RC"]
+    assert "In the paper" not in pages["modules/MainController"]
 
 
 def test_a_result_of_this_run_is_shown_and_a_stale_one_is_not(tmp_path: Path) -> None:
@@ -274,6 +304,7 @@ def test_the_page_of_a_removed_module_is_removed(site: tuple[Path, Model]) -> No
     module = site[1].modules.pop("RC")
     site[1].patterns["reading-modes"].roles = []
     site[1].machines.clear()
+    site[1].changes.clear()
     build(site)
     assert not (site[0] / "build/site/modules" / f"{module.name}.html").exists()
 

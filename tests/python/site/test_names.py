@@ -1,0 +1,51 @@
+"""Names of elements in the pages are links to them."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import pytest
+
+from tests.python.site.content import SITE, content
+
+MODEL = SITE.parents[1] / "build" / "model" / "model.json"
+SAMPLE = [
+    "index", "structure", "guide", "interfaces", "inheritances", "secrets", "changes",
+    "concordance", "architecture", "machines", "uses", "trees", "datatypes", "products",
+    "patterns/index",
+    "requirements/index", "checks/index", "patterns/reading-modes", "patterns/serializer",
+    "changes/reading-modes", "changes/cycle-timer-interrupt", "requirements/FR-15",
+    "requirements/FR-17", "modules/MainController", "modules/RC", "modules/Pipe",
+    "modules/K64Uart", "checks/uses-allowed", "virtual_k64", "docs/execution_model",
+]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def model() -> dict[str, Any]:
+    assert MODEL.exists(), "build the portal first: ./wr portal"
+    return dict(json.loads(MODEL.read_text(encoding="utf-8")))
+
+
+def linkable(model: dict[str, Any]) -> set[str]:
+    """Names that have a page: modules, requirements, and methods with their class."""
+    modules = model["modules"]
+    methods = {
+        method["id"]
+        for module in modules.values()
+        if not module["datatype"]
+        for method in module["methods"]
+        if method["access"] == "public"
+    }
+    return {*modules, *model["requirements"], *methods, *(f"{name}()" for name in methods)}
+
+
+@pytest.mark.parametrize("page", SAMPLE)
+def test_a_name_set_as_code_is_a_link(page: str, model: dict[str, Any]) -> None:
+    known = linkable(model)
+    loose = [
+        code.text
+        for code in content(f"{page}.html").codes
+        if code.text in known and not code.linked and not code.listing
+    ]
+    assert loose == []

@@ -1,0 +1,36 @@
+"""The questions of a newcomer: each answer is at most three clicks from the first page."""
+
+from __future__ import annotations
+
+import tomllib
+from typing import Any
+
+import pytest
+
+from tests.python.site.content import FIRST, SITE, clicks, content, section
+
+FILE = SITE.parents[1] / "design" / "questions.toml"
+QUESTIONS: list[dict[str, Any]] = tomllib.loads(FILE.read_text(encoding="utf-8"))["question"]
+NEAR = 3  # clicks
+
+
+def test_there_are_twelve_questions_or_more() -> None:
+    asked = [question["ask"] for question in QUESTIONS]
+    assert len(set(asked)) == len(asked) >= 12
+
+
+@pytest.mark.parametrize("question", QUESTIONS, ids=[one["ask"] for one in QUESTIONS])
+def test_links_of_the_content_lead_to_the_answer(question: dict[str, Any]) -> None:
+    at = FIRST
+    for address in question["clicks"]:
+        assert address in content(at.partition("#")[0]).links, f"{at} has no link to {address}"
+        at = address
+    assert len(question["clicks"]) <= NEAR
+    text = section(f"{at}#{question['part']}" if "part" in question else at)
+    assert [words for words in question["holds"] if words not in text] == []
+
+
+@pytest.mark.parametrize("question", QUESTIONS, ids=[one["ask"] for one in QUESTIONS])
+def test_no_answer_stands_on_the_first_page_by_chance(question: dict[str, Any]) -> None:
+    assert not all(words in section(FIRST) for words in question["holds"])
+    assert clicks()[question["clicks"][-1].partition("#")[0]] <= NEAR
