@@ -137,6 +137,8 @@ def verify(portal: Portal) -> list[Entry]:
         Entry("requirements", "Requirements", "requirements/index.html", "R", len(requirements)),
         Entry("trees", "Invocation trees", "trees.html", "", trees),
         Entry("tests", "Tests", "tests.html", "T", len(portal.model.tests)),
+        Entry("mutation", "Mutants", "mutation.html"),
+        Entry("reverse", "Reverse direction", "reverse.html"),
         Entry("closed_loop", "Closed loop", "closed_loop.html", "", len(portal.model.closed_loop)),
         Entry("virtual_k64", "Findings of the board", "virtual_k64.html"),
         Entry("checks", "Checks", "checks/index.html", "", len(portal.checks)),

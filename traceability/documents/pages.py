@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -11,6 +12,8 @@ from traceability.documents.links import logic_anchor
 from traceability.documents.paper_views import paper_views
 from traceability.documents.portal import Page, Portal
 from traceability.metrics import read_products
+from traceability.model.mutation import mutants_of
+from traceability.model.reverse import methods_without, tests_without
 from traceability.model.schema import (
     Method,
     Module,
@@ -76,6 +79,10 @@ def overview_pages(portal: Portal) -> Iterator[Page]:
         "virtual_k64",
         drivers=driver_coverage(portal),
         torture=[t for t in portal.model.tests.values() if t.place.file.startswith(TORTURE)],
+    )
+    yield mutation_page(portal)
+    yield portal.page(
+        "reverse", "Reverse direction", "reverse", "reverse", rows=reverse_rows(portal)
     )
     yield closed_loop_page(portal)
     yield portal.page("checks/index", "Checks", "checks", "checks")
@@ -183,6 +190,31 @@ def closed_loop_page(portal: Portal) -> Page:
         width=plots.WIDTH,
         height=plots.HEIGHT,
     )
+
+
+def mutation_page(portal: Portal) -> Page:
+    mutation = portal.model.mutation
+    tried = mutation.tried if mutation else []
+    return portal.page(
+        "mutation",
+        "Mutants",
+        "mutation",
+        "mutation",
+        rows=[(r, mutants_of(portal.model, r.id)) for r in portal.model.requirements.values()],
+        kinds=Counter(mutant.kind for mutant in tried),
+        survivors=[mutant for mutant in tried if not mutant.killed_by],
+    )
+
+
+def reverse_rows(portal: Portal) -> list[tuple[str, int, int]]:
+    """Of the public methods and of the tests: how many there are, how many serve no requirement."""
+    modules = portal.model.modules.values()
+    methods = [m for item in modules if not item.datatype for m in item.methods]
+    public = sum(method.access == "public" for method in methods)
+    return [
+        ("method", public, len(methods_without(portal.model))),
+        ("test", len(portal.model.tests), len(tests_without(portal.model))),
+    ]
 
 
 # ---- modules -----------------------------------------------------------------
@@ -329,6 +361,7 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
         rows=aligned(portal, requirement, None),
         tests=tests,
         methods=list({m.id: m for m in methods}.values()),
+        mutants=mutants_of(portal.model, requirement.id),
         machines=machines_of(portal, requirement.id),
         line_kind=line_kind,
     )

@@ -14,6 +14,7 @@ from traceability.model.declared import read_declared
 from traceability.model.evidence import read_evidence
 from traceability.model.evidence import reasons as reasons_of_evidence
 from traceability.model.facts import Facts, gather_facts
+from traceability.model.mutation import read_mutation
 from traceability.model.results import read_coverage, read_sizes
 from traceability.model.reverse import justify
 from traceability.model.schema import (
@@ -74,6 +75,7 @@ def build(root: Path) -> Model:
     add_executed_modules(model, traces)
     _add_measures(model, root)
     add_trees(model, facts, traces)
+    model.mutation = read_mutation(root, model.sources_hash)
     justify(model, facts.declared.justified)
     set_states(model)
     model.paper = facts.declared.concordance.entries

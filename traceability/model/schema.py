@@ -316,6 +316,32 @@ class Justified:
 
 
 @dataclass
+class Mutant:
+    """A fault that was seeded in a method of a tree."""
+
+    place: Place
+    method: str
+    kind: str
+    change: str
+    killed_by: list[str]  # tests
+    own: dict[str, bool]  # requirement whose tree holds the method -> whether its own tests find it
+
+
+@dataclass
+class Mutation:
+    """The faults that were tried, of all that there are."""
+
+    seed: int
+    minutes: float
+    total: int
+    tried: list[Mutant]
+
+    @property
+    def found(self) -> int:
+        return sum(bool(mutant.killed_by) for mutant in self.tried)
+
+
+@dataclass
 class Transition:
     source: str
     event: str
@@ -506,6 +532,7 @@ class Model:
     requirements: dict[str, Requirement] = field(default_factory=dict)
     tests: dict[str, Test] = field(default_factory=dict)
     justified: list[Justified] = field(default_factory=list)
+    mutation: Mutation | None = None  # of these sources
     machines: dict[str, StateMachine] = field(default_factory=dict)
     uses: list[Use] = field(default_factory=list)
     allowed_uses: list[AllowedUse] = field(default_factory=list)
