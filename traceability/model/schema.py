@@ -290,13 +290,13 @@ class Requirement:
     source: str = ""
     verification: str = ""
     priority: str = ""
-    evidence: list[Evidence] = field(default_factory=list)  # instead of calls
     satisfied_by: list[str] = field(default_factory=list)
     verified_by: list[str] = field(default_factory=list)
     tree: TreeNode | None = None
     runs: dict[str, TreeRun] = field(default_factory=dict)  # binding -> run that holds the tree
     state: str = "unverified"
     reasons: list[str] = field(default_factory=list)
+    evidence: list[Evidence] = field(default_factory=list)  # instead of calls
 
     @property
     def by_calls(self) -> bool:
