@@ -127,6 +127,7 @@ def understand(model: Model) -> list[Entry]:
         Entry("datatypes", "Data types", "datatypes.html", "", types),
         Entry("uses", "Uses", "uses.html"),
         Entry("concordance", "Concordance with the paper", "concordance.html"),
+        Entry("usual_design", "The usual design", "usual_design.html"),
     ]
 
 

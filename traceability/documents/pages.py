@@ -12,6 +12,7 @@ from traceability.documents.links import logic_anchor
 from traceability.documents.paper_views import paper_views
 from traceability.documents.portal import Page, Portal
 from traceability.metrics import read_products
+from traceability.model import usual_design
 from traceability.model.mutation import mutants_of
 from traceability.model.reverse import methods_without, tests_without
 from traceability.model.schema import (
@@ -30,6 +31,7 @@ FIRST_TESTS = 12  # shown open on the page of a module
 TORTURE = "tests/torture/"
 XML = "build/model/xml"
 ANY = "*"  # in an allowed use: every logic module
+LEAST_DIFFERENCE = 20  # instructions in a cycle: functions that differ by less are not shown
 EXAMPLE = "FR-15"  # the requirement that the first page follows
 
 
@@ -85,6 +87,7 @@ def overview_pages(portal: Portal) -> Iterator[Page]:
         "reverse", "Reverse direction", "reverse", "reverse", rows=reverse_rows(portal)
     )
     yield closed_loop_page(portal)
+    yield usual_design_page(portal)
     yield portal.page("checks/index", "Checks", "checks", "checks")
     yield portal.page("source/index", "Source", "source", "sources", folders=folders(portal))
 
@@ -215,6 +218,42 @@ def reverse_rows(portal: Portal) -> list[tuple[str, int, int]]:
         ("method", public, len(methods_without(portal.model))),
         ("test", len(portal.model.tests), len(tests_without(portal.model))),
     ]
+
+
+def usual_design_page(portal: Portal) -> Page:
+    found = usual_design.read_comparison(portal.root)
+    changes = usual_design.changes_of(portal.root)
+    patches = {
+        change: {
+            design: (portal.root / usual_design.patch_of(change, design)).read_text("utf-8")
+            for design in usual_design.DESIGNS
+        }
+        for change in changes
+    }
+    return portal.page(
+        "usual_design",
+        "Patterns and the usual design",
+        "usual_design",
+        "usual_design",
+        found=found,
+        folder=str(usual_design.FOLDER),
+        rows=usual_design.ROWS,
+        designs=usual_design.DESIGNS,
+        targets=usual_design.TARGETS,
+        more=usual_design.more,
+        verdict=usual_design.verdict,
+        changes=changes,
+        titles=usual_design.TITLES,
+        patches=patches,
+        counts={
+            change: {
+                design: usual_design.count_patch(text).as_json() for design, text in texts.items()
+            }
+            for change, texts in patches.items()
+        },
+        functions=usual_design.beside(found["functions"], LEAST_DIFFERENCE) if found else [],
+        least=LEAST_DIFFERENCE,
+    )
 
 
 # ---- modules -----------------------------------------------------------------
