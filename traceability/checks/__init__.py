@@ -7,7 +7,9 @@ from pathlib import Path
 from traceability.checks import (
     board,
     documents,
+    execution,
     links,
+    machines,
     modules,
     paper,
     patterns,
@@ -29,6 +31,8 @@ FAMILIES = (
     registers.check,
     board.check,
     paper.check,
+    execution.check,
+    machines.check,
     trees.check,
     requirements.check,
 )

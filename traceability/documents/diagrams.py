@@ -225,7 +225,8 @@ def uses(module: Module) -> set[str]:
 # ---- state machines ----------------------------------------------------------
 
 
-def machine_diagram(machine: StateMachine, links: Links) -> Diagram:
+def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram:
+    """Transitions that no test made are dashed, as long as results tell."""
     lines = preamble()
     for name, module in machine.states.items():
         hue = STATE_HUES.get(name, "pc")
@@ -237,7 +238,9 @@ def machine_diagram(machine: StateMachine, links: Links) -> Diagram:
     edges = merged_transitions(machine)
     for (source, target), steps in edges.items():
         text = "\\n".join(line for step in steps for line in label_lines(step))
-        lines.append(f"{source} --> {target} : {text}")
+        unseen = not stale and not all(step.tests for step in steps)
+        arrow = "-[dashed]->" if unseen else "-->"
+        lines.append(f"{source} {arrow} {target} : {text}")
     lines.append("@enduml")
     label = f"State diagram: {machine.title}. The table beside it holds the same transitions."
     return Diagram(f"machine-{machine.id}", label, "\n".join(lines), edges)

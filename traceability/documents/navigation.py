@@ -85,10 +85,11 @@ class Navigation:
         prove = [entry(doc) for doc in docs if doc.name in PROVE]
         use = [entry(doc) for doc in docs if doc.name not in ("tour", *PROVE, *EXPLAIN)]
         source = Entry("source", "Source", "source/index.html", "S")
+        exports = Entry("exports", "Exports", "exports.html")
         self.groups = [
             Group("understand", "Understand", [*tour, *understand(portal.model)]),
             Group("verify", "Verify", [*verify(portal), *prove]),
-            Group("build", "Build and use", [*use, source]),
+            Group("build", "Build and use", [*use, source, exports]),
         ]
         if explain:
             self.groups.append(Group("explain", "Explanations", explain))
@@ -128,6 +129,7 @@ def understand(model: Model) -> list[Entry]:
         Entry("uses", "Uses", "uses.html"),
         Entry("concordance", "Concordance with the paper", "concordance.html"),
         Entry("usual_design", "The usual design", "usual_design.html"),
+        Entry("execution", "Execution", "execution.html", "", len(model.contexts)),
     ]
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from traceability.documents import calls, plots
+from traceability.documents.exports import DIAGRAMS
 from traceability.documents.links import logic_anchor
 from traceability.documents.paper_views import paper_views
 from traceability.documents.portal import Page, Portal
@@ -64,6 +65,8 @@ def overview_pages(portal: Portal) -> Iterator[Page]:
     yield products_page(portal)
     yield portal.page("machines", "State machines", "machines", "machines")
     yield portal.page("uses", "Uses", "uses", "uses", rows=use_rows(portal))
+    yield execution_page(portal)
+    yield portal.page("exports", "Exports", "exports", "exports", sources=diagram_sources(portal))
     yield portal.page("architecture", "Architecture", "architecture", "architecture", wide=True)
     yield portal.page(
         "requirements/index",
@@ -467,6 +470,34 @@ def sections(portal: Portal) -> dict[str, list[Requirement]]:
     for requirement in portal.model.requirements.values():
         found.setdefault(requirement.section, []).append(requirement)
     return found
+
+
+# ---- exports -----------------------------------------------------------------
+
+
+def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
+    """The file of each diagram, and the page that shows it."""
+    found = []
+    for application in portal.model.patterns.values():
+        page = portal.links.pattern(application.id) or ""
+        found.append((f"{DIAGRAMS}/pattern-{application.id}.puml", page, application.title))
+    for machine in portal.model.machines.values():
+        page = portal.links.machine(machine.id) or ""
+        found.append((f"{DIAGRAMS}/machine-{machine.id}.puml", page, machine.title))
+    return found
+
+
+# ---- execution ---------------------------------------------------------------
+
+
+def execution_page(portal: Portal) -> Page:
+    """The contexts, the highest priority first; what has none comes last."""
+    contexts = sorted(
+        portal.model.contexts.values(), key=lambda one: (one.priority is None, one.priority or 0)
+    )
+    return portal.page(
+        "execution", "Execution", "execution", "execution", wide=True, contexts=contexts
+    )
 
 
 # ---- tests, uses, source -----------------------------------------------------

@@ -13,8 +13,10 @@ from traceability.model.closed_loop import read_closed_loop
 from traceability.model.declared import read_declared
 from traceability.model.evidence import read_evidence
 from traceability.model.evidence import reasons as reasons_of_evidence
+from traceability.model.execution import add_execution
 from traceability.model.facts import Facts, gather_facts
 from traceability.model.mutation import read_mutation
+from traceability.model.machines import add_machines
 from traceability.model.results import read_coverage, read_sizes
 from traceability.model.reverse import justify
 from traceability.model.schema import (
@@ -73,6 +75,8 @@ def build(root: Path) -> Model:
     add_board_findings(model, facts)
     model.closed_loop = read_closed_loop(root, model.sources_hash)
     add_executed_modules(model, traces)
+    add_machines(model, facts, traces)
+    add_execution(model, facts)
     _add_measures(model, root)
     add_trees(model, facts, traces)
     model.mutation = read_mutation(root, model.sources_hash)

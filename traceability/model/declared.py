@@ -15,6 +15,7 @@ from traceability.model.schema import (
     ArchitectureElement,
     BoardFinding,
     Justified,
+    ExecutionContext,
     Place,
     StateMachine,
     Transition,
@@ -61,6 +62,24 @@ class Block:
 
 
 @dataclass
+class PipeText:
+    """What a pipe of the robot is called."""
+
+    name: str
+    says: str
+    place: Place
+
+
+@dataclass
+class Protection:
+    """How a member that contexts share is protected."""
+
+    protection: str
+    why: str
+    place: Place
+
+
+@dataclass
 class Declared:
     machines: dict[str, StateMachine] = field(default_factory=dict)
     architecture: list[ArchitectureElement] = field(default_factory=list)
@@ -72,6 +91,10 @@ class Declared:
     clauses: dict[str, ClauseText] = field(default_factory=dict)
     names: dict[str, list[str]] = field(default_factory=dict)  # logic module -> its modules
     blocks: list[Block] = field(default_factory=list)
+    contexts: dict[str, ExecutionContext] = field(default_factory=dict)
+    ends: list[str] = field(default_factory=list)  # methods that end the firmware
+    pipes: dict[str, PipeText] = field(default_factory=dict)
+    protections: dict[str, Protection] = field(default_factory=dict)  # member, or Class::*
     board_findings: dict[str, BoardFinding] = field(default_factory=dict)
     justified: list[Justified] = field(default_factory=list)
     concordance: Concordance = field(default_factory=Concordance)
@@ -110,6 +133,7 @@ def read_declared(root: Path) -> Declared:
         Block(item["name"], item["owners"], place)
         for item, place in _tables(root, design / "register_owners.toml", "block")
     ]
+    _execution(root, design / "execution.toml", declared)
     for item, place in _tables(root, design / "board_findings.toml", "finding"):
         declared.board_findings[item["id"]] = BoardFinding(item["id"], item["says"], place)
     declared.justified = [
@@ -158,7 +182,22 @@ def _machine(root: Path, path: Path) -> StateMachine:
         states=data["states"],
         transitions=transitions,
         place=Place(str(path.relative_to(root)), 1),
+        events=data.get("events", {}),
     )
+
+
+def _execution(root: Path, path: Path, declared: Declared) -> None:
+    if not path.exists():
+        return
+    declared.ends = tomllib.loads(path.read_text(encoding="utf-8"))["ends"]
+    for item, place in _tables(root, path, "context"):
+        item.setdefault("body", "")
+        declared.contexts[item["id"]] = ExecutionContext(place=place, **item)
+    for item, place in _tables(root, path, "pipe"):
+        declared.pipes[item["object"]] = PipeText(item["name"], item["says"], place)
+    for item, place in _tables(root, path, "shared"):
+        for member in item["members"]:
+            declared.protections[member] = Protection(item["protection"], item["why"], place)
 
 
 def _trees(root: Path, path: Path, declared: Declared) -> None:

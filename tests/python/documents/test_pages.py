@@ -202,7 +202,7 @@ def test_an_inherited_method_is_found_at_its_heir() -> None:
 
 
 def test_a_diagram_shows_roles_and_uses_only_variables_for_colours(portal: Portal) -> None:
-    svg = portal.diagrams["pattern-reading-modes"]
+    svg = portal.drawn["pattern-reading-modes"]
     assert "Concrete State" in svg
     assert 'href="@/modules/RC.html"' in svg
     assert "#FA" not in svg
