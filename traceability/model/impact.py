@@ -68,8 +68,7 @@ class Impacts:
                     found.setdefault(owner, f"calls {method.id}")
         for user in module.used_by:
             found.setdefault(user, f"names {name}")
-        found.pop(name, None)
-        return found
+        return {one: why for one, why in found.items() if one in self.model.modules and one != name}
 
     def _bases(self, name: str) -> list[str]:
         return self.model.modules[name].bases if name in self.model.modules else []
@@ -169,10 +168,11 @@ class Impacts:
                 self._add(impact.patterns, Reached(binding.application, one.distance, why))
 
     def _add_tests(self, impact: Impact) -> None:
-        """The tests of the nearest requirements, and those that execute a changed module."""
-        for requirement in [one for one in impact.requirements if one.distance == 0]:
+        """The tests of the requirements, and those that execute a changed module."""
+        for requirement in impact.requirements:
             for name in self.model.requirements[requirement.id].verified_by:
-                self._add(impact.tests, Reached(name, 0, f"verifies {requirement.id}"))
+                why = f"verifies {requirement.id}"
+                self._add(impact.tests, Reached(name, requirement.distance, why))
         for one in impact.modules:
             if one.distance > 0 or impact.kind == "requirement":
                 break

@@ -32,7 +32,7 @@ def model() -> Model:
     return model
 
 
-def test_the_schema_is_one(model: Model) -> None:
+def test_the_schema_is_one() -> None:
     jsonschema.Draft202012Validator.check_schema(model_schema())
 
 

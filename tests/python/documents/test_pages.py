@@ -385,7 +385,7 @@ def test_the_pages_that_explain_have_a_group_of_their_own(tmp_path: Path) -> Non
     navigation = Portal(tmp_path, model, [], CHECKS).navigation
     groups = {group.id: [entry.title for entry in group.entries] for group in navigation.groups}
     assert groups["explain"] == ["Glossary"]
-    assert groups["build"] == ["Quick start", "Source"]
+    assert groups["build"] == ["Quick start", "Source", "Exports"]
     assert groups["understand"][:3] == ["Tour", "Architecture", "Module structure"]
 
 

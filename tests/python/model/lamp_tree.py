@@ -1,4 +1,4 @@
-"""A lamp: two states that a switch changes, a timer's interrupt, a thread, and a pipe between them."""
+"""A lamp: two states, the interrupt of its button, a thread, and a pipe between the two."""
 
 from __future__ import annotations
 
@@ -250,8 +250,9 @@ def write_lamp(root: Path, **replaced: str) -> Path:
         if change:
             old, _, new = change.partition(" -> ")
             assert old in text
-            text = text.replace(old, new, 1)
-        path.write_text(text, encoding="utf-8")
+            path.write_text(text.replace(old, new, 1), encoding="utf-8")
+        else:
+            path.write_text(text, encoding="utf-8")
     return root
 
 
