@@ -15,8 +15,8 @@ from traceability.model.evidence import read_evidence
 from traceability.model.evidence import reasons as reasons_of_evidence
 from traceability.model.execution import add_execution
 from traceability.model.facts import Facts, gather_facts
-from traceability.model.mutation import read_mutation
 from traceability.model.machines import add_machines
+from traceability.model.mutation import read_mutation
 from traceability.model.results import read_coverage, read_sizes
 from traceability.model.reverse import justify
 from traceability.model.schema import (

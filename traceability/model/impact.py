@@ -134,8 +134,8 @@ class Impacts:
         return self._from(impact, start)
 
     def _from(self, impact: Impact, start: dict[str, str]) -> Impact:
-        impact.modules = [Reached(name, 0, why) for name, why in start.items()]
-        known = set(start)
+        known = set(start) & set(self.model.modules)
+        impact.modules = [Reached(name, 0, why) for name, why in start.items() if name in known]
         for one in impact.modules:  # grows while it is read
             for name, why in sorted(self.affected.get(one.id, {}).items()):
                 if name not in known:
