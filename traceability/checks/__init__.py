@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from traceability.checks import (
+    architecture,
     board,
     documents,
     execution,
@@ -31,6 +32,7 @@ FAMILIES = (
     registers.check,
     board.check,
     paper.check,
+    architecture.check,
     execution.check,
     machines.check,
     trees.check,

@@ -184,6 +184,21 @@ _FIXED = [
         "remove the entry.",
     ),
     Check(
+        "arch-module",
+        "The architecture names modules that exist",
+        "Every module of an element, a group or a connection of design/architecture.toml exists.",
+        "whether the element is refined into the right modules.",
+        "correct the name.",
+    ),
+    Check(
+        "arch-code",
+        "Connections of the high-level diagram are in the code",
+        "Calls lead from the one module to the other, over a Command where the connection is one; "
+        "a pipe has a writer in the one and a reader in the other.",
+        "physical connections; connections that nobody declared.",
+        "correct the connection, or the code.",
+    ),
+    Check(
         "exec-declared",
         "Contexts, pipes and protections are declared",
         "Every handler in the table of vectors belongs to one context of design/execution.toml, "

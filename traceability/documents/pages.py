@@ -31,6 +31,7 @@ from traceability.products import PRODUCTS
 FIRST_TESTS = 12  # shown open on the page of a module
 TORTURE = "tests/torture/"
 XML = "build/model/xml"
+HIGH_LEVEL = "High-level diagram"
 ANY = "*"  # in an allowed use: every logic module
 LEAST_DIFFERENCE = 20  # instructions in a cycle: functions that differ by less are not shown
 EXAMPLE = "FR-15"  # the requirement that the first page follows
@@ -481,6 +482,8 @@ def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
     for application in portal.model.patterns.values():
         page = portal.links.pattern(application.id) or ""
         found.append((f"{DIAGRAMS}/pattern-{application.id}.puml", page, application.title))
+    if portal.model.groups:
+        found.append((f"{DIAGRAMS}/high-level.puml", "@/architecture.html#high-level", HIGH_LEVEL))
     for machine in portal.model.machines.values():
         page = portal.links.machine(machine.id) or ""
         found.append((f"{DIAGRAMS}/machine-{machine.id}.puml", page, machine.title))

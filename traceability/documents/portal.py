@@ -98,6 +98,7 @@ class Portal:
                 diagrams.machine_diagram(machine, self.links, self.model.stale_on(HOST))
                 for machine in self.model.machines.values()
             ),
+            *([diagrams.high_level_diagram(self.model, self.links)] if self.model.groups else []),
         ]
 
     def _environment(self) -> Environment:

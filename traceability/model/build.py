@@ -7,6 +7,7 @@ import subprocess
 from pathlib import Path
 
 from traceability.model.annotations import MemberText, Text, read_annotations
+from traceability.model.architecture import add_connections
 from traceability.model.board_coverage import read_board_coverage
 from traceability.model.changes import add_changes
 from traceability.model.closed_loop import read_closed_loop
@@ -77,6 +78,7 @@ def build(root: Path) -> Model:
     add_executed_modules(model, traces)
     add_machines(model, facts, traces)
     add_execution(model, facts)
+    add_connections(model, facts)
     _add_measures(model, root)
     add_trees(model, facts, traces)
     model.mutation = read_mutation(root, model.sources_hash)

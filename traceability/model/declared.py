@@ -13,7 +13,9 @@ from traceability.model.concordance import Concordance, read_concordance
 from traceability.model.schema import (
     AllowedUse,
     ArchitectureElement,
+    ArchitectureGroup,
     BoardFinding,
+    Connection,
     ExecutionContext,
     Justified,
     Place,
@@ -83,6 +85,8 @@ class Protection:
 class Declared:
     machines: dict[str, StateMachine] = field(default_factory=dict)
     architecture: list[ArchitectureElement] = field(default_factory=list)
+    groups: list[ArchitectureGroup] = field(default_factory=list)
+    connections: list[Connection] = field(default_factory=list)
     allowed: list[AllowedUse] = field(default_factory=list)
     cycles: list[Cycle] = field(default_factory=list)
     trees: dict[str, tuple[Place, TreeNode | None]] = field(default_factory=dict)
@@ -112,6 +116,14 @@ def read_declared(root: Path) -> Declared:
             item["id"], item["kind"], item["name"], item["text"], item["modules"], place
         )
         for item, place in _tables(root, design / "architecture.toml", "element")
+    ]
+    declared.groups = [
+        ArchitectureGroup(item["name"], item["module"], item["modules"], place)
+        for item, place in _tables(root, design / "architecture.toml", "group")
+    ]
+    declared.connections = [
+        Connection(item["kind"], item["from"], item["to"], item.get("connector", ""), place)
+        for item, place in _tables(root, design / "architecture.toml", "connection")
     ]
     declared.allowed = [
         AllowedUse(item["from"], item["to"], item["why"], place)

@@ -140,7 +140,8 @@ def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
                 users = found[one.name].writers if operation == "write" else found[one.name].readers
                 for user in users_of(body, one, model, facts):
                     users[user] = contexts_of(user, code)
-    return list(found.values())
+    order = {name: number for number, name in enumerate(facts.declared.pipes)}
+    return sorted(found.values(), key=lambda one: order.get(one.id, len(order)))
 
 
 def users_of(user: BodyFact, pipe: Object, model: Model, facts: Facts) -> list[str]:

@@ -490,6 +490,28 @@ class LikelyChange:
 
 
 @dataclass
+class ArchitectureGroup:
+    """Modules that the high-level diagram draws in one box; ``module`` stands for all of them."""
+
+    name: str
+    module: str
+    modules: list[str]
+    place: Place
+
+
+@dataclass
+class Connection:
+    """A line of the high-level diagram: "call", "interrupt", "command", "pipe" or "physical"."""
+
+    kind: str
+    source: str
+    target: str
+    connector: str
+    place: Place
+    way: list[str] = field(default_factory=list)  # methods; none of a line outside the code
+
+
+@dataclass
 class BoardFinding:
     """A kind of mistake that the virtual K64 finds, and the tests that make it happen."""
 
@@ -592,6 +614,8 @@ class Model:
     uses: list[Use] = field(default_factory=list)
     allowed_uses: list[AllowedUse] = field(default_factory=list)
     architecture: list[ArchitectureElement] = field(default_factory=list)
+    groups: list[ArchitectureGroup] = field(default_factory=list)
+    connections: list[Connection] = field(default_factory=list)
     paper: list[PaperElement] = field(default_factory=list)
     paper_places: list[PaperPlace] = field(default_factory=list)
     changes: dict[str, LikelyChange] = field(default_factory=dict)  # by application

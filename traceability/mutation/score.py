@@ -77,7 +77,9 @@ def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
     A death test calls in a process of its own, which is not recorded.
     """
     known = [name for name in test.results[HOST].recordings if name in traces.tests]
-    if test.suite.endswith("DeathTest") or any(traces.file(name).with_suffix(".truncated").exists() for name in known):
+    if test.suite.endswith("DeathTest") or any(
+        traces.file(name).with_suffix(".truncated").exists() for name in known
+    ):
         return methods
     return {method for name in known for method in traces.methods(name)} & methods
 
