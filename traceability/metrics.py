@@ -31,7 +31,7 @@ def write_metrics(root: Path, model: Model, measured: dict[str, Any] | None = No
 
 def figures(root: Path, model: Model) -> dict[str, Any]:
     """What this run measured of the present sources."""
-    return metrics(model) | drift(root, model) | image(root)
+    return metrics(model) | drift(root, model) | image(root) | forbidden(root)
 
 
 def drift(root: Path, model: Model) -> dict[str, Any]:
@@ -48,6 +48,14 @@ def image(root: Path) -> dict[str, Any]:
     if not isinstance(record, dict) or record.get("sources") != sources_of_image(root):
         return {}
     return {"firmware.flash_bytes": record["flash"], "firmware.ram_bytes": record["ram"]}
+
+
+def forbidden(root: Path) -> dict[str, Any]:
+    """How many kinds of what no image may hold are in one."""
+    products = read_products(root)
+    if products is None:
+        return {}
+    return {"firmware.forbidden_parts": sum(len(one["forbidden"]) for one in products.values())}
 
 
 def read_products(root: Path) -> dict[str, dict[str, Any]] | None:
@@ -101,7 +109,10 @@ def metrics(model: Model) -> dict[str, Any]:
         "firmware.flash_bytes": None,
         "firmware.ram_bytes": None,
         "firmware.stack_bytes": None,
+        "firmware.forbidden_parts": None,
         "bench.scenarios": None,
+        "mutation.tried": len(model.mutation.tried) if model.mutation else None,
+        "mutation.found": model.mutation.found if model.mutation else None,
         "drift.seeded": None,
         "drift.caught": None,
         "site.pages": None,

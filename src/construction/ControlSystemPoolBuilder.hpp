@@ -81,7 +81,7 @@ class ControlSystemPoolBuilder {
   /// @return the timer; it lives as long as the builder.
   /// @pre buildTimer() was called.
   /// @errors Without a timer the program ends with the assertion PartMissing.
-  /// @isr{no}
+  /// @isr{yes}
   /// @satisfies FR-78
   [[nodiscard]] SecondTimer& timer();
 

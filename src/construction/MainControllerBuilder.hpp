@@ -188,7 +188,7 @@ class MainControllerBuilder {
   /// @return the timer; it lives as long as the builder.
   /// @pre buildClock() was called.
   /// @errors Without a timer the program ends with the assertion PartMissing.
-  /// @isr{no}
+  /// @isr{yes}
   /// @satisfies FR-78
   [[nodiscard]] FirstTimer& clock();
 
@@ -212,7 +212,7 @@ class MainControllerBuilder {
   /// @return the pin; it lives as long as the builder.
   /// @pre buildRemoteControl() was called.
   /// @errors Without a remote control the program ends with the assertion PartMissing.
-  /// @isr{no}
+  /// @isr{yes}
   /// @satisfies FR-78
   [[nodiscard]] RcPin& velocityPin();
 
@@ -220,7 +220,7 @@ class MainControllerBuilder {
   /// @return the pin; it lives as long as the builder.
   /// @pre buildRemoteControl() was called.
   /// @errors Without a remote control the program ends with the assertion PartMissing.
-  /// @isr{no}
+  /// @isr{yes}
   /// @satisfies FR-78
   [[nodiscard]] RcPin& directionPin();
 

@@ -95,7 +95,7 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
   /// @return the sensor; it lives as long as the builder
   /// @pre buildSensors() was called.
   /// @errors Without a sensor the program ends with the assertion PartMissing.
-  /// @isr{no}
+  /// @isr{yes}
   /// @satisfies FR-78
   [[nodiscard]] ActiveSensor& sensor();
 

@@ -3,8 +3,9 @@
 //
 // Each test gives one file in the folder WR_TRACE_DIR, named <suite>.<test>.bin, with one
 // little-endian number of 64 bits for each event: the address of the function, with bit 63 set when
-// the function is left. After kMost events nothing more is recorded, and a file
-// <suite>.<test>.truncated says so.
+// the function is left. A call that the test or the simulated platform makes is recorded once when
+// it makes the same calls again: timers would fill the file. After kMost events nothing more is
+// recorded, and a file <suite>.<test>.truncated says so.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -23,24 +26,54 @@ constexpr std::uint64_t kExit = std::uint64_t{1} << 63U;
 std::array<std::uint64_t, kMost> events;
 std::size_t count = 0;
 bool truncated = false;
-thread_local bool recording = false;  // only the thread that runs the tests records
+std::size_t depth = 0;
+std::size_t begin = 0;                        // of the outermost call
+std::set<std::vector<std::uint64_t>> before;  // outermost calls, with all that they called
+thread_local bool recording = false;          // only the thread that runs the tests records
 
-void record(void* function, std::uint64_t kind) {
-  if (!recording) {
-    return;
-  }
+void note(std::uint64_t event) {
   if (count == kMost) {
     truncated = true;
     return;
   }
-  events[count] = reinterpret_cast<std::uintptr_t>(function) | kind;
+  events[count] = event;
   ++count;
+}
+
+void forgetRepeated() {
+  if (!truncated && !before.emplace(events.data() + begin, events.data() + count).second) {
+    count = begin;
+  }
+}
+
+void entered(void* function) {
+  if (!recording) {
+    return;
+  }
+  if (depth == 0) {
+    begin = count;
+  }
+  ++depth;
+  note(reinterpret_cast<std::uintptr_t>(function));
+}
+
+void left(void* function) {
+  if (!recording || depth == 0) {
+    return;
+  }
+  note(reinterpret_cast<std::uintptr_t>(function) | kExit);
+  --depth;
+  if (depth == 0) {
+    forgetRepeated();
+  }
 }
 
 class Recorder final : public testing::EmptyTestEventListener {
   void OnTestStart(const testing::TestInfo& /*test*/) override {
     count = 0;
     truncated = false;
+    depth = 0;
+    before.clear();
     recording = true;
   }
 
@@ -74,10 +107,10 @@ const bool registered = [] {
 extern "C" {
 
 void __cyg_profile_func_enter(void* function, void* /*callSite*/) {
-  record(function, 0);
+  entered(function);
 }
 
 void __cyg_profile_func_exit(void* function, void* /*callSite*/) {
-  record(function, kExit);
+  left(function);
 }
 }

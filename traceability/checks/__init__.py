@@ -5,9 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 from traceability.checks import (
+    architecture,
     board,
     documents,
+    execution,
     links,
+    machines,
     modules,
     paper,
     patterns,
@@ -29,6 +32,9 @@ FAMILIES = (
     registers.check,
     board.check,
     paper.check,
+    architecture.check,
+    execution.check,
+    machines.check,
     trees.check,
     requirements.check,
 )

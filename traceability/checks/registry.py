@@ -184,6 +184,78 @@ _FIXED = [
         "remove the entry.",
     ),
     Check(
+        "arch-module",
+        "The architecture names modules that exist",
+        "Every module of an element, a group or a connection of design/architecture.toml exists.",
+        "whether the element is refined into the right modules.",
+        "correct the name.",
+    ),
+    Check(
+        "arch-code",
+        "Connections of the high-level diagram are in the code",
+        "Calls lead from the one module to the other, over a Command where the connection is one; "
+        "a pipe has a writer in the one and a reader in the other.",
+        "physical connections; connections that nobody declared.",
+        "correct the connection, or the code.",
+    ),
+    Check(
+        "exec-declared",
+        "Contexts, pipes and protections are declared",
+        "Every handler in the table of vectors belongs to one context of design/execution.toml, "
+        "each handler and body named there exists, each pipe of the robot has a name, and each "
+        "member named there is shared.",
+        "handlers of products that have other interrupts.",
+        "correct the entry, or declare what is missing.",
+    ),
+    Check(
+        "exec-isr",
+        "No interrupt calls what it must not",
+        "No method with @isr{no} is reached from the handler of an interrupt. Calls of an "
+        "abstraction reach the objects that the builders gave.",
+        "calls through pointers to functions; methods without @isr; whether @isr{yes} is true.",
+        "let a thread call the method, or make it safe and write @isr{yes}.",
+    ),
+    Check(
+        "exec-shared",
+        "What contexts share is protected",
+        "A member that one context changes and another one touches is a Pipe, or has its "
+        "protection in design/execution.toml. A pipe has one context that writes it and one that "
+        "reads it.",
+        "changes through references and in the standard library; whether the protection is enough; "
+        "two threads of one kind.",
+        "put a Pipe between the contexts, or state the protection.",
+    ),
+    Check(
+        "fsm-declared",
+        "State machines name what exists",
+        "Every application of the State pattern has a machine in design/fsm. Its states are the "
+        "Concrete States of the application; each event names an operation of the State, and each "
+        "transition states, an event and requirements that exist, once.",
+        "guards and actions, which are words.",
+        "correct the entry, or declare the machine.",
+    ),
+    Check(
+        "fsm-code",
+        "Declared transitions are those of the code",
+        "The bodies of the states make as many changes to each successor as the machine declares, "
+        "in the same operation: the operation that assigns the Context's state is followed to the "
+        "states that call it, and each successor to the object that the builder gave. The builder "
+        "begins with the initial state, and an operation that always changes the state has no "
+        "transition that stays.",
+        "whether the guards are the declared ones; states that extensions add.",
+        "correct the code, or the transition in design/fsm.",
+    ),
+    Check(
+        "fsm-seen",
+        "Each transition is made in a test",
+        "In the recorded calls of a test that passed on the host the Context calls the operation "
+        "of the state, and the next call of a state fits the successor only. No test makes a "
+        "change that is not declared.",
+        "which guard let a state stay; the last state of a test that calls no state afterwards; "
+        "nothing is compared while results are stale.",
+        "test the transition through its Context, or correct the machine.",
+    ),
+    Check(
         "tree-missing",
         "Each requirement has a tree",
         "Every requirement has a tree of invocations in design/trees.",

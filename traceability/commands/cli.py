@@ -11,6 +11,7 @@ from traceability.commands import (
     check,
     firmware,
     flash,
+    impact,
     lint,
     mutate,
     portal,
@@ -30,7 +31,20 @@ INTERRUPTED = 130
 def parser() -> argparse.ArgumentParser:
     top = argparse.ArgumentParser(prog="./wr")
     commands = top.add_subparsers(dest="command", required=True, metavar="<command>")
-    for module in (portal, test, check, review, mutate, lint, firmware, flash, sim, robot, serve):
+    for module in (
+        portal,
+        test,
+        check,
+        review,
+        impact,
+        mutate,
+        lint,
+        firmware,
+        flash,
+        sim,
+        robot,
+        serve,
+    ):
         module.add(commands)
     setup = commands.add_parser(
         "setup",

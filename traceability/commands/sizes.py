@@ -12,6 +12,7 @@ from itertools import pairwise
 from pathlib import Path
 
 from traceability.commands.steps import FailureError
+from traceability.forbidden import forbidden
 from traceability.image import FIELD, TOTALS, sources_of_image
 from traceability.products import DEFAULT, PRODUCTS, RESULTS, image_of, module_names, modules_in
 
@@ -143,6 +144,7 @@ def write_products(root: Path) -> dict[str, Size]:
             "flash": whole.flash,
             "ram": whole.ram,
             "stack": sizes[STACK].ram if STACK in sizes else 0,
+            "forbidden": sorted(forbidden(root / image_of(product, ".elf"))),
             "modules": modules_in(root / image_of(product, ".elf"), known),
         }
     write_json(root / RESULTS, records)

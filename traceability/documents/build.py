@@ -12,7 +12,7 @@ from pathlib import Path
 from sphinx.application import Sphinx
 from sphinx.util.docutils import docutils_namespace, patch_docutils
 
-from traceability.documents import search, verification
+from traceability.documents import exports, search, verification
 from traceability.documents.diagrams import DiagramError
 from traceability.documents.links import ROOT, depth_prefix
 from traceability.documents.pages import all_pages, doxygen_file
@@ -47,8 +47,10 @@ def build_site(root: Path, model: Model, findings: list[Finding]) -> SiteResult:
         return SiteResult(0, [Finding(Place("design", 0), "doc-diagram", str(error), mend)])
     kept = write_sources(portal, pages)
     warnings = run_sphinx(portal, pages)
-    remove_others(root / "build" / "site", {f"{name}.html" for name in kept})
-    verification.write_exports(root, root / "build" / "site", model)
+    site = root / "build" / "site"
+    remove_others(site, {f"{name}.html" for name in kept})
+    write_exports(portal, site)
+    verification.write_exports(root, site, model)
     return SiteResult(len(kept), warnings)
 
 
@@ -153,6 +155,18 @@ def run_sphinx(portal: Portal, pages: Path) -> list[Finding]:
         )
         app.build()
     return collector.findings()
+
+
+def write_exports(portal: Portal, site: Path) -> None:
+    """The files that the page of exports leads to."""
+    files = exports.diagram_files(portal.diagrams)
+    for path in (site / exports.DIAGRAMS).glob("*.puml"):
+        if f"{exports.DIAGRAMS}/{path.name}" not in files:
+            path.unlink()
+    files[exports.MODEL] = exports.model_text(portal.model)
+    files[exports.SCHEMA] = exports.schema_text()
+    for name, text in files.items():
+        write_changed(site / name, text)
 
 
 def remove_others(site: Path, kept: Iterable[str]) -> None:

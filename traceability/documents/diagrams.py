@@ -225,7 +225,8 @@ def uses(module: Module) -> set[str]:
 # ---- state machines ----------------------------------------------------------
 
 
-def machine_diagram(machine: StateMachine, links: Links) -> Diagram:
+def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram:
+    """Transitions that no test made are dashed, as long as results tell."""
     lines = preamble()
     for name, module in machine.states.items():
         hue = STATE_HUES.get(name, "pc")
@@ -237,7 +238,9 @@ def machine_diagram(machine: StateMachine, links: Links) -> Diagram:
     edges = merged_transitions(machine)
     for (source, target), steps in edges.items():
         text = "\\n".join(line for step in steps for line in label_lines(step))
-        lines.append(f"{source} --> {target} : {text}")
+        unseen = not stale and not all(step.tests for step in steps)
+        arrow = "-[dashed]->" if unseen else "-->"
+        lines.append(f"{source} {arrow} {target} : {text}")
     lines.append("@enduml")
     label = f"State diagram: {machine.title}. The table beside it holds the same transitions."
     return Diagram(f"machine-{machine.id}", label, "\n".join(lines), edges)
@@ -267,6 +270,57 @@ def located(svg: str, requirement: str) -> str:
         return f'class="{match[1]}{lit}" data-for="{match[2]}"'
 
     return LOCATED.sub(mark, svg).replace('class="plant"', 'class="plant located"', 1)
+
+
+# ---- high-level diagram --------------------------------------------------------
+
+LINES = {
+    "call": "-->",
+    "interrupt": "-[dotted]->",
+    "command": "-[dashed]->",
+    "pipe": "-[bold]->",
+    "physical": "-[dashed]-",
+}
+
+
+def high_level_diagram(model: Model, links: Links) -> Diagram:
+    lines = preamble()
+    lines += [
+        "left to right direction",
+        f"skinparam rectangleBorderColor {MARKERS['edge']}",
+        f"skinparam rectangleFontColor {MARKERS['text']}",
+        "skinparam rectangleFontStyle plain",
+    ]
+    grouped = {name for group in model.groups for name in group.modules}
+    for number, group in enumerate(model.groups):
+        fill = f"{MARKERS['plain']} ##[dashed]{MARKERS['line'][1:]}"
+        lines.append(f'rectangle "{group.name}" as group{number} {fill} {{')
+        lines += [f"  {part(model, name, links)}" for name in group.modules]
+        lines.append("}")
+    ends = [name for one in model.connections for name in (one.source, one.target)]
+    lines += [part(model, name, links) for name in dict.fromkeys(ends) if name not in grouped]
+    for one in model.connections:
+        label = f" : {one.connector}" if one.connector not in ("", "Pipe") else ""
+        lines.append(f"{node(one.source)} {LINES[one.kind]} {node(one.target)}{label}")
+    lines.append("@enduml")
+    label = "High-level diagram. The table below holds the same connections."
+    return Diagram("high-level", label, "\n".join(lines))
+
+
+def node(name: str) -> str:
+    return re.sub(r"\W", "_", name)
+
+
+def part(model: Model, name: str, links: Links) -> str:
+    """A box: a module, or what lies outside."""
+    module = model.modules.get(name) if name != "PC" else None
+    if module is None:
+        return (
+            f'rectangle "{name}" as {node(name)} {MARKERS["plain"]} ##[dotted]{MARKERS["line"][1:]}'
+        )
+    words = f"//{name}//" if module.abstract else f"**{name}**"
+    fill, line = MARKERS["role-concrete-fill"], MARKERS["role-concrete"]
+    return f'rectangle "{words}" as {node(name)} [[{links.module(name)}]] {fill} ##{line[1:]}'
 
 
 # ---- drawing -----------------------------------------------------------------

@@ -116,9 +116,9 @@ class Names:
         text = Markup("<code>{}</code>").format(identifier)
         return anchor(self.links.check(identifier), text, "id")
 
-    def src(self, place: Place, full: bool = False) -> Markup:
+    def src(self, place: Place, full: bool = False, label: str = "") -> Markup:
         file = place.file if full else file_name(place.file)
-        where = f"{file}:{place.line}" if place.line else file
+        where = label or (f"{file}:{place.line}" if place.line else file)
         return anchor(
             self.links.source(place), Markup("<code>{}</code>").format(breakable(where)), "src"
         )

@@ -85,10 +85,11 @@ class Navigation:
         prove = [entry(doc) for doc in docs if doc.name in PROVE]
         use = [entry(doc) for doc in docs if doc.name not in ("tour", *PROVE, *EXPLAIN)]
         source = Entry("source", "Source", "source/index.html", "S")
+        exports = Entry("exports", "Exports", "exports.html")
         self.groups = [
             Group("understand", "Understand", [*tour, *understand(portal.model)]),
             Group("verify", "Verify", [*verify(portal), *prove]),
-            Group("build", "Build and use", [*use, source]),
+            Group("build", "Build and use", [*use, source, exports]),
         ]
         if explain:
             self.groups.append(Group("explain", "Explanations", explain))
@@ -127,6 +128,8 @@ def understand(model: Model) -> list[Entry]:
         Entry("datatypes", "Data types", "datatypes.html", "", types),
         Entry("uses", "Uses", "uses.html"),
         Entry("concordance", "Concordance with the paper", "concordance.html"),
+        Entry("usual_design", "The usual design", "usual_design.html"),
+        Entry("execution", "Execution", "execution.html", "", len(model.contexts)),
     ]
 
 
@@ -137,6 +140,8 @@ def verify(portal: Portal) -> list[Entry]:
         Entry("requirements", "Requirements", "requirements/index.html", "R", len(requirements)),
         Entry("trees", "Invocation trees", "trees.html", "", trees),
         Entry("tests", "Tests", "tests.html", "T", len(portal.model.tests)),
+        Entry("mutation", "Mutants", "mutation.html"),
+        Entry("reverse", "Reverse direction", "reverse.html"),
         Entry("closed_loop", "Closed loop", "closed_loop.html", "", len(portal.model.closed_loop)),
         Entry("virtual_k64", "Findings of the board", "virtual_k64.html"),
         Entry("checks", "Checks", "checks/index.html", "", len(portal.checks)),

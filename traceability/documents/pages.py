@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from traceability.documents import calls, plots, verification
+from traceability.documents.exports import DIAGRAMS
 from traceability.documents.links import logic_anchor
 from traceability.documents.paper_views import paper_views
 from traceability.documents.portal import Page, Portal
 from traceability.metrics import read_products
+from traceability.model import usual_design
+from traceability.model.mutation import mutants_of
+from traceability.model.reverse import methods_without, tests_without
 from traceability.model.schema import (
     HOST,
     Method,
@@ -28,7 +33,9 @@ from traceability.products import PRODUCTS
 FIRST_TESTS = 12  # shown open on the page of a module
 TORTURE = "tests/torture/"
 XML = "build/model/xml"
+HIGH_LEVEL = "High-level diagram"
 ANY = "*"  # in an allowed use: every logic module
+LEAST_DIFFERENCE = 20  # instructions in a cycle: functions that differ by less are not shown
 EXAMPLE = "FR-15"  # the requirement that the first page follows
 
 
@@ -61,6 +68,8 @@ def overview_pages(portal: Portal) -> Iterator[Page]:
     yield products_page(portal)
     yield portal.page("machines", "State machines", "machines", "machines")
     yield portal.page("uses", "Uses", "uses", "uses", rows=use_rows(portal))
+    yield execution_page(portal)
+    yield portal.page("exports", "Exports", "exports", "exports", sources=diagram_sources(portal))
     yield portal.page("architecture", "Architecture", "architecture", "architecture", wide=True)
     yield requirements_page(portal)
     yield portal.page("trees", "Invocation trees", "trees", "trees")
@@ -73,7 +82,12 @@ def overview_pages(portal: Portal) -> Iterator[Page]:
         drivers=driver_coverage(portal),
         torture=[t for t in portal.model.tests.values() if t.place.file.startswith(TORTURE)],
     )
+    yield mutation_page(portal)
+    yield portal.page(
+        "reverse", "Reverse direction", "reverse", "reverse", rows=reverse_rows(portal)
+    )
     yield closed_loop_page(portal)
+    yield usual_design_page(portal)
     yield portal.page("checks/index", "Checks", "checks", "checks")
     yield portal.page("source/index", "Source", "source", "sources", folders=folders(portal))
 
@@ -178,6 +192,67 @@ def closed_loop_page(portal: Portal) -> Page:
         number=lambda value: f"{value:.3g}" if abs(value) < 100 else f"{value:.0f}",
         width=plots.WIDTH,
         height=plots.HEIGHT,
+    )
+
+
+def mutation_page(portal: Portal) -> Page:
+    mutation = portal.model.mutation
+    tried = mutation.tried if mutation else []
+    return portal.page(
+        "mutation",
+        "Mutants",
+        "mutation",
+        "mutation",
+        rows=[(r, mutants_of(portal.model, r.id)) for r in portal.model.requirements.values()],
+        kinds=Counter(mutant.kind for mutant in tried),
+        survivors=[mutant for mutant in tried if not mutant.killed_by],
+    )
+
+
+def reverse_rows(portal: Portal) -> list[tuple[str, int, int]]:
+    """Of the public methods and of the tests: how many there are, how many serve no requirement."""
+    modules = portal.model.modules.values()
+    methods = [m for item in modules if not item.datatype for m in item.methods]
+    public = sum(method.access == "public" for method in methods)
+    return [
+        ("method", public, len(methods_without(portal.model))),
+        ("test", len(portal.model.tests), len(tests_without(portal.model))),
+    ]
+
+
+def usual_design_page(portal: Portal) -> Page:
+    found = usual_design.read_comparison(portal.root)
+    changes = usual_design.changes_of(portal.root)
+    patches = {
+        change: {
+            design: (portal.root / usual_design.patch_of(change, design)).read_text("utf-8")
+            for design in usual_design.DESIGNS
+        }
+        for change in changes
+    }
+    return portal.page(
+        "usual_design",
+        "Patterns and the usual design",
+        "usual_design",
+        "usual_design",
+        found=found,
+        folder=str(usual_design.FOLDER),
+        rows=usual_design.ROWS,
+        designs=usual_design.DESIGNS,
+        targets=usual_design.TARGETS,
+        more=usual_design.more,
+        verdict=usual_design.verdict,
+        changes=changes,
+        titles=usual_design.TITLES,
+        patches=patches,
+        counts={
+            change: {
+                design: usual_design.count_patch(text).as_json() for design, text in texts.items()
+            }
+            for change, texts in patches.items()
+        },
+        functions=usual_design.beside(found["functions"], LEAST_DIFFERENCE) if found else [],
+        least=LEAST_DIFFERENCE,
     )
 
 
@@ -347,6 +422,7 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
         gaps=[gap for gap in portal.model.line_gaps if requirement.id in gap.requirements],
         lines_of=verification.lines_of,
         branches_of=verification.branches_of,
+        mutants=mutants_of(portal.model, requirement.id),
         machines=machines_of(portal, requirement.id),
         line_kind=line_kind,
     )
@@ -422,6 +498,36 @@ def sections(portal: Portal) -> dict[str, list[Requirement]]:
     for requirement in portal.model.requirements.values():
         found.setdefault(requirement.section, []).append(requirement)
     return found
+
+
+# ---- exports -----------------------------------------------------------------
+
+
+def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
+    """The file of each diagram, and the page that shows it."""
+    found = []
+    for application in portal.model.patterns.values():
+        page = portal.links.pattern(application.id) or ""
+        found.append((f"{DIAGRAMS}/pattern-{application.id}.puml", page, application.title))
+    if portal.model.groups:
+        found.append((f"{DIAGRAMS}/high-level.puml", "@/architecture.html#high-level", HIGH_LEVEL))
+    for machine in portal.model.machines.values():
+        page = portal.links.machine(machine.id) or ""
+        found.append((f"{DIAGRAMS}/machine-{machine.id}.puml", page, machine.title))
+    return found
+
+
+# ---- execution ---------------------------------------------------------------
+
+
+def execution_page(portal: Portal) -> Page:
+    """The contexts, the highest priority first; what has none comes last."""
+    contexts = sorted(
+        portal.model.contexts.values(), key=lambda one: (one.priority is None, one.priority or 0)
+    )
+    return portal.page(
+        "execution", "Execution", "execution", "execution", wide=True, contexts=contexts
+    )
 
 
 # ---- tests, uses, source -----------------------------------------------------

@@ -13,10 +13,14 @@ from markupsafe import Markup
 from traceability.documents import diagrams, names
 from traceability.documents.calls import CallGraph
 from traceability.documents.highlight import Highlighter
-from traceability.documents.links import Links
+from traceability.documents.links import Links, slug
 from traceability.documents.navigation import Navigation, hand_written
 from traceability.metrics import drift, image, metrics
+from traceability.model.execution import INTERRUPT, START
+from traceability.model.impact import Impact, Impacts
 from traceability.model.schema import (
+    HOST,
+    ExecutionContext,
     Finding,
     Method,
     Model,
@@ -24,14 +28,17 @@ from traceability.model.schema import (
     PaperElement,
     Place,
     Requirement,
+    SharedPipe,
     Test,
+    Transition,
     TreeNode,
 )
 
 SITE = Path(__file__).resolve().parents[2] / "site"
 
 LATER = {"doc-warning", "link-doc", "link-site"}  # Sphinx and the finished site tell
-DYNAMIC = {"tree-dynamic", "req-passed", "req-line"}  # they need results of these sources
+# They need results of these sources.
+DYNAMIC = {"tree-dynamic", "req-passed", "req-line", "fsm-seen"}
 
 
 @dataclass
@@ -71,27 +78,29 @@ class Portal:
         self.names = names.Names(model, self.links)
         self.calls = CallGraph(model, self.links)
         self.code = Highlighter(root, root / "build" / "pages-cache" / "code")
+        self.impacts = Impacts(model)
         self.docs = hand_written(root / "docs")
         self.navigation = Navigation(self)
         self.metrics = metrics(model) | drift(root, model) | image(root)
         self.designs = [m for m in model.modules.values() if not m.datatype]
         self.datatypes = [m for m in model.modules.values() if m.datatype]
         self.diagrams = self._diagrams()
+        drawn = diagrams.draw(self.diagrams, root / "build" / "diagrams")
+        self.drawn = {name: Markup(svg) for name, svg in drawn.items()}
         self.templates = self._environment()
 
-    def _diagrams(self) -> dict[str, Markup]:
-        wanted = [
+    def _diagrams(self) -> list[diagrams.Diagram]:
+        return [
             *(
                 diagrams.pattern_diagram(self.model, application, self.links)
                 for application in self.model.patterns.values()
             ),
             *(
-                diagrams.machine_diagram(machine, self.links)
+                diagrams.machine_diagram(machine, self.links, self.model.stale_on(HOST))
                 for machine in self.model.machines.values()
             ),
+            *([diagrams.high_level_diagram(self.model, self.links)] if self.model.groups else []),
         ]
-        drawn = diagrams.draw(wanted, self.root / "build" / "diagrams")
-        return {name: Markup(svg) for name, svg in drawn.items()}
 
     def _environment(self) -> Environment:
         loader = FileSystemLoader(SITE / "templates")
@@ -106,6 +115,7 @@ class Portal:
         environment.filters["marked"] = lambda words: self.names.text(names.marked(words))
         environment.filters["gist"] = names.gist
         environment.filters["file_name"] = names.file_name
+        environment.filters["anchor"] = slug
         environment.filters["bold"] = Markup("<b>{}</b>").format
         for kind in ("mod", "meth", "pat", "req", "src", "change", "check"):
             environment.filters[kind] = getattr(self.names, kind)
@@ -116,7 +126,7 @@ class Portal:
             links=self.links,
             views=names.VIEWS,
             glyph=names.glyph,
-            diagrams=self.diagrams,
+            diagrams=self.drawn,
             family=diagrams.role_family,
             located=lambda svg, requirement: Markup(diagrams.located(svg, requirement)),
         )
@@ -176,6 +186,37 @@ class Portal:
 
     def executed_on(self, requirement: Requirement) -> str:
         return ", ".join(requirement.runs)
+
+    def showing(self, step: Transition) -> list[str]:
+        """The tests that made a transition: those that verify a requirement of it come first."""
+        tests = self.model.tests
+        return sorted(
+            (name for name in step.tests if name in tests),
+            key=lambda name: set(tests[name].verifies).isdisjoint(step.requirements),
+        )
+
+    def impact(self, subject: str) -> Impact:
+        return self.impacts.of(subject)
+
+    def modules_of(self, context: ExecutionContext) -> list[str]:
+        """The design modules that a context may reach."""
+        names = dict.fromkeys(method.partition("::")[0] for method in context.methods)
+        return [name for name in names if not self.model.modules[name].datatype]
+
+    def interrupts_of(self, pipe: SharedPipe) -> list[str]:
+        """The interrupts that write or read a pipe."""
+        users = [*pipe.writers.values(), *pipe.readers.values()]
+        found = dict.fromkeys(name for contexts in users for name in contexts)
+        return [name for name in found if self.model.contexts[name].kind == INTERRUPT]
+
+    def contexts_of(self, module: Module) -> list[str]:
+        """The interrupts and threads that may run methods of a module."""
+        begin = f"{module.name}::"
+        return [
+            context.id
+            for context in self.model.contexts.values()
+            if context.kind != START and any(m.startswith(begin) for m in context.methods)
+        ]
 
     def path_of(self, module: Module) -> list[str]:
         """Logic modules from the top down to the module's own."""

@@ -7,13 +7,17 @@ import subprocess
 from pathlib import Path
 
 from traceability.model.annotations import MemberText, Text, read_annotations
+from traceability.model.architecture import add_connections
 from traceability.model.changes import add_changes
 from traceability.model.closed_loop import read_closed_loop
 from traceability.model.coverage import Coverage, read_coverage
 from traceability.model.declared import read_declared
 from traceability.model.evidence import read_evidence
 from traceability.model.evidence import reasons as reasons_of_evidence
+from traceability.model.execution import add_execution
 from traceability.model.facts import Facts, gather_facts
+from traceability.model.machines import add_machines
+from traceability.model.mutation import read_mutation
 from traceability.model.results import read_sizes
 from traceability.model.reverse import justify
 from traceability.model.reviews import add_reviews
@@ -77,10 +81,14 @@ def build(root: Path) -> Model:
     add_board_findings(model, facts)
     model.closed_loop = read_closed_loop(root, model.sources_hash)
     add_executed_modules(model, traces)
+    add_machines(model, facts, traces)
+    add_execution(model, facts)
+    add_connections(model, facts)
     coverage = read_coverage(root, build_folder)
     _add_measures(model, root, coverage)
     add_trees(model, facts, traces)
     add_verification(model, facts, coverage)
+    model.mutation = read_mutation(root, model.sources_hash)
     justify(model, facts.declared.justified)
     add_reviews(model, root)
     set_states(model)

@@ -1,6 +1,6 @@
 """Which lines and branches of the design each test executed, on this machine and on the K64.
 
-On this machine the counters of gcc tell it, see ``flow``. On the virtual K64 each test leaves one
+On this machine the counters of gcc tell it, see ``arcs``. On the virtual K64 each test leaves one
 bit for each half-word of the flash that it executed, see ``board_coverage``: lines, no branches.
 """
 
@@ -10,8 +10,8 @@ import json
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from traceability.model.arcs import Branch, Graph, read_graphs
 from traceability.model.board_coverage import ELF, lines_executed, read_stretches
-from traceability.model.flow import Branch, Graph, read_graphs
 from traceability.model.results import RESULTS, RUNS, read_json
 from traceability.model.schema import HOST, VIRTUAL_K64
 from traceability.model.traces import SOURCES
@@ -82,7 +82,7 @@ def _key(root: Path, binding: str) -> str:
     results = root / RESULTS / f"{RUNS[binding]}.json"
     run = str(results.stat().st_mtime_ns) if results.exists() else ""
     here = Path(__file__).parent
-    parts = (__file__, here / "flow.py", here / "board_coverage.py")
+    parts = (__file__, here / "arcs.py", here / "board_coverage.py")
     return " ".join([run, *(file_hash(Path(part)) for part in parts)])
 
 

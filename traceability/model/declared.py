@@ -13,7 +13,10 @@ from traceability.model.concordance import Concordance, read_concordance
 from traceability.model.schema import (
     AllowedUse,
     ArchitectureElement,
+    ArchitectureGroup,
     BoardFinding,
+    Connection,
+    ExecutionContext,
     Justified,
     Place,
     StateMachine,
@@ -61,9 +64,29 @@ class Block:
 
 
 @dataclass
+class PipeText:
+    """What a pipe of the robot is called."""
+
+    name: str
+    says: str
+    place: Place
+
+
+@dataclass
+class Protection:
+    """How a member that contexts share is protected."""
+
+    protection: str
+    why: str
+    place: Place
+
+
+@dataclass
 class Declared:
     machines: dict[str, StateMachine] = field(default_factory=dict)
     architecture: list[ArchitectureElement] = field(default_factory=list)
+    groups: list[ArchitectureGroup] = field(default_factory=list)
+    connections: list[Connection] = field(default_factory=list)
     allowed: list[AllowedUse] = field(default_factory=list)
     cycles: list[Cycle] = field(default_factory=list)
     trees: dict[str, tuple[Place, TreeNode | None]] = field(default_factory=dict)
@@ -72,6 +95,10 @@ class Declared:
     clauses: dict[str, ClauseText] = field(default_factory=dict)
     names: dict[str, list[str]] = field(default_factory=dict)  # logic module -> its modules
     blocks: list[Block] = field(default_factory=list)
+    contexts: dict[str, ExecutionContext] = field(default_factory=dict)
+    ends: list[str] = field(default_factory=list)  # methods that end the firmware
+    pipes: dict[str, PipeText] = field(default_factory=dict)
+    protections: dict[str, Protection] = field(default_factory=dict)  # member, or Class::*
     board_findings: dict[str, BoardFinding] = field(default_factory=dict)
     justified: list[Justified] = field(default_factory=list)
     concordance: Concordance = field(default_factory=Concordance)
@@ -89,6 +116,14 @@ def read_declared(root: Path) -> Declared:
             item["id"], item["kind"], item["name"], item["text"], item["modules"], place
         )
         for item, place in _tables(root, design / "architecture.toml", "element")
+    ]
+    declared.groups = [
+        ArchitectureGroup(item["name"], item["module"], item["modules"], place)
+        for item, place in _tables(root, design / "architecture.toml", "group")
+    ]
+    declared.connections = [
+        Connection(item["kind"], item["from"], item["to"], item.get("connector", ""), place)
+        for item, place in _tables(root, design / "architecture.toml", "connection")
     ]
     declared.allowed = [
         AllowedUse(item["from"], item["to"], item["why"], place)
@@ -110,6 +145,7 @@ def read_declared(root: Path) -> Declared:
         Block(item["name"], item["owners"], place)
         for item, place in _tables(root, design / "register_owners.toml", "block")
     ]
+    _execution(root, design / "execution.toml", declared)
     for item, place in _tables(root, design / "board_findings.toml", "finding"):
         declared.board_findings[item["id"]] = BoardFinding(item["id"], item["says"], place)
     declared.justified = [
@@ -158,7 +194,22 @@ def _machine(root: Path, path: Path) -> StateMachine:
         states=data["states"],
         transitions=transitions,
         place=Place(str(path.relative_to(root)), 1),
+        events=data.get("events", {}),
     )
+
+
+def _execution(root: Path, path: Path, declared: Declared) -> None:
+    if not path.exists():
+        return
+    declared.ends = tomllib.loads(path.read_text(encoding="utf-8"))["ends"]
+    for item, place in _tables(root, path, "context"):
+        item.setdefault("body", "")
+        declared.contexts[item["id"]] = ExecutionContext(place=place, **item)
+    for item, place in _tables(root, path, "pipe"):
+        declared.pipes[item["object"]] = PipeText(item["name"], item["says"], place)
+    for item, place in _tables(root, path, "shared"):
+        for member in item["members"]:
+            declared.protections[member] = Protection(item["protection"], item["why"], place)
 
 
 def _trees(root: Path, path: Path, declared: Declared) -> None:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass
 from pathlib import Path
 
 from traceability.model.annotations import Annotations
 from traceability.model.declared import Declared
+from traceability.model.references import References
 from traceability.model.syntax import BodyFact, ClassFact, MethodFact, Syntax
 
 
@@ -22,6 +24,10 @@ class Facts:
     overriders: dict[str, list[str]]  # method -> all methods that override it
     bodies: dict[str, list[BodyFact]]
     classes: dict[str, ClassFact]
+
+    @functools.cached_property
+    def references(self) -> References:
+        return References(self)
 
     def targets(self, method: str, virtual: bool) -> list[str]:
         """The methods that a call can reach."""

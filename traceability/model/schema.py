@@ -371,6 +371,32 @@ class Justified:
 
 
 @dataclass
+class Mutant:
+    """A fault that was seeded in a method of a tree."""
+
+    place: Place
+    method: str
+    kind: str
+    change: str
+    killed_by: list[str]  # tests
+    own: dict[str, bool]  # requirement whose tree holds the method -> whether its own tests find it
+
+
+@dataclass
+class Mutation:
+    """The faults that were tried, of all that there are."""
+
+    seed: int
+    minutes: float
+    total: int
+    tried: list[Mutant]
+
+    @property
+    def found(self) -> int:
+        return sum(bool(mutant.killed_by) for mutant in self.tried)
+
+
+@dataclass
 class Transition:
     source: str
     event: str
@@ -379,11 +405,16 @@ class Transition:
     action: str
     place: Place
     requirements: list[str] = field(default_factory=list)
+    changes: list[Place] = field(default_factory=list)  # where the code makes it; none of a stay
+    tests: list[str] = field(default_factory=list)  # that passed, and made it
 
 
 @dataclass
 class StateMachine:
-    """``states`` maps a state's name to the module that realises it."""
+    """``states`` maps a state's name to the module that realises it.
+
+    ``events`` maps an event to the operation of the state that the Context calls then.
+    """
 
     id: str
     title: str
@@ -392,6 +423,53 @@ class StateMachine:
     states: dict[str, str]
     transitions: list[Transition]
     place: Place
+    events: dict[str, str] = field(default_factory=dict)
+    # "from operation to" of changes that tests made and nobody declared -> the tests
+    undeclared: dict[str, list[str]] = field(default_factory=dict)
+
+
+@dataclass
+class ExecutionContext:
+    """What the hardware enters: an interrupt, the thread of a control system, or the start."""
+
+    id: str
+    kind: str  # "interrupt", "thread", "start"
+    name: str
+    says: str
+    handlers: list[str]
+    body: str  # the command that a thread executes
+    place: Place
+    lines: list[int] = field(default_factory=list)  # of the interrupt controller
+    priority: int | None = None
+    first: list[str] = field(default_factory=list)  # methods with which it begins
+    methods: list[str] = field(default_factory=list)  # methods of modules that it may reach
+
+
+@dataclass
+class SharedPipe:
+    """A pipe of the robot; ``writers`` and ``readers`` are methods with their contexts."""
+
+    id: str
+    name: str
+    says: str
+    type: str
+    place: Place
+    writers: dict[str, list[str]] = field(default_factory=dict)
+    readers: dict[str, list[str]] = field(default_factory=dict)
+
+
+@dataclass
+class SharedMember:
+    """A member that one context changes and another one changes or reads."""
+
+    id: str
+    module: str
+    type: str
+    place: Place
+    writers: list[str]
+    readers: list[str]
+    protection: str  # "" when nothing tells
+    why: str
 
 
 @dataclass
@@ -464,6 +542,28 @@ class LikelyChange:
     tests: list[str]
     steps: list[str]
     examples: list[str]  # modules of extensions that are such a change
+
+
+@dataclass
+class ArchitectureGroup:
+    """Modules that the high-level diagram draws in one box; ``module`` stands for all of them."""
+
+    name: str
+    module: str
+    modules: list[str]
+    place: Place
+
+
+@dataclass
+class Connection:
+    """A line of the high-level diagram: "call", "interrupt", "command", "pipe" or "physical"."""
+
+    kind: str
+    source: str
+    target: str
+    connector: str
+    place: Place
+    way: list[str] = field(default_factory=list)  # methods; none of a line outside the code
 
 
 @dataclass
@@ -561,10 +661,16 @@ class Model:
     requirements: dict[str, Requirement] = field(default_factory=dict)
     tests: dict[str, Test] = field(default_factory=dict)
     justified: list[Justified] = field(default_factory=list)
+    mutation: Mutation | None = None  # of these sources
     machines: dict[str, StateMachine] = field(default_factory=dict)
+    contexts: dict[str, ExecutionContext] = field(default_factory=dict)
+    pipes: list[SharedPipe] = field(default_factory=list)
+    shared: list[SharedMember] = field(default_factory=list)
     uses: list[Use] = field(default_factory=list)
     allowed_uses: list[AllowedUse] = field(default_factory=list)
     architecture: list[ArchitectureElement] = field(default_factory=list)
+    groups: list[ArchitectureGroup] = field(default_factory=list)
+    connections: list[Connection] = field(default_factory=list)
     paper: list[PaperElement] = field(default_factory=list)
     paper_places: list[PaperPlace] = field(default_factory=list)
     changes: dict[str, LikelyChange] = field(default_factory=dict)  # by application

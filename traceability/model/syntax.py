@@ -24,21 +24,24 @@ from typing import Any
 from clang import cindex
 from clang.cindex import Cursor, CursorKind, TypeKind
 
+from traceability.model import cursors, flow
+from traceability.model.cursors import (
+    CLASSES,
+    FUNCTIONS,
+    NAMESPACE,
+    class_name,
+    function_id,
+    is_function,
+    namespace_of,
+    qualified_name,
+)
+from traceability.model.flow import FlowFact
 from traceability.model.schema import Place
 from traceability.sources import DESIGN, file_hash, files_below, include_options
 
-NAMESPACE = "wr"
 BOARD = re.compile(r"(src|extensions/\w+)/k64/")
 BOARD_COMPILER = "arm-none-eabi-g++"
 BOARD_FLAGS = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"]
-_CLASSES = {CursorKind.CLASS_DECL, CursorKind.STRUCT_DECL, CursorKind.CLASS_TEMPLATE}
-_METHODS = {
-    CursorKind.CXX_METHOD,
-    CursorKind.CONSTRUCTOR,
-    CursorKind.DESTRUCTOR,
-    CursorKind.CONVERSION_FUNCTION,
-}
-_FUNCTIONS = _METHODS | {CursorKind.FUNCTION_DECL, CursorKind.FUNCTION_TEMPLATE}
 _NAMES = {
     CursorKind.TYPE_REF,
     CursorKind.TEMPLATE_REF,
@@ -100,6 +103,9 @@ class CallFact:
     virtual: bool
     place: Place
     declared: str = ""  # the file that declares a function outside classes
+    on: list[str] = field(default_factory=list)  # what a method is called on, see flow
+    args: list[list[str]] = field(default_factory=list)  # what each argument names
+    sometimes: bool = False  # below a condition, or after one that may have left the function
 
 
 @dataclass
@@ -113,6 +119,7 @@ class BodyFact:
     overrides: str | None = None
     calls: list[CallFact] = field(default_factory=list)
     assigns: list[tuple[str, int]] = field(default_factory=list)  # Class::field, line
+    touches: dict[str, bool] = field(default_factory=dict)  # Class::field -> whether it is changed
 
 
 @dataclass
@@ -149,6 +156,8 @@ class Syntax:
     includes: list[IncludeFact] = field(default_factory=list)
     blocks: list[BlockFact] = field(default_factory=list)
     casts: list[Place] = field(default_factory=list)  # numbers made into addresses
+    flows: list[FlowFact] = field(default_factory=list)
+    constants: dict[str, int] = field(default_factory=dict)  # var -> value of a plain number
     errors: list[tuple[Place, str]] = field(default_factory=list)
 
     def merge(self, other: Syntax) -> None:
@@ -158,6 +167,8 @@ class Syntax:
         self.includes += other.includes
         self.blocks += other.blocks
         self.casts += other.casts
+        self.flows += other.flows
+        self.constants |= other.constants
         self.errors += other.errors
 
 
@@ -231,7 +242,8 @@ def _stored(root: Path, cache: Path, unit: str, hashes: dict[str, str]) -> bool 
 
 @functools.cache
 def _reader_hash(board: bool) -> str:
-    own = Path(__file__).read_bytes()
+    files = (__file__, cursors.__file__, flow.__file__)
+    own = b"".join(Path(file).read_bytes() for file in files)
     return hashlib.sha256(own + repr(clang_arguments(board)).encode()).hexdigest()
 
 
@@ -349,6 +361,11 @@ class _Reader:
         self.root = f"{root}/"
         self.files = files
         self.facts = Syntax()
+        self.flow = flow.FlowReader(self.place)
+        self.facts.flows = self.flow.flows
+        self.function = ""  # the last one that was entered
+        self.chances = 0  # conditions around the statement
+        self.left = False  # whether a condition before it may have left the function
 
     def relative(self, name: str) -> str | None:
         return name.removeprefix(self.root) if name.startswith(self.root) else None
@@ -359,7 +376,11 @@ class _Reader:
         return Place(relative, cursor.location.line) if relative else None
 
     def walk(self, cursor: Cursor, body: BodyFact | None, owner: str) -> None:
+        before: Cursor | None = None
         for child in cursor.get_children():
+            if before is not None and before.kind == CursorKind.MEMBER_REF:
+                self.flow.given(before, child, self.place(before) or Place("", 1))
+            before = child
             if cursor.kind == CursorKind.TRANSLATION_UNIT:
                 place = self.place(child)
                 if place is None or place.file not in self.files:
@@ -371,7 +392,7 @@ class _Reader:
         place = self.place(cursor)
         if place is None:
             return
-        if kind in _CLASSES and cursor.is_definition() and body is None:
+        if kind in CLASSES and cursor.is_definition() and body is None:
             owner = class_name(cursor)
             self.facts.classes.append(self.class_fact(cursor, place))
         elif kind in (CursorKind.ENUM_DECL, CursorKind.TYPE_ALIAS_DECL) and body is None:
@@ -390,6 +411,8 @@ class _Reader:
             if cursor.is_definition():
                 body = self.body_fact(cursor, place, owner)
                 self.facts.bodies.append(body)
+                self.function = self.flow.function(cursor)
+                self.chances, self.left = 0, False
         elif kind == CursorKind.CXX_BASE_SPECIFIER:
             self.name(owner, cursor.referenced, "base", place)
             return
@@ -398,12 +421,36 @@ class _Reader:
             self.reference(cursor, body, owner, place)
         if kind == CursorKind.CALL_EXPR and cursor.spelling == "emplace" and body is not None:
             self.emplacement(cursor, body, owner, place)
+        self.flow.note(cursor, self.function, place)
+        if kind == CursorKind.VAR_DECL and body is None:
+            self.constant(cursor)
         if body is not None:
             self.assignment(cursor, body, place)
+            self.touch(cursor, body)
+            self.left = self.left or (kind == CursorKind.RETURN_STMT and self.chances > 0)
+        self.chances += kind in flow.CHANCES
         self.walk(cursor, body, owner)
+        self.chances -= kind in flow.CHANCES
+
+    def constant(self, cursor: Cursor) -> None:
+        value = next((c for c in cursor.get_children() if not c.kind.is_reference()), None)
+        while value is not None and value.kind == CursorKind.UNEXPOSED_EXPR:
+            value = next(value.get_children(), None)
+        if value is not None and value.kind == CursorKind.INTEGER_LITERAL:
+            digits = next((token.spelling for token in value.get_tokens()), "")
+            if digits.isdigit():
+                self.facts.constants[self.flow.node(cursor)] = int(digits)
+
+    def touch(self, cursor: Cursor, body: BodyFact) -> None:
+        if cursor.kind == CursorKind.MEMBER_REF_EXPR:
+            name = self.flow.node(cursor.referenced)
+            if name.startswith("field "):
+                body.touches.setdefault(name.removeprefix("field "), False)
+        for name in self.flow.written(cursor):
+            body.touches[name] = True
 
     def reference(self, cursor: Cursor, body: BodyFact | None, owner: str, place: Place) -> None:
-        target = cursor.referenced
+        target = cursor.referenced or flow.method_in_template(cursor)
         if target is None or self.place(target) is None:
             return
         self.block(target.semantic_parent, place, declares=False)
@@ -416,10 +463,15 @@ class _Reader:
             return
         if target.kind == CursorKind.CONSTRUCTOR:
             self.name(owner, parent, "construct", place)
-        if body is not None and target.kind in _FUNCTIONS:
+        if target.kind not in FUNCTIONS:
+            return
+        args = self.flow.arguments(cursor, target, place)
+        if body is not None:
             first = None if class_name(parent) else self.place(target.canonical)
             declared = first.file if first else ""
             call = CallFact(function_id(target), _is_dynamic(cursor), place, declared)
+            call.on, call.args = self.flow.receiver(cursor), args
+            call.sometimes = self.chances > 0 or self.left
             body.calls.append(call)
 
     def address(self, cursor: Cursor, place: Place) -> None:
@@ -449,8 +501,11 @@ class _Reader:
         held = next((part for part in cursor.walk_preorder() if self.is_field(part)), None)
         if held is None:
             return
+        args = [self.flow.sources(value) for value in cursor.get_arguments()]
         for name in self.field_fact(held.referenced, place).classes:
             constructor = f"{name}::{name.rsplit('::', maxsplit=1)[-1]}"
+            for number, sources in enumerate(args):
+                self.flow.add(f"param {constructor} {number}", sources, place)
             body.calls.append(CallFact(constructor, False, place))
             if name.split("::", maxsplit=1)[0] != owner.split("::", maxsplit=1)[0]:
                 self.facts.names.append(NameFact(owner, name, "construct", place))
@@ -573,47 +628,6 @@ class _Reader:
         )
 
 
-def is_function(cursor: Cursor) -> bool:
-    if cursor.kind in (CursorKind.FUNCTION_DECL, *_METHODS):
-        return True
-    return bool(cursor.kind == CursorKind.FUNCTION_TEMPLATE)
-
-
-def class_name(cursor: Cursor | None) -> str:
-    """``Outer::Inner`` without the namespace; empty when the cursor is in no class."""
-    parts: list[str] = []
-    kinds = {*_CLASSES, CursorKind.CLASS_TEMPLATE_PARTIAL_SPECIALIZATION, CursorKind.ENUM_DECL}
-    kinds |= {CursorKind.TYPE_ALIAS_DECL}
-    while cursor is not None and cursor.kind in kinds:
-        parts.insert(0, cursor.spelling)
-        cursor = cursor.semantic_parent
-    return "::".join(parts)
-
-
-def namespace_of(cursor: Cursor | None) -> str:
-    """The namespaces around a cursor, without that of the project; empty at its level."""
-    parts: list[str] = []
-    while cursor is not None and cursor.kind != CursorKind.TRANSLATION_UNIT:
-        if cursor.kind == CursorKind.NAMESPACE and not cursor.is_anonymous():
-            parts.insert(0, cursor.spelling)
-        cursor = cursor.semantic_parent
-    return "::".join(parts[1:] if parts[:1] == [NAMESPACE] else parts)
-
-
-def qualified_name(cursor: Cursor) -> str:
-    return "::".join(filter(None, (NAMESPACE, namespace_of(cursor), class_name(cursor))))
-
-
-def function_id(cursor: Cursor) -> str:
-    owner = class_name(cursor.semantic_parent)
-    name: str = (
-        cursor.spelling.split("<")[0]
-        if cursor.kind == CursorKind.CONSTRUCTOR
-        else (cursor.spelling)
-    )
-    return f"{owner}::{name}" if owner else name
-
-
 def _arguments_of(cursor: Cursor) -> Iterator[Cursor]:
     for child in cursor.get_children():
         if child.kind == CursorKind.PARM_DECL:
@@ -712,6 +726,8 @@ def _facts_from(data: dict[str, Any]) -> Syntax:
     for item in data["blocks"]:
         item["place"] = _place_from(item["place"])
         facts.blocks.append(BlockFact(**item))
+    facts.flows = [FlowFact(**item) for item in data["flows"]]
+    facts.constants = data["constants"]
     facts.casts = [_place_from(place) for place in data["casts"]]
     facts.errors = [(_place_from(place), text) for place, text in data["errors"]]
     return facts

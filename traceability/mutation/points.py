@@ -8,7 +8,8 @@ from pathlib import Path
 from clang import cindex
 from clang.cindex import Cursor, CursorKind, TypeKind
 
-from traceability.model.syntax import clang_arguments, function_id, is_function, standard
+from traceability.model.cursors import function_id, is_function
+from traceability.model.syntax import clang_arguments, standard
 from traceability.sources import include_options
 
 # Operator -> what stands there instead, one mutant each.

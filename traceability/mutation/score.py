@@ -11,7 +11,7 @@ from typing import Any
 
 from traceability.commands.builds import jobs
 from traceability.model.results import RESULTS
-from traceability.model.schema import HOST, Model
+from traceability.model.schema import HOST, Model, Test
 from traceability.model.traces import Traces, nodes_of
 from traceability.model.trees import accepted
 from traceability.mutation.points import Mutant
@@ -66,15 +66,20 @@ def make_plan(model: Model, traces: Traces) -> Plan:
     for test in model.tests.values():
         if HOST not in test.gave("passed"):
             continue
-        for method in executed(traces, test.results[HOST].recordings, set(plan.methods)):
+        for method in executed(traces, test, set(plan.methods)):
             plan.executing.setdefault(method, set()).add(test.id)
     return plan
 
 
-def executed(traces: Traces, recordings: list[str], methods: set[str]) -> set[str]:
-    """The methods that a test called; all of them where its recording is not whole."""
-    known = [name for name in recordings if name in traces.tests]
-    if any(traces.file(name).with_suffix(".truncated").exists() for name in known):
+def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
+    """The methods that a test called; all of them where its recording is not whole.
+
+    A death test calls in a process of its own, which is not recorded.
+    """
+    known = [name for name in test.results[HOST].recordings if name in traces.tests]
+    if test.suite.endswith("DeathTest") or any(
+        traces.file(name).with_suffix(".truncated").exists() for name in known
+    ):
         return methods
     return {method for name in known for method in traces.methods(name)} & methods
 

@@ -19,7 +19,8 @@ from traceability.sources import DESIGN, SRC, files_below
 
 FOLDER = Path("build/mutation")
 SOURCE, BINARY, LIST = FOLDER / "source", FOLDER / "binary", FOLDER / "mutants.json"
-COPIED = (*DESIGN, "sim", "tests", "CMakeLists.txt", "setup")
+# With the examples of the protocol, which tests read.
+COPIED = (*DESIGN, "sim", "tests", "docs", "CMakeLists.txt", "setup")
 SWITCH = Path(__file__).with_name("mutant.hpp")
 PROGRAM = BINARY / "tests" / "firmware_tests"
 ATTEMPTS = 10

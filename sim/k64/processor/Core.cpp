@@ -1,5 +1,6 @@
 #include "sim/k64/processor/Core.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "sim/k64/processor/Encoding.hpp"
@@ -182,6 +183,32 @@ bool Core::storeAligned(std::uint32_t address, std::uint32_t value) {
     return false;
   }
   return store<std::uint32_t>(address, value);
+}
+
+bool Core::loadWords(std::uint32_t address, std::span<std::uint32_t> words) {
+  const Memory::Area& area = memory.near(address);
+  const std::uint32_t offset = address - area.address;
+  if (offset < area.direct && area.direct - offset >= words.size_bytes() && (address & 3U) == 0)
+      [[likely]] {
+    std::memcpy(words.data(), area.bytes.get() + offset, words.size_bytes());
+    return true;
+  }
+  return std::ranges::all_of(words, [this, &address](std::uint32_t& word) {
+    return loadAligned(std::exchange(address, address + 4), word);
+  });
+}
+
+bool Core::storeWords(std::uint32_t address, std::span<const std::uint32_t> words) {
+  const Memory::Area& area = memory.near(address);
+  const std::uint32_t offset = address - area.address;
+  if (offset < area.writable && area.writable - offset >= words.size_bytes() && (address & 3U) == 0)
+      [[likely]] {
+    std::memcpy(area.bytes.get() + offset, words.data(), words.size_bytes());
+    return true;
+  }
+  return std::ranges::all_of(words, [this, &address](std::uint32_t word) {
+    return storeAligned(std::exchange(address, address + 4), word);
+  });
 }
 
 // An unaligned access is made as two or three aligned ones: Cortex-M4 TRM, 3.3.3.

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <span>
 #include <utility>
 
 #include "sim/k64/ExecutedCode.hpp"
@@ -143,9 +144,13 @@ class Core {
     return storeElsewhere(address, sizeof(Value), value);
   }
 
-  /// @brief A word at an address that must be aligned: of LDM, LDRD, VLDR and the like.
+  /// @brief A word at an address that must be aligned: of LDRD and the like.
   [[nodiscard]] bool loadAligned(std::uint32_t address, std::uint32_t& value);
   [[nodiscard]] bool storeAligned(std::uint32_t address, std::uint32_t value);
+
+  /// @brief Words one after the other, of LDM and VLDM; a trap leaves what was loaded before.
+  [[nodiscard]] bool loadWords(std::uint32_t address, std::span<std::uint32_t> words);
+  [[nodiscard]] bool storeWords(std::uint32_t address, std::span<const std::uint32_t> words);
 
   /// @brief Begins a floating-point instruction: ExecuteFPCheck, ARMv7-M ARM, A2.5.4.
   /// @return false when there is a trap instead

@@ -1,5 +1,5 @@
 #include <array>
-#include <bit>
+#include <span>
 
 #include "sim/k64/processor/Core.hpp"
 #include "sim/k64/processor/Encoding.hpp"
@@ -244,17 +244,8 @@ std::uint32_t fpBase(const Registers& x, const Instruction& in) {
 
 template <bool kLoads>
 bool transfer(Core& core, std::uint32_t address, unsigned first, unsigned count) {
-  std::array<std::uint32_t, 32> loaded{};
-  for (unsigned i = 0; i < count; ++i) {
-    if (kLoads ? !core.loadAligned(address + 4 * i, loaded[i])
-               : !core.storeAligned(address + 4 * i, core.registers.s[first + i])) {
-      return false;
-    }
-  }
-  for (unsigned i = 0; kLoads && i < count; ++i) {
-    core.registers.s[first + i] = loaded[i];
-  }
-  return true;
+  const std::span<std::uint32_t> singles = std::span(core.registers.s).subspan(first, count);
+  return kLoads ? core.loadWords(address, singles) : core.storeWords(address, singles);
 }
 
 template <bool kLoads>

@@ -1,5 +1,6 @@
 #include <array>
 #include <bit>
+#include <span>
 
 #include "sim/k64/processor/Core.hpp"
 #include "sim/k64/processor/Encoding.hpp"
@@ -295,40 +296,30 @@ Instruction exclusiveOrTable(Encoding code) {
   }
 }
 
-// Many registers: value is their list, and bit 16 tells that register n keeps the address.
+// Many registers: value is their list, d their number, and bit 16 of value tells that register n
+// keeps the address.
 constexpr std::uint32_t kKeeps = 1U << 16;
 constexpr std::uint32_t kList = 0xFFFF;
-
-std::uint32_t sizeOf(const Instruction& in) {
-  return 4 * static_cast<std::uint32_t>(std::popcount(in.value & kList));
-}
 
 template <bool kDown>
 void loadMultiple(Core& core, const Instruction& in) {
   Registers& x = core.registers;
   const std::uint32_t base = x.r[in.n];
-  const std::uint32_t size = sizeOf(in);
-  core.spend(size / 4);
-  std::uint32_t address = kDown ? base - size : base;
-  std::array<std::uint32_t, 16>
-      loaded;  // NOLINT(cppcoreguidelines-pro-type-member-init): as far as it is used
-  std::size_t count = 0;
-  for (std::uint32_t list = in.value & kList; list != 0; list &= list - 1, address += 4) {
-    if (!core.loadAligned(address, loaded[count])) {
-      return;
-    }
-    ++count;
+  const std::uint32_t size = 4U * in.d;
+  core.spend(in.d);
+  std::array<std::uint32_t, 16> loaded;  // NOLINT(cppcoreguidelines-pro-type-member-init): loaded
+  if (!core.loadWords(kDown ? base - size : base, std::span(loaded).first(in.d))) {
+    return;
   }
   if ((in.value & kKeeps) != 0) {
     x.r[in.n] = kDown ? base - size : base + size;
   }
-  count = 0;
+  const std::uint32_t* next = loaded.data();
   for (std::uint32_t list = in.value & 0x7FFFU; list != 0; list &= list - 1) {
-    x.r[static_cast<std::size_t>(std::countr_zero(list))] = loaded[count];
-    ++count;
+    x.r[static_cast<std::size_t>(std::countr_zero(list))] = *next++;
   }
   if ((in.value & 1U << Registers::kPc) != 0) {
-    core.branchAndExchange(loaded[count]);
+    core.branchAndExchange(*next);
   }
 }
 
@@ -336,17 +327,24 @@ template <bool kDown>
 void storeMultiple(Core& core, const Instruction& in) {
   Registers& x = core.registers;
   const std::uint32_t base = x.r[in.n];
-  const std::uint32_t size = sizeOf(in);
-  core.spend(size / 4);
-  std::uint32_t address = kDown ? base - size : base;
-  for (std::uint32_t list = in.value & kList; list != 0; list &= list - 1, address += 4) {
-    if (!core.storeAligned(address, x.r[static_cast<std::size_t>(std::countr_zero(list))])) {
-      return;
-    }
+  const std::uint32_t size = 4U * in.d;
+  core.spend(in.d);
+  std::array<std::uint32_t, 16> stored;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled
+  std::uint32_t* next = stored.data();
+  for (std::uint32_t list = in.value & kList; list != 0; list &= list - 1) {
+    *next++ = x.r[static_cast<std::size_t>(std::countr_zero(list))];
   }
-  if ((in.value & kKeeps) != 0) {
+  if (core.storeWords(kDown ? base - size : base, std::span(stored).first(in.d)) &&
+      (in.value & kKeeps) != 0) {
     x.r[in.n] = kDown ? base - size : base + size;
   }
+}
+
+Instruction multiple(Instruction::Operation run, std::uint8_t n, std::uint32_t value) {
+  return {.run = run,
+          .value = value,
+          .d = static_cast<std::uint8_t>(std::popcount(value & kList)),
+          .n = n};
 }
 
 }  // namespace
@@ -415,38 +413,30 @@ Instruction loadStoreDual(Encoding code) {
 }
 
 Instruction shortLoadStoreMultiple(Encoding code) {
-  if (code.field(15, 12) == 0b1011) {  // PUSH and POP
-    const std::uint32_t list = code.field(7, 0);
-    return code.bit(11)
-               ? Instruction{.run = loadMultiple<false>,
-                             .value = kKeeps | list | (code.bit(8) ? 1U << Registers::kPc : 0),
-                             .n = Registers::kStack}
-               : Instruction{.run = storeMultiple<true>,
-                             .value = kKeeps | list | (code.bit(8) ? 1U << Registers::kLink : 0),
-                             .n = Registers::kStack};
-  }
-  const std::uint8_t n = code.low(8);
   const std::uint32_t list = code.field(7, 0);
   const bool loads = code.bit(11);
+  if (code.field(15, 12) == 0b1011) {  // PUSH and POP
+    const std::uint32_t last = code.bit(8) ? 1U << (loads ? Registers::kPc : Registers::kLink) : 0;
+    return multiple(loads ? loadMultiple<false> : storeMultiple<true>, Registers::kStack,
+                    kKeeps | list | last);
+  }
+  const std::uint8_t n = code.low(8);
   const bool keeps = !loads || (list >> n & 1U) == 0;
-  return {.run = loads ? loadMultiple<false> : storeMultiple<false>,
-          .value = list | (keeps ? kKeeps : 0),
-          .n = n};
+  return multiple(loads ? loadMultiple<false> : storeMultiple<false>, n,
+                  list | (keeps ? kKeeps : 0));
 }
 
 Instruction loadStoreMultiple(Encoding code) {
-  const bool loads = code.bit(20);
   const unsigned direction = code.field(24, 23);
   const std::uint32_t value = code.field(15, 0) | (code.bit(21) ? kKeeps : 0);
-  const std::uint8_t n = code.reg(16);
   if (direction != 1 && direction != 2) {
     return undefined();
   }
   const bool down = direction == 2;
-  if (loads) {
-    return {.run = down ? loadMultiple<true> : loadMultiple<false>, .value = value, .n = n};
+  if (code.bit(20)) {
+    return multiple(down ? loadMultiple<true> : loadMultiple<false>, code.reg(16), value);
   }
-  return {.run = down ? storeMultiple<true> : storeMultiple<false>, .value = value, .n = n};
+  return multiple(down ? storeMultiple<true> : storeMultiple<false>, code.reg(16), value);
 }
 
 }  // namespace wr::k64

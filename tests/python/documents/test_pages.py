@@ -202,7 +202,7 @@ def test_an_inherited_method_is_found_at_its_heir() -> None:
 
 
 def test_a_diagram_shows_roles_and_uses_only_variables_for_colours(portal: Portal) -> None:
-    svg = portal.diagrams["pattern-reading-modes"]
+    svg = portal.drawn["pattern-reading-modes"]
     assert "Concrete State" in svg
     assert 'href="@/modules/RC.html"' in svg
     assert "#FA" not in svg
@@ -385,7 +385,7 @@ def test_the_pages_that_explain_have_a_group_of_their_own(tmp_path: Path) -> Non
     navigation = Portal(tmp_path, model, [], CHECKS).navigation
     groups = {group.id: [entry.title for entry in group.entries] for group in navigation.groups}
     assert groups["explain"] == ["Glossary"]
-    assert groups["build"] == ["Quick start", "Source"]
+    assert groups["build"] == ["Quick start", "Source", "Exports"]
     assert groups["understand"][:3] == ["Tour", "Architecture", "Module structure"]
 
 

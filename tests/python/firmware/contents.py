@@ -18,16 +18,6 @@ BORDER = 0x20000000  # SRAM_L ends, SRAM_U begins
 VECTORS = 16 + 86
 CODE = 0x410
 
-# Names that stand for a part of the language or of the library that the firmware must not have.
-FORBIDDEN = {
-    "heap": r"_?(malloc|calloc|realloc|free|memalign)(_r)?|_?sbrk(_r)?|_Zn[wa]j.*|_Zd[la]P.*",
-    "unwinder": r"_Unwind_.*|__gxx_personality.*|__aeabi_unwind.*|__cxa_(throw|begin_catch).*",
-    "RTTI": r"_ZT[IS].*|__dynamic_cast",
-    "soft float": r"__aeabi_([fdh]|u?[il]2[fdh]|c[fd]).*"
-    r"|__(add|sub|mul|div|neg)[sd]f[23](vfp)?|__(fix|fixuns|float|floatun|trunc|extend)[sdh][if].*",
-}
-UNWINDING = ("eh_frame", ".ARM.exidx", ".ARM.extab", ".gcc_except_table")
-
 
 @dataclass(frozen=True)
 class Symbol:
@@ -61,20 +51,6 @@ def sections(program: Path) -> dict[str, tuple[int, int]]:
         name: (int(address, 16), int(size, 16))
         for name, address, size in re.findall(pattern, text, re.MULTILINE)
     }
-
-
-def forbidden(program: Path) -> set[str]:
-    """The kinds of FORBIDDEN that a program has."""
-    names = [symbol.name for symbol in symbols(program)]
-    found = {
-        kind
-        for kind, pattern in FORBIDDEN.items()
-        if any(re.fullmatch(pattern, name) for name in names)
-    }
-    tables = [name for name, (_, size) in sections(program).items() if size]
-    if any(part in name for name in tables for part in UNWINDING):
-        found.add("unwinder")
-    return found
 
 
 def across_border(program: Path) -> list[str]:

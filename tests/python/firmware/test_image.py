@@ -15,17 +15,16 @@ from tests.python.firmware.contents import (
     CODE,
     COMPILER,
     CORE,
-    FORBIDDEN,
     ROOT,
     SRAM_LOWER,
     VECTORS,
     across_border,
-    forbidden,
     output,
     sections,
     symbols,
     vector_problems,
 )
+from traceability.forbidden import FORBIDDEN, forbidden
 from traceability.image import lock_problems
 
 ELF = BUILD / "weeding_robot.elf"

@@ -290,6 +290,32 @@ TEST_F(CurrentTest, FR128_EndOfTheRange) {
   }
 }
 
+/// @brief With a zero far off, only the very ends of the range are too high on the side where less than
+/// 15 A are left.
+/// @verifies FR-128
+TEST_F(CurrentTest, FR128_ZeroFarOffLeavesTheEnds) {
+  struct Sensor {
+    std::uint16_t zero;
+    std::uint16_t last;
+    std::uint16_t end;
+  };
+  for (const Sensor sensed : {Sensor{500, 1, 0}, Sensor{3600, 4094, 4095}}) {
+    overcurrent.executions = 0;
+    ValueCollector fresh(overcurrent, time);
+    for (int i = 0; i < 64; ++i) {
+      fresh.collect(sensed.zero);
+    }
+    for (int i = 0; i < 10; ++i) {
+      fresh.collect(sensed.last);
+    }
+    EXPECT_EQ(overcurrent.executions, 0);
+    for (int i = 0; i < 5; ++i) {
+      fresh.collect(sensed.end);
+    }
+    EXPECT_EQ(overcurrent.executions, 1);
+  }
+}
+
 /// @brief A cycle at an end of the range has no current: the value of a broken sensor is not
 /// reported.
 /// @verifies FR-125

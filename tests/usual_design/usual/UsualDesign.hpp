@@ -88,6 +88,7 @@ class UsualDesign {
   void takeHallPhase();
   void takeCurrentSample(std::int32_t raw);
   void measureVelocity(const HallRecord& record, Instant now);
+  [[nodiscard]] Velocity bounded(Velocity value, std::int32_t edges, Microseconds elapsed) const;
   [[nodiscard]] std::optional<Velocity> velocityOf(std::int32_t edges, Microseconds elapsed) const;
   void measureCurrent();
   void followSetPoint(const WheelSetPoint& setPoint, HallCount position, WheelMeasurements& wheel);

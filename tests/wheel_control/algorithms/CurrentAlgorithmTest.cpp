@@ -40,6 +40,16 @@ TEST_F(CurrentAlgorithmTest, FR85_CorrectsTheError) {
   EXPECT_EQ(calculate(2000, 0, 1900), Tension(3000 + 150 + 75));
 }
 
+/// @brief A reset forgets what was corrected, and the velocity before.
+/// @verifies FR-85
+TEST_F(CurrentAlgorithmTest, FR85_ResetForgetsTheCorrection) {
+  algorithm.applied(calculate(2000, 0, 0));
+  algorithm.applied(calculate(2000, 100, 1800));
+  algorithm.reset();
+  algorithm.applied(calculate(2000, 0, 0));
+  EXPECT_EQ(calculate(2000, 0, 2000), Tension(3000));
+}
+
 /// @brief A new set-point is no error of the cycle that ends.
 /// @verifies FR-85
 TEST_F(CurrentAlgorithmTest, FR85_NewSetPointIsNoError) {

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from traceability.model.flow import Graph, read_graphs
+from traceability.model.arcs import Graph, read_graphs
 
 # The lines of `choose`, from 1.
 SOURCE = """\

@@ -1,0 +1,89 @@
+"""What a change may affect, and the command that tells it."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import pytest
+
+from tests.python.documents.fixture import MODES, make_model
+from traceability.commands.impact import lines_of
+from traceability.model.impact import Impact, Impacts, Reached, UnknownSubjectError
+from traceability.model.schema import Model
+
+
+@pytest.fixture
+def model() -> Model:
+    model = make_model()
+    model.modules["Mode"].used_by = ["MainController"]
+    model.modules["Mode"].methods[0].called_by = ["MainController::read"]
+    model.modules["RC"].methods[0].called_by = ["MainController::read"]
+    return model
+
+
+def of(model: Model, subject: str) -> Impact:
+    return Impacts(model).of(subject)
+
+
+def test_a_change_of_an_abstraction_reaches_its_heirs_and_its_users(model: Model) -> None:
+    impact = of(model, "Mode")
+    assert impact.modules == [
+        Reached("Mode", 0, "changed"),
+        Reached("MainController", 1, "calls Mode::read"),
+        Reached("RC", 1, "derives from Mode"),
+    ]
+
+
+def test_a_change_of_an_heir_stays_behind_its_abstraction(model: Model) -> None:
+    assert [one.id for one in of(model, "RC").modules] == ["RC"]
+
+
+def test_what_is_reached_over_another_module_is_farther(model: Model) -> None:
+    model.modules["MainController"].used_by = ["Director"]
+    director = dataclasses.replace(model.modules["MainController"], name="Director", used_by=[])
+    model.modules["Director"] = dataclasses.replace(director, methods=[], requirements=[], roles=[])
+    assert [one.id for one in of(model, "Mode").at(2)] == ["Director"]
+
+
+def test_requirements_patterns_and_tests_to_look_at_again(model: Model) -> None:
+    impact = of(model, "RC")
+    assert impact.requirements == [Reached("FR-15", 0, "RC satisfies it")]
+    assert impact.patterns == [Reached("reading-modes", 0, "RC is its Concrete State")]
+    assert impact.tests == [Reached("RcTest.Reads", 0, "verifies FR-15")]
+    tree = of(model, "MainController").requirements
+    assert tree == [Reached("FR-15", 0, "its tree runs through MainController")]
+
+
+def test_a_requirement_begins_with_the_modules_that_serve_it(model: Model) -> None:
+    impact = of(model, "FR-15")
+    assert impact.at(0) == [
+        Reached("RC", 0, "satisfies it in RC::read"),
+        Reached("MainController", 0, "its tree calls MainController::read"),
+    ]
+    assert impact.requirements[0] == Reached("FR-15", 0, "changed")
+
+
+def test_a_file_stands_for_what_is_written_in_it(model: Model) -> None:
+    source = of(model, f"./src/{MODES}/RC.cpp")
+    assert source.at(0) == [Reached("RC", 0, f"is written in src/{MODES}/RC.cpp")]
+    model.files += ["design/trees/a.tree", "tests/RcTest.cpp", "design/fsm/a.toml"]
+    assert of(model, "design/trees/a.tree").requirements[0].because == "its tree is declared there"
+    assert of(model, "tests/RcTest.cpp").tests[0].because == "is written in tests/RcTest.cpp"
+    machine = of(model, "design/fsm/a.toml")
+    assert machine.at(0) == [Reached("RC", 0, "is a state of reading-modes")]
+
+
+@pytest.mark.parametrize(
+    ("subject", "near"), [("Modes", "Mode"), ("FR-16", "FR-15"), ("RC.hpp", f"src/{MODES}/RC.hpp")]
+)
+def test_an_unknown_subject_names_what_is_near(model: Model, subject: str, near: str) -> None:
+    with pytest.raises(UnknownSubjectError, match=f"did you mean .*{near}"):
+        of(model, subject)
+
+
+def test_the_command_prints_modules_by_distance(model: Model) -> None:
+    lines = lines_of(of(model, "Mode"))
+    assert lines[0] == "A change of the module Mode"
+    assert "may affect directly: 2 modules" in lines
+    assert "  MainController  calls Mode::read" in lines
+    assert "run again: 1 test" in lines

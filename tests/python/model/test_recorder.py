@@ -1,0 +1,71 @@
+"""What the recorder of tests/support/trace.cpp keeps of the calls of a test."""
+
+from __future__ import annotations
+
+import subprocess
+from array import array
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[3]
+FIRMWARE = """\
+volatile int counted;
+void leaf() { counted = counted + 1; }
+void top(int leaves) { for (int i = 0; i < leaves; ++i) leaf(); }
+void other() { leaf(); }
+"""
+TESTS = """\
+#include <gtest/gtest.h>
+void top(int leaves);
+void other();
+TEST(Calls, Repeated) {
+  for (int i = 0; i < 50000; ++i) top(2);
+  other();
+  top(1);
+  top(2);
+}
+TEST(Calls, Again) { top(2); }
+TEST(Calls, TooMany) { top(20000); }
+"""
+EXIT = 1 << 63
+
+
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("recorder")
+    (folder / "firmware.cpp").write_text(FIRMWARE, encoding="utf-8")
+    (folder / "tests.cpp").write_text(TESTS, encoding="utf-8")
+    compiler = ["g++", "-std=c++20", "-O0"]
+    noted = [*compiler, "-finstrument-functions", "-c", "firmware.cpp"]
+    subprocess.run(noted, cwd=folder, check=True, timeout=60)
+    words = ["tests.cpp", "firmware.o", str(ROOT / "tests/support/trace.cpp"), "-o", "tests"]
+    words += [f'-DWR_TRACE_DIR="{folder}"', "-lgtest", "-lgtest_main", "-lpthread"]
+    subprocess.run([*compiler, *words], cwd=folder, check=True, timeout=300)
+    subprocess.run([folder / "tests"], cwd=folder, check=True, capture_output=True, timeout=60)
+    return folder
+
+
+def shape(folder: Path, test: str) -> str:
+    """Brackets of the calls, with a letter for each function in the order in which they came."""
+    events: array[int] = array("Q")
+    events.frombytes((folder / f"Calls.{test}.bin").read_bytes())
+    letters: dict[int, str] = {}
+    found = ""
+    for event in events:
+        letter = letters.setdefault(event & ~EXIT, chr(ord("a") + len(letters)))
+        found += ")" if event & EXIT else f"{letter}("
+    return found
+
+
+def test_an_outermost_call_that_does_the_same_again_is_recorded_once(recorded: Path) -> None:
+    assert shape(recorded, "Repeated") == "a(b()b())c(b())a(b())"
+
+
+def test_each_test_has_a_recording_of_its_own(recorded: Path) -> None:
+    assert shape(recorded, "Again") == "a(b()b())"
+
+
+def test_a_recording_that_is_not_whole_says_so(recorded: Path) -> None:
+    assert (recorded / "Calls.TooMany.truncated").exists()
+    assert not (recorded / "Calls.Repeated.truncated").exists()

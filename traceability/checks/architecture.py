@@ -1,0 +1,36 @@
+"""arch-*: the architecture names modules that exist, and its connections are in the code."""
+
+from __future__ import annotations
+
+from traceability.model.architecture import is_outside
+from traceability.model.facts import Facts
+from traceability.model.schema import Finding, Model, Place
+
+
+def check(model: Model, _facts: Facts) -> list[Finding]:
+    names: list[tuple[str, Place]] = []
+    for element in model.architecture:
+        names += [(name, element.place) for name in element.modules]
+    for group in model.groups:
+        names += [(name, group.place) for name in (group.module, *group.modules)]
+    found = [
+        Finding(
+            place, "arch-module", f"there is no module {name}", "correct the name of the module"
+        )
+        for name, place in names
+        if name not in model.modules
+    ]
+    for connection in model.connections:
+        ends = (connection.source, connection.target)
+        if is_outside(connection):
+            continue
+        missing = [name for name in ends if name not in model.modules]
+        if missing:
+            text = f"there is no module {missing[0]}"
+            mend = "correct the end of the connection"
+            found.append(Finding(connection.place, "arch-module", text, mend))
+        elif not connection.way:
+            text = f"the code has no {connection.kind} from {ends[0]} to {ends[1]}"
+            mend = "correct the connection, or the code"
+            found.append(Finding(connection.place, "arch-code", text, mend))
+    return found

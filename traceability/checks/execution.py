@@ -1,0 +1,102 @@
+"""exec-*: the contexts are those of the code, and what they share is protected."""
+
+from __future__ import annotations
+
+from traceability.model.execution import INTERRUPT, THREAD, handler_lines, way_to
+from traceability.model.facts import Facts
+from traceability.model.schema import Finding, Model, Place
+
+DECLARED = Place("design/execution.toml", 1)
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    if not facts.declared.contexts:
+        return []
+    return _contexts(model, facts) + _interrupts(model, facts) + _shared(model, facts)
+
+
+def _contexts(model: Model, facts: Facts) -> list[Finding]:
+    found: list[Finding] = []
+    declared = {one: c for c in model.contexts.values() for one in c.handlers}
+    lines = handler_lines(facts)
+    for handler in sorted(set(lines) - set(declared)):
+        text = f"the handler {handler} of line {lines[handler][0]} belongs to no context"
+        found.append(_declared(DECLARED, text, "declare its context in design/execution.toml"))
+    for handler, context in declared.items():
+        if handler not in facts.bodies:
+            text = f"{context.id} names the handler {handler}, which does not exist"
+            found.append(_declared(context.place, text, "correct the name"))
+        elif handler not in lines and context.kind in (INTERRUPT, THREAD):
+            text = f"the table of vectors does not hold {handler}"
+            found.append(_declared(context.place, text, "enter it in the table, or remove it here"))
+    for context in model.contexts.values():
+        if context.kind == THREAD and context.body not in facts.bodies:
+            text = f"the thread {context.id} names the body {context.body}, which does not exist"
+            found.append(_declared(context.place, text, "correct the name of the body"))
+    for pipe in model.pipes:
+        if pipe.id not in facts.declared.pipes:
+            text = f"the pipe {pipe.id} has no name"
+            found.append(_declared(pipe.place, text, "name it in design/execution.toml"))
+        writing = {one for contexts in pipe.writers.values() for one in contexts}
+        reading = {one for contexts in pipe.readers.values() for one in contexts}
+        for what, contexts in (("writes", writing), ("reads", reading)):
+            if len(contexts) > 1:
+                text = (
+                    f"more than one context {what} the {pipe.name}: {', '.join(sorted(contexts))}"
+                )
+                mend = "give each its own pipe: one writer, one reader"
+                found.append(Finding(pipe.place, "exec-shared", text, mend))
+    known = {pipe.id for pipe in model.pipes}
+    for name, pipe_text in facts.declared.pipes.items():
+        if name not in known:
+            text = f"the robot has no pipe {name}"
+            found.append(_declared(pipe_text.place, text, "correct the name, or remove the entry"))
+    return found
+
+
+def _declared(place: Place, text: str, mend: str) -> Finding:
+    return Finding(place, "exec-declared", text, mend)
+
+
+def _interrupts(model: Model, facts: Facts) -> list[Finding]:
+    """Methods that no interrupt may call, and do run in one."""
+    forbidden = {
+        method.id: method
+        for module in model.modules.values()
+        for method in module.methods
+        if method.interrupt == "no"
+    }
+    found: list[Finding] = []
+    for context in model.contexts.values():
+        if context.kind != INTERRUPT:
+            continue
+        reached = facts.references.reached(context.handlers, {}, facts.declared.ends)
+        for name in sorted(set(reached) & set(forbidden)):
+            way = " > ".join(way_to(name, reached))
+            text = f"{name} is @isr{{no}}, and the interrupt '{context.name}' calls it: {way}"
+            mend = "let a thread call it, or make it safe and write @isr{yes}"
+            found.append(Finding(forbidden[name].place, "exec-isr", text, mend))
+    return found
+
+
+def _shared(model: Model, facts: Facts) -> list[Finding]:
+    found = [
+        Finding(
+            member.place,
+            "exec-shared",
+            f"{member.id} is changed by {' and '.join(member.writers)}"
+            + (f" and read by {' and '.join(member.readers)}" if member.readers else "")
+            + ", and nothing says how it is protected",
+            "put a Pipe between them, or state the protection in design/execution.toml",
+        )
+        for member in model.shared
+        if not member.protection
+    ]
+    members = {member.id for member in model.shared}
+    owners = {member.rpartition("::")[0] for member in members}
+    for name, protection in facts.declared.protections.items():
+        owner, _, last = name.rpartition("::")
+        if name not in members and not (last == "*" and owner in owners):
+            text = f"{name} is not shared by two contexts"
+            found.append(_declared(protection.place, text, "remove it from the entry"))
+    return found

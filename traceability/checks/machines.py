@@ -1,0 +1,179 @@
+"""fsm-*: a machine is declared as the code is, and the tests make each of its transitions."""
+
+from __future__ import annotations
+
+from traceability.model.facts import Facts
+from traceability.model.machines import Change, MachineCode, is_stay, read_machine
+from traceability.model.schema import Finding, Model, StateMachine, Transition
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    found = _machines_missing(model, facts)
+    for machine in model.machines.values():
+        problems = _declared(machine, model, facts)
+        found += problems
+        if not problems:
+            code = read_machine(machine, facts)
+            found += _code(machine, code)
+            found += [] if model.results_stale else _seen(machine)
+    return found
+
+
+def _machines_missing(model: Model, facts: Facts) -> list[Finding]:
+    declared = {machine.application for machine in model.machines.values()}
+    return [
+        Finding(
+            application.place,
+            "fsm-declared",
+            f"the states of {application.id} have no state machine",
+            "declare its states and transitions in design/fsm",
+        )
+        for application in model.patterns.values()
+        if application.pattern == "State"
+        and application.id in facts.declared.applications
+        and application.id not in declared
+    ]
+
+
+def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
+    """The names that a machine is made of."""
+
+    def finding(text: str, mend: str, step: Transition | None = None) -> Finding:
+        return Finding(step.place if step else machine.place, "fsm-declared", text, mend)
+
+    known = facts.declared.applications.get(machine.application)
+    if known is None or known.pattern != "State":
+        text = f"{machine.id} names no application of the State pattern: {machine.application}"
+        return [finding(text, "correct the application")]
+    found: list[Finding] = []
+    wanted = set(known.roles.get("Concrete State", []))
+    for name in sorted(wanted ^ set(machine.states.values())):
+        text = (
+            f"{machine.id} has no state for {name}, a Concrete State of {known.id}"
+            if name in wanted
+            else f"{machine.id} has a state {name}, which is no Concrete State of {known.id}"
+        )
+        found.append(finding(text, "correct the states of the machine"))
+    base = known.roles.get("State", [""])[0]
+    for event, operation in machine.events.items():
+        if facts.method(base, operation) is None:
+            text = f"the event '{event}' calls {base}::{operation}, which does not exist"
+            found.append(finding(text, "name the operation of the state that is called"))
+    if machine.initial not in machine.states:
+        text = f"the initial state {machine.initial} is no state of {machine.id}"
+        found.append(finding(text, "name one of its states"))
+    seen: set[tuple[str, str, str, str]] = set()
+    for step in machine.transitions:
+        names = [name for name in (step.source, step.target) if name not in machine.states]
+        found += [finding(f"there is no state {name}", "correct the name", step) for name in names]
+        if step.event not in machine.events:
+            text = f"the event '{step.event}' has no operation"
+            found.append(finding(text, "name it in [events], or correct the event", step))
+        for name in step.requirements:
+            if name not in model.requirements:
+                text = f"there is no requirement {name}"
+                found.append(finding(text, "correct the id", step))
+        row = (step.source, step.event, step.guard, step.target)
+        if row in seen:
+            text = f"the transition {words(step)} is declared twice"
+            found.append(finding(text, "leave one of the two", step))
+        seen.add(row)
+    return found
+
+
+def words(step: Transition) -> str:
+    guard = f" [{step.guard}]" if step.guard else ""
+    return f"{step.source} > {step.target} on {step.event}{guard}"
+
+
+def _code(machine: StateMachine, code: MachineCode) -> list[Finding]:
+    if not code.composition or not code.holders:
+        what = "class of the robot that holds all its states" if code.holders else "Context"
+        text = f"the code has no {what}, so the transitions of {machine.id} cannot be compared"
+        return [Finding(machine.place, "fsm-code", text, "compose the states in one class")]
+    found = _initial(machine, code)
+    for state in machine.states:
+        for operation in code.operations:
+            found += _operation(machine, code, state, operation)
+    return found
+
+
+def _initial(machine: StateMachine, code: MachineCode) -> list[Finding]:
+    if code.initial == {machine.initial}:
+        return []
+    given = ", ".join(sorted(code.initial)) or "no state"
+    text = f"{code.composition} begins with {given}, and the machine with {machine.initial}"
+    mend = "correct 'initial', or give the first state to the Context"
+    return [Finding(machine.place, "fsm-code", text, mend)]
+
+
+def _operation(
+    machine: StateMachine, code: MachineCode, state: str, operation: str
+) -> list[Finding]:
+    """Changes and rows of one operation of one state: as many of each for every target."""
+    rows = [
+        step
+        for step in machine.transitions
+        if step.source == state and machine.events[step.event] == operation
+    ]
+    changes = code.of(state, operation)
+    found: list[Finding] = []
+    for target in {change.target for change in changes} | {row.target for row in rows}:
+        here = [row for row in rows if row.target == target and not is_stay(row)]
+        made = [change for change in changes if change.target == target]
+        if len(made) > len(here):
+            found += [_undeclared(machine, change) for change in made[len(here) :]]
+        elif len(here) > len(made):
+            found += [_not_made(row, state, operation) for row in here[len(made) :]]
+    if not code.stays(state, operation):
+        found += [
+            Finding(
+                row.place,
+                "fsm-code",
+                f"{state}::{operation} always changes the state, so {words(row)} cannot stay",
+                "remove the transition, or correct the code",
+            )
+            for row in rows
+            if is_stay(row)
+        ]
+    return found
+
+
+def _undeclared(machine: StateMachine, change: Change) -> Finding:
+    where = f"{change.source}::{change.operation}"
+    if not change.target:
+        text = f"{where} changes to a state that the composition does not tell"
+        return Finding(change.place, "fsm-code", text, "hand over a successor that a builder gave")
+    text = (
+        f"{where} changes {change.source} to {change.target}, which {machine.id} does not declare"
+    )
+    return Finding(
+        change.place,
+        "fsm-code",
+        text,
+        f"declare the transition in {machine.place.file}, or remove it",
+    )
+
+
+def _not_made(row: Transition, state: str, operation: str) -> Finding:
+    text = f"{words(row)} is declared, but {state}::{operation} does not make it"
+    return Finding(row.place, "fsm-code", text, "correct the code, or remove the transition")
+
+
+def _seen(machine: StateMachine) -> list[Finding]:
+    found = [
+        Finding(
+            step.place,
+            "fsm-seen",
+            f"no passing test makes the transition {words(step)}",
+            "test it through its Context, or remove it",
+        )
+        for step in machine.transitions
+        if not step.tests
+    ]
+    for change, tests in machine.undeclared.items():
+        source, operation, target = change.split(" ")
+        text = f"{tests[0]} makes {source} change to {target} in {operation}, which is not declared"
+        mend = "declare the transition, or correct the code"
+        found.append(Finding(machine.place, "fsm-seen", text, mend))
+    return found

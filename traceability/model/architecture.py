@@ -1,0 +1,81 @@
+"""The connections of the high-level diagram, each with the way that it takes in the code."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from traceability.model.schema import Connection, Model
+
+if TYPE_CHECKING:
+    from traceability.model.facts import Facts
+
+POST = "ControlThread::post"  # a thread executes its body later
+BODIES = "field ControlThread::body_"
+
+
+def add_connections(model: Model, facts: Facts) -> None:
+    model.groups = facts.declared.groups
+    model.connections = facts.declared.connections
+    for connection in model.connections:
+        if connection.kind == "pipe":
+            connection.way = pipe_between(model, connection)
+        elif connection.kind != "physical":
+            connection.way = calls_between(facts, connection)
+
+
+def is_outside(connection: Connection) -> bool:
+    """Whether one end lies outside the microcontroller, or the connection is physical."""
+    physical = connection.kind == "physical"
+    outside = {"PC", "Remote control"} & {connection.source, connection.target}
+    return physical or bool(outside)
+
+
+def pipe_between(model: Model, connection: Connection) -> list[str]:
+    """The methods that write and read a pipe of the two modules."""
+    for pipe in model.pipes:
+        writers = [one for one in pipe.writers if one.startswith(f"{connection.source}::")]
+        readers = [one for one in pipe.readers if one.startswith(f"{connection.target}::")]
+        if writers and readers:
+            return [writers[0], readers[0]]
+    return []
+
+
+def calls_between(facts: Facts, connection: Connection) -> list[str]:
+    """The shortest way of calls from one module to the other; a thread's body follows its post."""
+    begin = f"{connection.source}::"
+    own = {body.id for body in facts.syntax.bodies if body.id.startswith(begin)}
+    constructor = begin + connection.source
+    before: dict[str, str] = dict.fromkeys(sorted(own - {constructor}), "")
+    work = list(before)
+    while work:
+        caller = work.pop(0)
+        for target in called(facts, caller):
+            if target in before or target.rpartition("::")[0].endswith(target.rpartition("::")[2]):
+                continue
+            before[target] = caller
+            if target.startswith(f"{connection.target}::"):
+                return way_back(target, before)
+            work.append(target)
+    return []
+
+
+def called(facts: Facts, method: str) -> list[str]:
+    """What a method calls. A post is followed by the body that its own module gave the thread."""
+    found = [
+        target
+        for body in facts.references.own_bodies(method)
+        for call in body.calls
+        for target in facts.references.targets(call)
+    ]
+    if POST in found:
+        own = method.rpartition("::")[0]
+        bodies = facts.references.objects([BODIES], "Command")
+        found += sorted(f"{one.kind}::execute" for one in bodies if one.kind.startswith(f"{own}::"))
+    return found
+
+
+def way_back(target: str, before: dict[str, str]) -> list[str]:
+    way = [target]
+    while before[way[0]]:
+        way.insert(0, before[way[0]])
+    return way

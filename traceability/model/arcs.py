@@ -1,0 +1,162 @@
+"""Which lines and branches of the design each test executed on this machine.
+
+gcc counts some arcs of the flow graph of each function, and leaves the graphs beside the objects.
+The counters of the other arcs follow: what enters a block leaves it.
+"""
+
+from __future__ import annotations
+
+import functools
+import struct
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+FUNCTION, BLOCKS, ARCS, LINES = 0x01000000, 0x01410000, 0x01430000, 0x01450000
+HEADER = 16  # bytes: kind of file, version, and two sums
+ON_TREE, FAKE = 1, 2
+
+Branch = tuple[int, int]  # line, and which of its branches
+
+
+@dataclass
+class Arc:
+    source: int
+    target: int
+    counted: bool
+    fake: bool
+
+
+@dataclass
+class Graph:
+    """The flow graph of a function, with the lines of its file that each block was made from."""
+
+    file: str
+    arcs: list[Arc] = field(default_factory=list)
+    lines: dict[int, list[int]] = field(default_factory=dict)  # block -> lines
+    foreign: set[int] = field(default_factory=set)  # blocks that end in an inlined function
+
+    def solve(self, counters: tuple[int, ...]) -> list[int]:
+        """How often each arc was taken."""
+        given = iter(counters)
+        taken: list[int | None] = [next(given, 0) if arc.counted else None for arc in self.arcs]
+        leaving, entering = self._sides()
+        totals: dict[int, int] = {}
+        pending = True
+        while pending:
+            pending = False
+            for side in (leaving, entering):
+                for block, arcs in side.items():
+                    open_arcs = [number for number in arcs if taken[number] is None]
+                    if not open_arcs and block not in totals:
+                        totals[block] = sum(taken[number] or 0 for number in arcs)
+                        pending = True
+                    elif len(open_arcs) == 1 and block in totals:
+                        known = sum(taken[number] or 0 for number in arcs)
+                        taken[open_arcs[0]] = totals[block] - known
+                        pending = True
+        return [count or 0 for count in taken]
+
+    def _sides(self) -> tuple[dict[int, list[int]], dict[int, list[int]]]:
+        leaving: dict[int, list[int]] = {}
+        entering: dict[int, list[int]] = {}
+        for number, arc in enumerate(self.arcs):
+            leaving.setdefault(arc.source, []).append(number)
+            entering.setdefault(arc.target, []).append(number)
+        return leaving, entering
+
+    @functools.cached_property
+    def branches(self) -> dict[int, Branch]:
+        """Arc -> branch. The arcs that leave a block belong to the last line before them."""
+        leaving, _ = self._sides()
+        found: dict[int, Branch] = {}
+        seen: dict[int, int] = {}
+        line = 0
+        for block in range(max(leaving, default=0) + 1):
+            line = 0 if block in self.foreign else (self.lines.get(block) or [line])[-1]
+            real = [number for number in leaving.get(block, []) if not self.arcs[number].fake]
+            for number in real if line and len(real) > 1 else []:
+                found[number] = (line, seen.get(line, 0))
+                seen[line] = seen.get(line, 0) + 1
+        return found
+
+    def executed(self, counters: tuple[int, ...]) -> tuple[set[int], set[Branch]]:
+        taken = self.solve(counters)
+        blocks = {
+            block
+            for arc, count in zip(self.arcs, taken, strict=True)
+            for block in (arc.source, arc.target)
+            if count
+        }
+        lines = {line for block in blocks for line in self.lines.get(block, [])}
+        return lines, {branch for number, branch in self.branches.items() if taken[number]}
+
+
+def read_graphs(path: Path) -> dict[int, Graph]:
+    """Number of a function -> its graph, of one object."""
+    found: dict[int, Graph] = {}
+    graph = Graph("")
+    for tag, words in records(path.read_bytes()):
+        if tag == FUNCTION:
+            number, _, _ = words.numbers(3)
+            words.text()  # name
+            artificial = words.number()
+            graph = Graph(words.text())
+            if not artificial:
+                found[number] = graph
+        elif tag == ARCS:
+            source = words.number()
+            while words.left():
+                target, flags = words.numbers(2)
+                graph.arcs.append(Arc(source, target, not flags & ON_TREE, bool(flags & FAKE)))
+        elif tag == LINES:
+            block = words.number()
+            places = list(places_of(words, graph.file))
+            graph.lines[block] = [line for file, line in places if file == graph.file]
+            if places and places[-1][0] != graph.file:
+                graph.foreign.add(block)
+    return found
+
+
+class Words:
+    """The content of a record: numbers of four bytes, and texts with their length before them."""
+
+    def __init__(self, data: bytes) -> None:
+        self.data = data
+        self.at = 0
+
+    def left(self) -> bool:
+        return self.at < len(self.data)
+
+    def number(self) -> int:
+        return self.numbers(1)[0]
+
+    def numbers(self, count: int) -> tuple[int, ...]:
+        found = struct.unpack_from(f"<{count}I", self.data, self.at)
+        self.at += 4 * count
+        return found
+
+    def text(self) -> str:
+        length = self.number()
+        found = self.data[self.at : self.at + length]
+        self.at += length
+        return found.rstrip(b"\0").decode()
+
+
+def records(data: bytes) -> Iterator[tuple[int, Words]]:
+    start = Words(data[HEADER:])
+    start.text()  # the folder of the compiler
+    at = HEADER + start.at + 4
+    while at + 8 <= len(data):
+        tag, length = struct.unpack_from("<II", data, at)
+        yield tag, Words(data[at + 8 : at + 8 + length])
+        at += 8 + length
+
+
+def places_of(words: Words, file: str) -> Iterator[tuple[str, int]]:
+    """File and line of what a block was made from."""
+    while words.left():
+        if line := words.number():
+            yield file, line
+        elif words.left():
+            file = words.text() or file

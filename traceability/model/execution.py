@@ -1,0 +1,247 @@
+"""What runs when: the contexts, what each reaches, and what two of them share.
+
+A context is a handler that the hardware enters, or the command that a thread executes. What it
+reaches is found in the syntax tree: a call of an abstraction reaches the objects that the builders
+gave.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from traceability.model.schema import (
+    ExecutionContext,
+    Model,
+    Place,
+    SharedMember,
+    SharedPipe,
+)
+
+if TYPE_CHECKING:
+    from traceability.model.facts import Facts
+    from traceability.model.references import Object
+    from traceability.model.syntax import BodyFact, FieldFact
+
+PIPE = "Pipe"
+START = "start"
+THREAD = "thread"
+INTERRUPT = "interrupt"
+DISPATCH = "Command::execute"  # what the handler of a thread executes
+ENABLE = "K64Thread::enable"  # line, priority
+
+
+@dataclass
+class Code:
+    """What the code says of the contexts, for the checks."""
+
+    lines: dict[str, list[int]] = field(default_factory=dict)  # handler -> interrupt lines
+    reached: dict[str, dict[str, str]] = field(default_factory=dict)  # context -> method -> caller
+
+
+def add_execution(model: Model, facts: Facts) -> None:
+    code = Code(handler_lines(facts))
+    priorities = line_priorities(facts)
+    for context in facts.declared.contexts.values():
+        context.lines = sorted({n for one in context.handlers for n in code.lines.get(one, [])})
+        known = {priorities[line] for line in context.lines if line in priorities}
+        context.priority = next(iter(known)) if len(known) == 1 else None
+        narrowed = {DISPATCH: context.body} if context.body else {}
+        reached = facts.references.reached(context.handlers, narrowed, facts.declared.ends)
+        code.reached[context.id] = reached
+        owned = {m: m.rpartition("::")[0].split("::")[0] for m in reached}
+        context.methods = sorted(m for m, name in owned.items() if name in model.modules)
+        context.first = first_methods(context, reached, model)
+    model.contexts = facts.declared.contexts
+    model.pipes = pipes_of(model, facts, code)
+    model.shared = shared_members(model, facts, code)
+
+
+def first_methods(context: ExecutionContext, reached: dict[str, str], model: Model) -> list[str]:
+    """The methods of modules with which a context begins. Builders only give the module."""
+    if context.body:
+        return [context.body]
+    begin = [m for m, caller in reached.items() if caller in context.handlers]
+    modules = {m: model.modules.get(m.partition("::")[0]) for m in begin}
+    return [m for m, module in modules.items() if module and module.logic != "construction"]
+
+
+def handler_lines(facts: Facts) -> dict[str, list[int]]:
+    """Handler -> interrupt lines, from the table of vectors. Lines of one constant follow it."""
+    table: dict[str, list[str]] = {}  # constant -> handlers, in order
+    for flow in facts.syntax.flows:
+        if flow.into in facts.syntax.constants and flow.into.endswith("Line"):
+            for source in flow.sources:
+                word, _, name = source.partition(" ")
+                if word == "function":
+                    table.setdefault(flow.into, []).append(name)
+    found: dict[str, list[int]] = {}
+    for constant, handlers in table.items():
+        for number, handler in enumerate(handlers):
+            found.setdefault(handler, []).append(facts.syntax.constants[constant] + number)
+    return found
+
+
+def line_priorities(facts: Facts) -> dict[int, int]:
+    """Interrupt line -> priority, from the calls that enable the lines."""
+    constants = facts.syntax.constants
+    behind: dict[str, list[str]] = {}
+    for flow in facts.syntax.flows:
+        behind.setdefault(flow.into, []).extend(flow.sources)
+    following: dict[str, int] = {}
+    for handlers in handler_lines(facts).values():
+        for line in handlers:
+            following[str(line)] = line
+    found: dict[int, int] = {}
+    for body in facts.syntax.bodies:
+        for call in body.calls:
+            if call.target != ENABLE or len(call.args) != 2:
+                continue
+            values = [constants[one] for one in call.args[1] if one in constants]
+            named = [p for one in call.args[0] for p in (one, *behind.get(one, []))]
+            for line in [constants[one] for one in named if one in constants]:
+                for value in values:
+                    found[line] = value
+    for lines in handler_lines(facts).values():  # lines counted from a constant have its priority
+        for line in lines:
+            below = [known for known in found if known <= line]
+            if line not in found and below:
+                found[line] = found[max(below)]
+    return found
+
+
+# ---- pipes ---------------------------------------------------------------------
+
+
+def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
+    """Each pipe of the robot, with the methods that write and read it, and their contexts."""
+    held = {
+        one.name for places in facts.references.known.values() for one in places if one.kind == PIPE
+    }
+    found: dict[str, SharedPipe] = {}
+    for name in sorted(held):
+        declared = facts.declared.pipes.get(name)
+        place, kind = place_of(name, facts)
+        found[name] = SharedPipe(
+            id=name,
+            name=declared.name if declared else name,
+            says=declared.says if declared else "",
+            type=kind,
+            place=place,
+        )
+    for body in facts.syntax.bodies:
+        if not body.place.file.startswith("src/"):
+            continue
+        for call in body.calls:
+            owner, _, operation = call.target.rpartition("::")
+            if owner != PIPE or operation not in ("write", "read"):
+                continue
+            for one in facts.references.objects(call.on, PIPE):
+                users = found[one.name].writers if operation == "write" else found[one.name].readers
+                for user in users_of(body, one, model, facts):
+                    users[user] = contexts_of(user, code)
+    order = {name: number for number, name in enumerate(facts.declared.pipes)}
+    return sorted(found.values(), key=lambda one: order.get(one.id, len(order)))
+
+
+def users_of(user: BodyFact, pipe: Object, model: Model, facts: Facts) -> list[str]:
+    """The method itself; for a function of its file the methods that call it with the pipe."""
+    if user.owner.split("::")[0] in model.modules:
+        return [user.id]
+    return sorted(
+        body.id
+        for body in facts.syntax.bodies
+        if body.place.file == user.place.file
+        for call in body.calls
+        if call.target == user.id
+        and any(pipe in facts.references.objects(given, PIPE) for given in call.args)
+    )
+
+
+def contexts_of(method: str, code: Code) -> list[str]:
+    return [name for name, reached in code.reached.items() if method in reached and name != START]
+
+
+def place_of(name: str, facts: Facts) -> tuple[Place, str]:
+    """Where an object is declared, and its type."""
+    owner, _, member = name.rpartition("::")
+    if owner in facts.classes:
+        fact = next(one for one in facts.classes[owner].fields if one.name == member)
+        return fact.place, fact.type
+    file, _, _ = name.partition(":")
+    return Place(file, 0), PIPE
+
+
+# ---- members that contexts share --------------------------------------------------
+
+
+def shared_members(model: Model, facts: Facts, code: Code) -> list[SharedMember]:
+    """The members that one context changes and another one touches too.
+
+    Values that a member holds count as the member; a reference is given once, at the start.
+    """
+    fields = {
+        f"{fact.name}::{member.name}": member
+        for fact in facts.syntax.classes
+        for member in fact.fields
+    }
+    touched: dict[str, dict[str, bool]] = {}
+    for name, reached in code.reached.items():
+        if name == START:
+            continue
+        for method in reached:
+            owner, _, short = method.rpartition("::")
+            if short == owner.rpartition("::")[2]:
+                continue  # a constructor: nobody else knows the object yet
+            for body in facts.references.own_bodies(method):
+                for member, changed in body.touches.items():
+                    users = touched.setdefault(member, {})
+                    users[name] = users.get(name, False) or changed
+    found: list[SharedMember] = []
+    for member, users in sorted(touched.items()):
+        fact = fields.get(member)
+        if fact is None or len(users) < 2 or not any(users.values()):
+            continue
+        if is_value(member, fact, model):
+            continue
+        found.append(shared_member(member, fact, users, facts))
+    return found
+
+
+def is_value(member: str, fact: FieldFact, model: Model) -> bool:
+    owner = member.split("::", maxsplit=1)[0]
+    module = model.modules.get(owner)
+    return fact.refers or module is None or module.datatype
+
+
+def shared_member(
+    member: str, fact: FieldFact, users: dict[str, bool], facts: Facts
+) -> SharedMember:
+    owner = member.rpartition("::")[0]
+    declared = facts.declared.protections.get(member) or facts.declared.protections.get(
+        f"{owner}::*"
+    )
+    if declared is not None:
+        protection, why = declared.protection, declared.why
+    elif any(one == PIPE for one in fact.classes):
+        protection, why = "pipe", "One writer, one reader, no lock."
+    else:
+        protection, why = "", ""
+    return SharedMember(
+        id=member,
+        module=member.split("::", maxsplit=1)[0],
+        type=fact.type,
+        place=fact.place,
+        writers=[name for name, changed in users.items() if changed],
+        readers=[name for name, changed in users.items() if not changed],
+        protection=protection,
+        why=why,
+    )
+
+
+def way_to(method: str, reached: dict[str, str]) -> list[str]:
+    """The calls that lead to a method, from the handler."""
+    way = [method]
+    while reached.get(way[0]):
+        way.insert(0, reached[way[0]])
+    return way

@@ -1,0 +1,185 @@
+"""What a change may affect: modules by their distance, and what to look at again.
+
+A change of a module may affect the modules that name it, those that call it, and those that derive
+from it; and what these affect in turn. A reference to an abstraction hides who is behind it: a
+change of an heir does not reach those that know the abstraction only.
+"""
+
+from __future__ import annotations
+
+import difflib
+from dataclasses import dataclass, field
+
+from traceability.model.schema import Model, Requirement
+from traceability.model.traces import nodes_of
+
+
+@dataclass
+class Reached:
+    """An element, how many uses away from the change it lies, and why it is reached."""
+
+    id: str
+    distance: int
+    because: str
+
+
+@dataclass
+class Impact:
+    subject: str
+    kind: str  # "module", "requirement", "file"
+    says: str
+    modules: list[Reached] = field(default_factory=list)
+    requirements: list[Reached] = field(default_factory=list)
+    patterns: list[Reached] = field(default_factory=list)
+    tests: list[Reached] = field(default_factory=list)
+
+    def at(self, distance: int) -> list[Reached]:
+        return [one for one in self.modules if one.distance == distance]
+
+
+class UnknownSubjectError(Exception):
+    """What was asked for is no file, no module and no requirement of the model."""
+
+
+class Impacts:
+    """Answers for one model; the edges between modules are gathered once."""
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self.affected = {name: self._next(name) for name in model.modules}
+        self.trees = {
+            name: {node.module for node in nodes_of(requirement.tree)}
+            if requirement.tree
+            else set()
+            for name, requirement in model.requirements.items()
+        }
+
+    def _next(self, name: str) -> dict[str, str]:
+        """The modules that a change of one may affect directly, and why."""
+        module = self.model.modules[name]
+        found: dict[str, str] = {}
+        for heir in module.heirs:
+            if name in self._bases(heir):
+                found[heir] = f"derives from {name}"
+        for method in module.methods:
+            for caller in method.called_by:
+                owner = caller.partition("::")[0]
+                if owner in self.model.modules and self._calls(owner, method.id):
+                    found.setdefault(owner, f"calls {method.id}")
+        for user in module.used_by:
+            found.setdefault(user, f"names {name}")
+        return {one: why for one, why in found.items() if one in self.model.modules and one != name}
+
+    def _bases(self, name: str) -> list[str]:
+        return self.model.modules[name].bases if name in self.model.modules else []
+
+    def _calls(self, owner: str, method: str) -> bool:
+        """Whether a module calls this very method, and not an abstraction of it."""
+        calls = (call for one in self.model.modules[owner].methods for call in one.calls)
+        return any(call.target == method for call in calls)
+
+    def of(self, subject: str) -> Impact:
+        if subject in self.model.modules:
+            module = self.model.modules[subject]
+            return self._from(Impact(subject, "module", module.brief), {subject: "changed"})
+        if subject in self.model.requirements:
+            return self._of_requirement(self.model.requirements[subject])
+        path = subject.removeprefix("./")
+        if path in self.model.files:
+            return self._of_file(path)
+        raise UnknownSubjectError(self._unknown(subject))
+
+    def _unknown(self, subject: str) -> str:
+        known = [*self.model.modules, *self.model.requirements, *self.model.files]
+        near = difflib.get_close_matches(subject, known, 3, 0.6)
+        short = {path.rpartition("/")[2]: path for path in self.model.files}
+        if subject.rpartition("/")[2] in short:
+            near.insert(0, short[subject.rpartition("/")[2]])
+        hint = f"; did you mean {' or '.join(dict.fromkeys(near))}?" if near else ""
+        return f"{subject} is no file, no module and no requirement of the model{hint}"
+
+    def _of_requirement(self, requirement: Requirement) -> Impact:
+        start = {
+            one.partition("::")[0]: f"satisfies it in {one}" for one in requirement.satisfied_by
+        }
+        for node in nodes_of(requirement.tree) if requirement.tree else []:
+            if node.module in self.model.modules:
+                start.setdefault(node.module, f"its tree calls {node.label}")
+        impact = Impact(requirement.id, "requirement", requirement.text)
+        impact.requirements.append(Reached(requirement.id, 0, "changed"))
+        return self._from(impact, start)
+
+    def _of_file(self, path: str) -> Impact:
+        model = self.model
+        start = {
+            module.name: f"is written in {path}"
+            for module in model.modules.values()
+            if path in (module.header, module.source)
+        }
+        impact = Impact(path, "file", "")
+        for machine in model.machines.values():
+            if machine.place.file == path:
+                start |= dict.fromkeys(machine.states.values(), f"is a state of {machine.id}")
+        for requirement in model.requirements.values():
+            tree = requirement.tree
+            if requirement.place.file == path:
+                impact.requirements.append(Reached(requirement.id, 0, f"is written in {path}"))
+            elif tree is not None and tree.place.file == path:
+                impact.requirements.append(Reached(requirement.id, 0, "its tree is declared there"))
+        for test in model.tests.values():
+            if test.place.file == path:
+                impact.tests.append(Reached(test.id, 0, f"is written in {path}"))
+                for name in test.verifies:
+                    self._add(impact.requirements, Reached(name, 0, f"{test.id} verifies it"))
+        return self._from(impact, start)
+
+    def _from(self, impact: Impact, start: dict[str, str]) -> Impact:
+        known = set(start) & set(self.model.modules)
+        impact.modules = [Reached(name, 0, why) for name, why in start.items() if name in known]
+        for one in impact.modules:  # grows while it is read
+            for name, why in sorted(self.affected.get(one.id, {}).items()):
+                if name not in known:
+                    known.add(name)
+                    impact.modules.append(Reached(name, one.distance + 1, why))
+        self._add_requirements(impact)
+        self._add_patterns(impact)
+        self._add_tests(impact)
+        return impact
+
+    def _add_requirements(self, impact: Impact) -> None:
+        for one in impact.modules:
+            if one.distance > 1:
+                break
+            for name in self.model.modules[one.id].requirements:
+                self._add(
+                    impact.requirements, Reached(name, one.distance, f"{one.id} satisfies it")
+                )
+            for name, modules in self.trees.items():
+                if one.id in modules:
+                    why = f"its tree runs through {one.id}"
+                    self._add(impact.requirements, Reached(name, one.distance, why))
+
+    def _add_patterns(self, impact: Impact) -> None:
+        for one in impact.modules:
+            if one.distance > 1:
+                break
+            for binding in self.model.modules[one.id].roles:
+                why = f"{one.id} is its {binding.role}"
+                self._add(impact.patterns, Reached(binding.application, one.distance, why))
+
+    def _add_tests(self, impact: Impact) -> None:
+        """The tests of the requirements, and those that execute a changed module."""
+        for requirement in impact.requirements:
+            for name in self.model.requirements[requirement.id].verified_by:
+                why = f"verifies {requirement.id}"
+                self._add(impact.tests, Reached(name, requirement.distance, why))
+        for one in impact.modules:
+            if one.distance > 0 or impact.kind == "requirement":
+                break
+            for name in self.model.modules[one.id].tests:
+                self._add(impact.tests, Reached(name, 1, f"executes {one.id}"))
+
+    @staticmethod
+    def _add(found: list[Reached], one: Reached) -> None:
+        if all(known.id != one.id for known in found):
+            found.append(one)
