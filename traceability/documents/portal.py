@@ -301,7 +301,8 @@ class Portal:
         return [
             element
             for element in self.model.paper
-            if any(one.split(":", 1)[1].split("::")[0] == name for one in element.here)
+            if element.where
+            and any(one.split(":", 1)[1].split("::")[0] == name for one in element.here)
         ]
 
     def is_later(self, check: str) -> bool:
