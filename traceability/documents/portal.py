@@ -297,12 +297,13 @@ class Portal:
             if module in (change.hidden_by, *change.altered)
         ]
 
-    def in_paper(self, module: str) -> list[PaperElement]:
-        """What the paper names that is this module, or one of its methods."""
+    def in_paper(self, name: str) -> list[PaperElement]:
+        """What the paper names that is this module, one of its methods, or this application."""
         return [
             element
             for element in self.model.paper
-            if any(one.split(":", 1)[1].split("::")[0] == module for one in element.here)
+            if element.where
+            and any(one.split(":", 1)[1].split("::")[0] == name for one in element.here)
         ]
 
     def is_later(self, check: str) -> bool:

@@ -13,7 +13,7 @@ MODEL = SITE.parents[1] / "build" / "model" / "model.json"
 SAMPLE = [
     "index", "structure", "guide", "interfaces", "inheritances", "secrets", "changes",
     "concordance", "architecture", "machines", "uses", "trees", "datatypes", "products",
-    "patterns/index",
+    "execution", "patterns/index",
     "requirements/index", "checks/index", "patterns/reading-modes", "patterns/serializer",
     "changes/reading-modes", "changes/cycle-timer-interrupt", "requirements/FR-15",
     "requirements/FR-17", "modules/MainController", "modules/RC", "modules/Pipe",
