@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from traceability.image import TOTALS, sources_of_image
-from traceability.model.results import RESULTS, read_json
+from traceability.model.results import RESULTS, read_json, read_recording_factor
 from traceability.model.schema import Finding, Model, Module
 from traceability.model.traces import nodes_of
 from traceability.products import PRODUCTS
@@ -31,7 +31,8 @@ def write_metrics(root: Path, model: Model, measured: dict[str, Any] | None = No
 
 def figures(root: Path, model: Model) -> dict[str, Any]:
     """What this run measured of the present sources."""
-    return metrics(model) | drift(root, model) | image(root) | forbidden(root)
+    factor = {"tests.recording_factor": read_recording_factor(root, model.sources_hash)}
+    return metrics(model) | drift(root, model) | image(root) | forbidden(root) | factor
 
 
 def drift(root: Path, model: Model) -> dict[str, Any]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import resource
 import shutil
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass
@@ -11,6 +12,7 @@ from pathlib import Path
 from typing import TextIO
 
 from traceability.commands.steps import FailureError, run
+from traceability.model.results import cost_of
 from traceability.products import DEFAULT, PRODUCTS, image_of
 from traceability.sources import hash_of, source_hash
 
@@ -134,10 +136,13 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> tuple[Counts, bool]:
     shutil.rmtree(binaries / ("traces-board" if on_board else "traces"), ignore_errors=True)
     program = binaries / "tests" / (BOARD_TESTS if on_board else "firmware_tests")
     ended = ""
+    before = processor_seconds()
     try:
         run(log, [program, f"--gtest_output=json:{results}"])
     except FailureError as error:
         ended = str(error)
+    cost = {"sources": now["sources"], "seconds": processor_seconds() - before}
+    cost_of(root, run_name).write_text(json.dumps(cost) + "\n")
     if not results.exists():
         raise FailureError(ended or "the tests wrote no results")
     counts = gtest_counts(results)
@@ -145,6 +150,12 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> tuple[Counts, bool]:
         raise FailureError(ended)
     stamp.write_text(json.dumps(now) + "\n")
     return counts, True
+
+
+def processor_seconds() -> float:
+    """What the processes that this one started, and that ended, have used."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def require_counts(counts: Counts, fresh: bool) -> str:

@@ -15,7 +15,6 @@ from traceability.documents.calls import CallGraph
 from traceability.documents.highlight import Highlighter
 from traceability.documents.links import Links, slug
 from traceability.documents.navigation import Navigation, hand_written
-from traceability.metrics import drift, image, metrics
 from traceability.model.execution import INTERRUPT, START
 from traceability.model.impact import Impact, Impacts
 from traceability.model.schema import (
@@ -81,7 +80,7 @@ class Portal:
         self.impacts = Impacts(model)
         self.docs = hand_written(root / "docs")
         self.navigation = Navigation(self)
-        self.metrics = metrics(model) | drift(root, model) | image(root)
+        self.metrics = figures(root, model)
         self.designs = [m for m in model.modules.values() if not m.datatype]
         self.datatypes = [m for m in model.modules.values() if m.datatype]
         self.diagrams = self._diagrams()

@@ -12,6 +12,7 @@ from traceability.model.schema import HOST, VIRTUAL_K64, DriverFault
 
 RESULTS = Path("build/results")
 RUNS = {HOST: "trace", VIRTUAL_K64: "board"}  # the run of the tests that tells for a binding
+PLAIN = "plain"  # the run without records
 BOARD_ONLY = ("tests/sim/k64/", "tests/torture/", "tests/k64/", "tests/system/board/")
 HOST_ONLY = "tests/system/host/"
 BOTH = "tests/system/"
@@ -41,6 +42,20 @@ def bindings_of(file: str) -> list[str]:
     if file.startswith(BOTH) and not file.startswith(HOST_ONLY):
         return [HOST, VIRTUAL_K64]
     return [HOST]
+
+
+def cost_of(root: Path, run_name: str) -> Path:
+    """Where a run of the tests leaves its processor time."""
+    return root / RESULTS / f"{run_name}.cost.json"
+
+
+def read_recording_factor(root: Path, sources: str) -> float | None:
+    """The time of the tests with all records, of that without; both with these sources."""
+    costs = [read_json(cost_of(root, name)) for name in (RUNS[HOST], PLAIN)]
+    if any(not isinstance(cost, dict) or cost.get("sources") != sources for cost in costs):
+        return None
+    recorded, plain = (float(cost["seconds"]) for cost in costs)
+    return round(recorded / plain, 2)
 
 
 def read_results_hash(root: Path, binding: str) -> str | None:

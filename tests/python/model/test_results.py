@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from traceability.model.results import bindings_of, read_results, read_sizes
+from traceability.model.results import bindings_of, read_recording_factor, read_results, read_sizes
 from traceability.model.schema import HOST, VIRTUAL_K64
 
 
@@ -62,3 +62,11 @@ def test_skipped_and_disabled_tests_did_not_pass(tmp_path: Path) -> None:
         "S.A": "skipped",
         "S.B": "skipped",
     }
+
+
+def test_what_records_cost_is_known_of_two_runs_with_the_same_sources(tmp_path: Path) -> None:
+    write(tmp_path, "trace.cost.json", {"sources": "a", "seconds": 3.0})
+    assert read_recording_factor(tmp_path, "a") is None
+    write(tmp_path, "plain.cost.json", {"sources": "a", "seconds": 2.0})
+    assert read_recording_factor(tmp_path, "a") == 1.5
+    assert read_recording_factor(tmp_path, "b") is None
