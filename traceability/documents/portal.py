@@ -15,6 +15,7 @@ from traceability.documents.calls import CallGraph
 from traceability.documents.highlight import Highlighter
 from traceability.documents.links import Links, slug
 from traceability.documents.navigation import Navigation, hand_written
+from traceability.metrics import figures
 from traceability.model.execution import INTERRUPT, START
 from traceability.model.impact import Impact, Impacts
 from traceability.model.schema import (
