@@ -1,8 +1,8 @@
 """Where references go: from an object through members, parameters and results to its users.
 
 Places are named by strings: ``field Class::name``, ``param function 0``, ``var file:name``,
-``result function``, ``this Class``, ``function name``, ``constant Enum::name``; ``value`` is what has
-no name.
+``result function``, ``this Class``, ``function name`` and ``constant Enum::name``. What has no name
+is ``value``.
 """
 
 from __future__ import annotations
