@@ -13,13 +13,13 @@ constexpr Microseconds kFirstStep(std::chrono::microseconds(sim::Robot::kFirstSt
 
 // From power-on to the begin of the periods of the timers, as the image takes it on the virtual
 // K64: clock, calibration of the converters, construction.
-constexpr Microseconds kStartUp(4866);
+constexpr Microseconds kStartUp(5361);
 
 // From a beat to the first turn of a wheel's thread in the cycle that begins with it, and from one
 // such turn to the next, as the image takes them on the virtual K64. All else on the host takes no
 // time, so the clock pulse comes when the first thread has its turn.
-constexpr Microseconds kToWheels(7);
-constexpr Microseconds kOfWheel(20);
+constexpr Microseconds kToWheels(15);
+constexpr Microseconds kOfWheel(44);
 
 // The microsecond that an edge is in; the firmware's clock has no finer time.
 Instant at(Instant begin, std::chrono::nanoseconds offset) {

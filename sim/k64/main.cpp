@@ -52,11 +52,12 @@ wr::Exit ended(const wr::BoardLine& robot) {
   return wr::Exit::Done;
 }
 
-// Whether so many cycles have begun, and had time to end.
+// Whether so many cycles have begun, and had time to end, before the next one in the slice to come.
 bool hasRun(const wr::BoardLine& robot, std::uint64_t cycles) {
   const auto& pulses = robot.pulses();
-  return cycles == 0 || (pulses.size() >= cycles &&
-                         robot.board.now() >= pulses[cycles - 1] + kPeriod - milliseconds(1));
+  return cycles == 0 ||
+         (pulses.size() >= cycles &&
+          robot.board.now() >= pulses[cycles - 1] + kPeriod - milliseconds(1) - kSlice);
 }
 
 wr::Exit runFast(wr::BoardLine& robot, std::uint64_t cycles) {

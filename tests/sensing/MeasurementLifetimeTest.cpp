@@ -23,6 +23,7 @@ TEST(MeasurementLifetime, FR127_Velocity) {
 
 /// @brief The current of a converter that gives no more samples is missing after 150 ms.
 /// @verifies FR-127
+/// @verifies FR-173
 TEST(MeasurementLifetime, FR127_Current) {
   SensedWheel wheel;
   WheelWork work;

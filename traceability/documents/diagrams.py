@@ -286,14 +286,11 @@ LINES = {
 def high_level_diagram(model: Model, links: Links) -> Diagram:
     lines = preamble()
     lines += [
-        "left to right direction",
-        f"skinparam rectangleBorderColor {MARKERS['edge']}",
         f"skinparam rectangleFontColor {MARKERS['text']}",
-        "skinparam rectangleFontStyle plain",
     ]
     grouped = {name for group in model.groups for name in group.modules}
     for number, group in enumerate(model.groups):
-        fill = f"{MARKERS['plain']} ##[dashed]{MARKERS['line'][1:]}"
+        fill = f"{MARKERS['plain']};line:{MARKERS['edge'][1:]};line.dashed"
         lines.append(f'rectangle "{group.name}" as group{number} {fill} {{')
         lines += [f"  {part(model, name, links)}" for name in group.modules]
         lines.append("}")
@@ -315,12 +312,11 @@ def part(model: Model, name: str, links: Links) -> str:
     """A box: a module, or what lies outside."""
     module = model.modules.get(name) if name != "PC" else None
     if module is None:
-        return (
-            f'rectangle "{name}" as {node(name)} {MARKERS["plain"]} ##[dotted]{MARKERS["line"][1:]}'
-        )
+        style = f"{MARKERS['plain']};line:{MARKERS['line'][1:]};line.dotted"
+        return f'rectangle "{name}" as {node(name)} {style}'
     words = f"//{name}//" if module.abstract else f"**{name}**"
-    fill, line = MARKERS["role-concrete-fill"], MARKERS["role-concrete"]
-    return f'rectangle "{words}" as {node(name)} [[{links.module(name)}]] {fill} ##{line[1:]}'
+    style = f"{MARKERS['role-concrete-fill']};line:{MARKERS['role-concrete'][1:]}"
+    return f'rectangle "{words}" as {node(name)} [[{links.module(name)}]] {style}'
 
 
 # ---- drawing -----------------------------------------------------------------

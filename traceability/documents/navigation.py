@@ -125,7 +125,7 @@ def understand(model: Model) -> list[Entry]:
         Entry("interfaces", "Interfaces", "interfaces.html", "I"),
         Entry("inheritances", "Interface inheritances", "inheritances.html"),
         Entry("products", "Product line", "products.html", "", len(PRODUCTS)),
-        Entry("datatypes", "Data types", "datatypes.html", "", types),
+        Entry("datatypes", "Data dictionary", "datatypes.html", "", types),
         Entry("uses", "Uses", "uses.html"),
         Entry("concordance", "Concordance with the paper", "concordance.html"),
         Entry("usual_design", "The usual design", "usual_design.html"),

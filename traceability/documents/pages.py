@@ -63,7 +63,7 @@ def overview_pages(portal: Portal) -> Iterator[Page]:
     by_logic = [m for m in portal.model.logic_modules.values() if m.modules]
     yield portal.page("guide", "Module guide", "guide", "guide", groups=by_logic)
     yield portal.page("interfaces", "Interfaces", "interfaces", "interfaces", groups=by_logic)
-    yield portal.page("datatypes", "Data types", "datatypes", "datatypes")
+    yield portal.page("datatypes", "Data dictionary", "datatypes", "datatypes")
     yield portal.page("patterns/index", "Pattern applications", "patterns", "patterns")
     yield products_page(portal)
     yield portal.page("machines", "State machines", "machines", "machines")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,6 +21,7 @@ from traceability.model.execution import INTERRUPT, START
 from traceability.model.impact import Impact, Impacts
 from traceability.model.schema import (
     HOST,
+    DataPart,
     ExecutionContext,
     Finding,
     Method,
@@ -197,6 +199,12 @@ class Portal:
 
     def impact(self, subject: str) -> Impact:
         return self.impacts.of(subject)
+
+    def type_of(self, part: DataPart) -> Markup:
+        """The type of a part, with the value types in it as links."""
+        words = re.split(r"(\w+)", part.type)
+        known = self.model.modules
+        return Markup("").join(self.names.mod(one) if one in known else one for one in words)
 
     def modules_of(self, context: ExecutionContext) -> list[str]:
         """The design modules that a context may reach."""

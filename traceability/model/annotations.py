@@ -66,11 +66,21 @@ class MemberText:
 
 
 @dataclass
+class PartText:
+    """A member of a class, or a value of an enumeration."""
+
+    name: str
+    type: str
+    text: str
+
+
+@dataclass
 class ClassText:
     qualified: str
     place: Place
     text: Text
     members: list[MemberText] = field(default_factory=list)
+    parts: list[PartText] = field(default_factory=list)
 
 
 @dataclass
@@ -163,7 +173,7 @@ def _read_compound(compound: ElementTree.Element, result: Annotations) -> None:
     place = _place(compound)
     if kind in ("class", "struct", "union"):
         members = [_member(item) for item in compound.iter("memberdef") if _is_function(item)]
-        result.classes[name] = ClassText(name, place, _text(compound), members)
+        result.classes[name] = ClassText(name, place, _text(compound), members, _parts(compound))
     elif kind == "dir":
         text = _text(compound)
         dox = Place(name.rstrip("/") + "/module.dox", 1)
@@ -180,7 +190,27 @@ def _read_compound(compound: ElementTree.Element, result: Annotations) -> None:
                 result.tests.append(_member(item))
             elif kind == "namespace" and kind_of in ("enum", "typedef"):
                 qualified = f"{name}::{item.findtext('name', '')}"
-                result.classes[qualified] = ClassText(qualified, _place(item), _text(item))
+                result.classes[qualified] = ClassText(
+                    qualified, _place(item), _text(item), parts=_parts(item)
+                )
+
+
+def _parts(element: ElementTree.Element) -> list[PartText]:
+    """The public members of a class, or the values of an enumeration."""
+    members = [
+        PartText(
+            item.findtext("name", ""),
+            _plain(item.find("type")),
+            _flow(item.find("briefdescription")),
+        )
+        for item in element.iter("memberdef")
+        if item.get("kind") == "variable" and item.get("prot") == "public"
+    ]
+    values = [
+        PartText(item.findtext("name", ""), "", _flow(item.find("briefdescription")))
+        for item in element.iter("enumvalue")
+    ]
+    return members + values
 
 
 def _sentence(root: Path, requirement: RequirementText) -> str:

@@ -12,6 +12,7 @@ from traceability.model.changes import add_changes
 from traceability.model.closed_loop import read_closed_loop
 from traceability.model.coverage import Coverage, read_coverage
 from traceability.model.declared import read_declared
+from traceability.model.dictionary import add_dictionary
 from traceability.model.evidence import read_evidence
 from traceability.model.evidence import reasons as reasons_of_evidence
 from traceability.model.execution import add_execution
@@ -84,6 +85,7 @@ def build(root: Path) -> Model:
     add_machines(model, facts, traces)
     add_execution(model, facts)
     add_connections(model, facts)
+    add_dictionary(model, facts)
     coverage = read_coverage(root, build_folder)
     _add_measures(model, root, coverage)
     add_trees(model, facts, traces)

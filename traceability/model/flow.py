@@ -1,7 +1,8 @@
 """Where references go: from an object through members, parameters and results to its users.
 
 Places are named by strings: ``field Class::name``, ``param function 0``, ``var file:name``,
-``result function``, ``this Class`` and ``function name``.
+``result function``, ``this Class``, ``function name`` and ``constant Enum::name``. What has no name
+is ``value``.
 """
 
 from __future__ import annotations
@@ -61,6 +62,7 @@ class FlowReader:
             CursorKind.PARM_DECL: "" if number is None else f"param {scope}{number}",
             CursorKind.VAR_DECL: f"var {scope}{cursor.spelling}",
             CursorKind.FUNCTION_DECL: f"function {function_id(cursor)}",
+            CursorKind.ENUM_CONSTANT_DECL: f"constant {class_name(parent)}::{cursor.spelling}",
         }
         return names.get(cursor.kind, "")
 
@@ -109,7 +111,7 @@ class FlowReader:
 
     def given(self, member: Cursor, value: Cursor, place: Place) -> None:
         """A member that is initialised, by a constructor or by its name in a list."""
-        self.add(self.node(member.referenced), self.sources(value), place)
+        self.add(self.node(member.referenced), self.sources(value) or ["value"], place)
 
     def arguments(self, call: Cursor, target: Cursor, place: Place) -> list[list[str]]:
         """What the arguments of a call of the project name; the parameters refer to it."""
@@ -138,7 +140,9 @@ class FlowReader:
             if len(children) > 1:
                 self.add(self.node(children[0]), self.sources(children[1]), place)
         elif kind == CursorKind.BINARY_OPERATOR:
-            self.kept(list(cursor.get_children()), place)
+            sides = list(cursor.get_children())
+            if len(sides) == 2 and assigns(cursor, sides[0]):
+                self.kept(sides, place)
         elif kind == CursorKind.CALL_EXPR and cursor.spelling in KEEPS:
             self.keep_in_library(cursor, place)
 
@@ -152,8 +156,6 @@ class FlowReader:
 
     def kept(self, sides: list[Cursor], place: Place) -> None:
         """``a[i] = b``: both the member and the index know what is kept."""
-        if len(sides) != 2 or sides[0].kind == CursorKind.UNEXPOSED_EXPR:
-            return
         kept = self.sources(sides[1])
         for name in self.sources(sides[0]) if kept else []:
             self.add(name, kept, place)

@@ -116,21 +116,23 @@ class Impacts:
             for module in model.modules.values()
             if path in (module.header, module.source)
         }
-        impact = Impact(path, "file", "")
         for machine in model.machines.values():
             if machine.place.file == path:
                 start |= dict.fromkeys(machine.states.values(), f"is a state of {machine.id}")
+        impact = Impact(path, "file", "")
+        requirements: dict[str, Reached] = {}
         for requirement in model.requirements.values():
             tree = requirement.tree
             if requirement.place.file == path:
-                impact.requirements.append(Reached(requirement.id, 0, f"is written in {path}"))
+                note(requirements, requirement.id, 0, f"is written in {path}")
             elif tree is not None and tree.place.file == path:
-                impact.requirements.append(Reached(requirement.id, 0, "its tree is declared there"))
+                note(requirements, requirement.id, 0, "its tree is declared there")
         for test in model.tests.values():
             if test.place.file == path:
                 impact.tests.append(Reached(test.id, 0, f"is written in {path}"))
                 for name in test.verifies:
-                    self._add(impact.requirements, Reached(name, 0, f"{test.id} verifies it"))
+                    note(requirements, name, 0, f"{test.id} verifies it")
+        impact.requirements = list(requirements.values())
         return self._from(impact, start)
 
     def _from(self, impact: Impact, start: dict[str, str]) -> Impact:
@@ -141,45 +143,43 @@ class Impacts:
                 if name not in known:
                     known.add(name)
                     impact.modules.append(Reached(name, one.distance + 1, why))
-        self._add_requirements(impact)
-        self._add_patterns(impact)
-        self._add_tests(impact)
+        near = [one for one in impact.modules if one.distance <= 1]
+        impact.requirements = self._requirements(impact, near)
+        impact.patterns = self._patterns(near)
+        impact.tests = self._tests(impact)
         return impact
 
-    def _add_requirements(self, impact: Impact) -> None:
-        for one in impact.modules:
-            if one.distance > 1:
-                break
+    def _requirements(self, impact: Impact, near: list[Reached]) -> list[Reached]:
+        found = {one.id: one for one in impact.requirements}
+        for one in near:
             for name in self.model.modules[one.id].requirements:
-                self._add(
-                    impact.requirements, Reached(name, one.distance, f"{one.id} satisfies it")
-                )
+                note(found, name, one.distance, f"{one.id} satisfies it")
             for name, modules in self.trees.items():
                 if one.id in modules:
-                    why = f"its tree runs through {one.id}"
-                    self._add(impact.requirements, Reached(name, one.distance, why))
+                    note(found, name, one.distance, f"its tree runs through {one.id}")
+        return list(found.values())
 
-    def _add_patterns(self, impact: Impact) -> None:
-        for one in impact.modules:
-            if one.distance > 1:
-                break
+    def _patterns(self, near: list[Reached]) -> list[Reached]:
+        found: dict[str, Reached] = {}
+        for one in near:
             for binding in self.model.modules[one.id].roles:
                 why = f"{one.id} is its {binding.role}"
-                self._add(impact.patterns, Reached(binding.application, one.distance, why))
+                note(found, binding.application, one.distance, why)
+        return list(found.values())
 
-    def _add_tests(self, impact: Impact) -> None:
+    def _tests(self, impact: Impact) -> list[Reached]:
         """The tests of the requirements, and those that execute a changed module."""
+        found = {one.id: one for one in impact.tests}
         for requirement in impact.requirements:
-            for name in self.model.requirements[requirement.id].verified_by:
-                why = f"verifies {requirement.id}"
-                self._add(impact.tests, Reached(name, requirement.distance, why))
-        for one in impact.modules:
-            if one.distance > 0 or impact.kind == "requirement":
-                break
+            known = self.model.requirements.get(requirement.id)
+            for name in known.verified_by if known else []:
+                note(found, name, requirement.distance, f"verifies {requirement.id}")
+        for one in impact.at(0) if impact.kind != "requirement" else []:
             for name in self.model.modules[one.id].tests:
-                self._add(impact.tests, Reached(name, 1, f"executes {one.id}"))
+                note(found, name, 1, f"executes {one.id}")
+        return sorted(found.values(), key=lambda one: one.distance)
 
-    @staticmethod
-    def _add(found: list[Reached], one: Reached) -> None:
-        if all(known.id != one.id for known in found):
-            found.append(one)
+
+def note(found: dict[str, Reached], name: str, distance: int, why: str) -> None:
+    """The first reason counts: it is the nearest."""
+    found.setdefault(name, Reached(name, distance, why))

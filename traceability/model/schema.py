@@ -86,6 +86,29 @@ class Function:
 
 
 @dataclass
+class DataPart:
+    """A member of a value type, or a value of an enumeration."""
+
+    name: str
+    type: str  # "" of a value of an enumeration
+    text: str
+    unit: str  # "" without one
+    makers: list[str]  # modules
+    readers: list[str]
+
+
+@dataclass
+class MessageField:
+    """A field of an order, a report or a welcome."""
+
+    name: str
+    text: str
+    width: str = ""  # "u8", "i16"; "" when no message has it
+    writers: list[str] = field(default_factory=list)  # modules
+    readers: list[str] = field(default_factory=list)
+
+
+@dataclass
 class RoleBinding:
     application: str
     role: str
@@ -112,6 +135,7 @@ class Module:
     heirs: list[str] = field(default_factory=list)
     roles: list[RoleBinding] = field(default_factory=list)
     methods: list[Method] = field(default_factory=list)
+    parts: list[DataPart] = field(default_factory=list)  # of a value type
     uses: list[str] = field(default_factory=list)  # modules named in its header or source
     used_by: list[str] = field(default_factory=list)
     requirements: list[str] = field(default_factory=list)
@@ -669,6 +693,7 @@ class Model:
     uses: list[Use] = field(default_factory=list)
     allowed_uses: list[AllowedUse] = field(default_factory=list)
     architecture: list[ArchitectureElement] = field(default_factory=list)
+    messages: list[MessageField] = field(default_factory=list)
     groups: list[ArchitectureGroup] = field(default_factory=list)
     connections: list[Connection] = field(default_factory=list)
     paper: list[PaperElement] = field(default_factory=list)

@@ -374,6 +374,9 @@ Instruction floatingPointMove(Encoding code) {
 }  // namespace
 
 Instruction coprocessor(Encoding code) {
+  if (code.field(25, 24) == 3 || code.field(25, 21) == 0) {
+    return undefined();
+  }
   if (code.field(11, 9) != 5) {
     return {.run = noCoprocessor};
   }
@@ -381,13 +384,7 @@ Instruction coprocessor(Encoding code) {
     return unknownFp();
   }
   if (!code.bit(25)) {
-    if (code.field(24, 21) == 2) {
-      return twoRegisters(code);
-    }
-    return code.field(24, 21) == 0 ? unknownFp() : fpLoadStore(code);
-  }
-  if (code.bit(24)) {
-    return unknownFp();
+    return code.field(24, 21) == 2 ? twoRegisters(code) : fpLoadStore(code);
   }
   if (code.bit(4)) {
     return floatingPointMove(code);

@@ -19,6 +19,7 @@ COMMANDS = (
     "portal",
     "test",
     "check",
+    "impact",
     "lint",
     "firmware",
     "flash",

@@ -290,16 +290,15 @@ TEST_F(CurrentTest, FR128_EndOfTheRange) {
   }
 }
 
-/// @brief With a zero far off, only the very ends of the range are too high on the side where less than
-/// 15 A are left.
+/// @brief Where the zero leaves less than 15 A to an end of the range, only the very end is too high.
 /// @verifies FR-128
-TEST_F(CurrentTest, FR128_ZeroFarOffLeavesTheEnds) {
+TEST_F(CurrentTest, FR128_OnlyTheVeryEnd) {
   struct Sensor {
     std::uint16_t zero;
     std::uint16_t last;
     std::uint16_t end;
   };
-  for (const Sensor sensed : {Sensor{500, 1, 0}, Sensor{3600, 4094, 4095}}) {
+  for (const Sensor sensed : {Sensor{2048 - 204, 1, 0}, Sensor{2048 + 204, 4094, 4095}}) {
     overcurrent.executions = 0;
     ValueCollector fresh(overcurrent, time);
     for (int i = 0; i < 64; ++i) {

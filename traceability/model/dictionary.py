@@ -1,0 +1,95 @@
+"""The data dictionary: the parts of each value type, and the fields of the messages.
+
+Who makes a part is who assigns it or names it in a list; who reads it names it otherwise.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from traceability.model.schema import DataPart, MessageField, Model
+
+if TYPE_CHECKING:
+    from traceability.model.facts import Facts
+    from traceability.model.syntax import BodyFact
+
+FIELDS = "FieldName"
+ACCESS = re.compile(r"(Reader|Writer)::(read|write)([UI]\d+)")
+UNIT = re.compile(r"\[([^\]]+)\]")
+
+
+def add_dictionary(model: Model, facts: Facts) -> None:
+    users = part_users(model, facts)
+    for module in model.modules.values():
+        described = facts.annotations.classes.get(module.qualified)
+        if not module.datatype or described is None:
+            continue
+        for part in described.parts:
+            makers, readers = users.get(f"{module.name}::{part.name}", (set(), set()))
+            unit = UNIT.search(part.text) or UNIT.search(unit_text(part.type, model))
+            module.parts.append(
+                DataPart(
+                    part.name,
+                    part.type,
+                    part.text,
+                    unit[1] if unit else "",
+                    sorted(makers - {module.name}),
+                    sorted(readers - makers - {module.name}),
+                )
+            )
+    model.messages = message_fields(model, facts)
+
+
+def unit_text(kind: str, model: Model) -> str:
+    """The text of the value type that a type names: it holds the unit."""
+    named = [model.modules[word] for word in re.findall(r"\w+", kind) if word in model.modules]
+    return named[-1].brief if named else ""
+
+
+def module_of(body: BodyFact, model: Model) -> str:
+    """The module of a body; a function of its own belongs to the module of its file."""
+    owner = body.owner.split("::")[0] or Path(body.place.file).stem
+    return owner if owner in model.modules else ""
+
+
+def part_users(model: Model, facts: Facts) -> dict[str, tuple[set[str], set[str]]]:
+    """``Type::part`` -> modules that make it, modules that read it."""
+    found: dict[str, tuple[set[str], set[str]]] = {}
+    for body in facts.syntax.bodies:
+        name = module_of(body, model)
+        for member, changed in body.touches.items() if name else ():
+            found.setdefault(member, (set(), set()))[0 if changed else 1].add(name)
+    for flow in facts.syntax.flows:
+        word, _, member = flow.into.partition(" ")
+        name = Path(flow.file).stem
+        if word == "field" and name in model.modules:
+            found.setdefault(member, (set(), set()))[0].add(name)
+    return found
+
+
+def message_fields(model: Model, facts: Facts) -> list[MessageField]:
+    """The fields of the messages, in the order in which they are declared."""
+    described = facts.annotations.classes.get(f"wr::{FIELDS}")
+    found = {
+        part.name: MessageField(part.name, part.text)
+        for part in (described.parts if described else [])
+    }
+    tables: dict[str, list[str]] = {}  # a member that holds names of fields -> the names
+    for flow in facts.syntax.flows:
+        tables.setdefault(flow.into, []).extend(flow.sources)
+    for body in facts.syntax.bodies:
+        name = module_of(body, model)
+        for call in body.calls if name else ():
+            access = ACCESS.fullmatch(call.target)
+            for place in call.args[0] if access and call.args else ():
+                for one in (place, *tables.get(place, [])):
+                    entry = found.get(one.removeprefix(f"constant {FIELDS}::"))
+                    if entry is None or access is None:
+                        continue
+                    entry.width = access[3].lower()
+                    users = entry.writers if access[2] == "write" else entry.readers
+                    if name not in users:
+                        users.append(name)
+    return list(found.values())
