@@ -73,13 +73,14 @@ class Owners:
     """The requirements that a method serves: by a tree, by a tag, or through those that call it."""
 
     def __init__(self, model: Model, facts: Facts) -> None:
-        self.named: dict[str, set[str]] = {}
+        self.trees: dict[str, set[str]] = {}
+        self.tags: dict[str, set[str]] = {}
         for requirement in model.requirements.values():
             for node in nodes_of(requirement.tree) if requirement.tree else []:
                 for method in accepted(node, facts):
-                    self.named.setdefault(method, set()).add(requirement.id)
+                    self.trees.setdefault(method, set()).add(requirement.id)
             for method in requirement.satisfied_by:
-                self.named.setdefault(method, set()).add(requirement.id)
+                self.tags.setdefault(method, set()).add(requirement.id)
         self.callers: dict[str, set[str]] = {}
         for body in facts.syntax.bodies:
             for call in body.calls:
@@ -95,9 +96,8 @@ class Owners:
             if name in seen:
                 continue
             seen.add(name)
-            if name in self.named:
-                found |= self.named[name]
-            else:
+            found |= self.trees.get(name, set()) | self.tags.get(name, set())
+            if name not in self.trees:
                 pending += self.callers.get(name, set())
         return found
 
