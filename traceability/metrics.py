@@ -8,8 +8,9 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
+from traceability.drift.record import read_record
 from traceability.image import TOTALS, sources_of_image
-from traceability.model.results import RESULTS, read_json
+from traceability.model.results import read_json
 from traceability.model.schema import Finding, Model, Module
 from traceability.model.traces import nodes_of
 from traceability.products import PRODUCTS
@@ -31,15 +32,18 @@ def write_metrics(root: Path, model: Model, measured: dict[str, Any] | None = No
 
 def figures(root: Path, model: Model) -> dict[str, Any]:
     """What this run measured of the present sources."""
-    return metrics(model) | drift(root, model) | image(root) | forbidden(root)
+    return metrics(model) | drift(root) | image(root) | forbidden(root)
 
 
-def drift(root: Path, model: Model) -> dict[str, Any]:
-    """The seeded faults, when they were seeded in the present sources."""
-    record = read_json(root / RESULTS / "drift.json")
-    if not isinstance(record, dict) or record.get("sources") != model.sources_hash:
+def drift(root: Path) -> dict[str, Any]:
+    """The seeded faults, when they were seeded in the present state of the project."""
+    outcomes = read_record(root)
+    if outcomes is None:
         return {}
-    return {"drift.seeded": record["seeded"], "drift.caught": record["caught"]}
+    return {
+        "drift.seeded": len(outcomes),
+        "drift.caught": sum(outcome.caught for outcome in outcomes),
+    }
 
 
 def image(root: Path) -> dict[str, Any]:

@@ -7,8 +7,10 @@ from pathlib import Path
 from traceability.checks import (
     architecture,
     board,
+    declarations,
     documents,
     execution,
+    files,
     links,
     machines,
     modules,
@@ -16,6 +18,7 @@ from traceability.checks import (
     patterns,
     registers,
     requirements,
+    secrets,
     trees,
     uses,
 )
@@ -27,15 +30,18 @@ from traceability.model.schema import Finding, Model
 FAMILIES = (
     documents.check,
     modules.check,
+    files.check,
     patterns.check,
     uses.check,
     registers.check,
+    secrets.check,
     board.check,
     paper.check,
     architecture.check,
     execution.check,
     machines.check,
     trees.check,
+    declarations.check,
     requirements.check,
 )
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
-from traceability.commands.steps import Steps
+from traceability.commands.steps import FailureError, Steps
 
 if TYPE_CHECKING:
     from traceability.model.schema import Finding, Model
@@ -22,13 +22,42 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Builds the model and the site, and checks both against the code. Prints each "
         "finding as 'file:line: [check] what is wrong; what would mend it'.",
     )
-    parser.set_defaults(run=lambda root, _options: check(root))
+    parser.add_argument(
+        "--drift",
+        action="store_true",
+        help="first seed each fault of tests/drift in a copy, and see whether the checks find it",
+    )
+    parser.set_defaults(run=lambda root, options: check(root, drift=options.drift))
 
 
-def check(root: Path) -> int:
-    steps = Steps(root, STEPS)
+def check(root: Path, *, drift: bool = False) -> int:
+    steps = Steps(root, STEPS + drift)
+    if drift:
+        seed_faults(root, steps)
     findings = make_documents(root, steps)
     return report(findings, steps)
+
+
+def seed_faults(root: Path, steps: Steps) -> None:
+    """Each fault must be found; what was found, and where, is on a page of the portal."""
+
+    def seed(log: TextIO) -> str:
+        from traceability.drift.record import read_record
+        from traceability.drift.run import seed_all
+
+        outcomes = read_record(root)
+        if outcomes is None:
+            outcomes = seed_all(root)
+        missed = [one for one in outcomes if not one.caught]
+        for one in missed:
+            log.write(f"{one.name}: {one.says} [{one.check}] at {one.file}:{one.line}\n")
+            log.writelines(f"    found: {said}\n" for said in one.said)
+        found = f"{len(outcomes) - len(missed)} of {len(outcomes)} faults found"
+        if missed:
+            raise FailureError(found)
+        return found
+
+    steps.run("drift", seed)
 
 
 def make_documents(

@@ -57,7 +57,7 @@ def build_site(root: Path, model: Model, findings: list[Finding]) -> SiteResult:
 def check_texts() -> list[CheckText]:
     from traceability.checks.registry import CHECKS
 
-    return [CheckText(c.id, c.title, c.holds, c.blind, c.mend) for c in CHECKS]
+    return [CheckText(c.id, c.title, c.why, c.holds, c.blind, c.mend) for c in CHECKS]
 
 
 # ---- what Sphinx reads -------------------------------------------------------

@@ -16,6 +16,8 @@ from traceability.documents.calls import CallGraph
 from traceability.documents.highlight import Highlighter
 from traceability.documents.links import Links, slug
 from traceability.documents.navigation import Navigation, hand_written
+from traceability.drift.faults import Fault, read_faults
+from traceability.drift.record import Outcome, read_record
 from traceability.metrics import drift, image, metrics
 from traceability.model.execution import INTERRUPT, START
 from traceability.model.impact import Impact, Impacts
@@ -49,6 +51,7 @@ class CheckText:
 
     id: str
     title: str
+    why: str
     holds: str
     blind: str
     mend: str
@@ -76,6 +79,8 @@ class Portal:
         self.model = model
         self.findings = findings
         self.checks = {check.id: check for check in checks}
+        self.faults = read_faults(root)
+        self.outcomes = read_record(root)
         self.links = Links(model, set(self.checks))
         self.names = names.Names(model, self.links)
         self.calls = CallGraph(model, self.links)
@@ -83,7 +88,7 @@ class Portal:
         self.impacts = Impacts(model)
         self.docs = hand_written(root / "docs")
         self.navigation = Navigation(self)
-        self.metrics = metrics(model) | drift(root, model) | image(root)
+        self.metrics = metrics(model) | drift(root) | image(root)
         self.designs = [m for m in model.modules.values() if not m.datatype]
         self.datatypes = [m for m in model.modules.values() if m.datatype]
         self.diagrams = self._diagrams()
@@ -327,6 +332,21 @@ class Portal:
         if check in DYNAMIC and self.model.results_stale:
             return names.glyph("none", "no fresh results")
         return names.glyph("ok", "holds")
+
+    def faults_of(self, check: str) -> list[Fault]:
+        return [fault for fault in self.faults if fault.check == check]
+
+    def outcome_of(self, fault: Fault) -> Outcome | None:
+        """What became of a fault; ``None`` when it was not seeded in the present state."""
+        return next((one for one in self.outcomes or [] if one.name == fault.name), None)
+
+    def verdict_on(self, fault: Fault) -> Markup:
+        outcome = self.outcome_of(fault)
+        if outcome is None:
+            return names.glyph("none", "not seeded")
+        if not outcome.caught:
+            return names.glyph("bad", "missed")
+        return names.glyph("ok", "found" if outcome.compiles else "found by the compiler")
 
     def findings_of(self, check: str) -> list[Finding]:
         return [finding for finding in self.findings if finding.check == check]
