@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 import argparse
+import json
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
 from traceability.commands.steps import FailureError, Steps
+from traceability.model.results import read_json
+from traceability.sources import DESIGN, file_hash, files_below
 
 if TYPE_CHECKING:
     from traceability.model.schema import Finding, Model
 
 STEPS = 4
+DOCUMENTED = (*DESIGN, "sim", "tests", "requirements", "design", "docs", "site", "traceability")
+# Changed files -> the figure that the time for model, checks, site and links is then.
+MEASURED = {None: "build.cold_s", 1: "build.edit_s"}
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -72,6 +79,7 @@ def make_documents(
     from traceability.metrics import site_figures, write_metrics
     from traceability.pipeline import build_model
 
+    start, changed = time.monotonic(), changed_files(root)
     model: Model | None = None
     findings: list[Finding] = []
 
@@ -96,7 +104,8 @@ def make_documents(
         site = root / "build" / "site"
         found = run_link_checks(model, site)
         findings.extend(found)
-        write_metrics(root, model, {**site_figures(site, findings), **figures()})
+        took = {measured: seconds_since(start)} if (measured := MEASURED.get(changed)) else {}
+        write_metrics(root, model, {**site_figures(site, findings), **took, **figures()})
         return counted(found)
 
     if not steps.run("model", make_model):
@@ -109,6 +118,22 @@ def make_documents(
     else:
         steps.skip("links", "the site was not built")
     return findings
+
+
+def seconds_since(start: float) -> float:
+    return round(time.monotonic() - start, 1)
+
+
+def changed_files(root: Path) -> int | None:
+    """How many files changed since the documents were made; ``None`` when there are none yet."""
+    record = root / "build" / "model" / "files.json"
+    before = read_json(record) if (root / "build" / "site").is_dir() else None
+    now = {str(path.relative_to(root)): file_hash(path) for path in files_below(root, DOCUMENTED)}
+    record.parent.mkdir(parents=True, exist_ok=True)
+    record.write_text(json.dumps(now), encoding="utf-8")
+    if not isinstance(before, dict):
+        return None
+    return len([file for file in before | now if before.get(file) != now.get(file)])
 
 
 def counted(findings: list[Finding]) -> str:

@@ -41,6 +41,9 @@ EXAMPLE = "FR-15"  # the requirement that the first page follows
 
 
 def all_pages(portal: Portal) -> Iterator[Page]:
+    """Those of sources come first: they have no diagrams, which are still being drawn."""
+    for path in portal.model.files:
+        yield source_page(portal, path)
     yield from overview_pages(portal)
     yield from paper_views(portal)
     for module in portal.designs:
@@ -51,8 +54,6 @@ def all_pages(portal: Portal) -> Iterator[Page]:
         yield requirement_page(portal, requirement)
     for check in portal.checks.values():
         yield portal.page(f"checks/{check.id}", check.id, "checks", "check", check=check)
-    for path in portal.model.files:
-        yield source_page(portal, path)
 
 
 def overview_pages(portal: Portal) -> Iterator[Page]:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import functools
 import re
 from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -92,9 +94,16 @@ class Portal:
         self.designs = [m for m in model.modules.values() if not m.datatype]
         self.datatypes = [m for m in model.modules.values() if m.datatype]
         self.diagrams = self._diagrams()
-        drawn = diagrams.draw(self.diagrams, root / "build" / "diagrams")
-        self.drawn = {name: Markup(svg) for name, svg in drawn.items()}
+        # PlantUML draws on the other core while pages without diagrams are written.
+        self.drawing = ThreadPoolExecutor(1).submit(
+            diagrams.draw, self.diagrams, root / "build" / "diagrams"
+        )
         self.templates = self._environment()
+
+    @functools.cached_property
+    def drawn(self) -> dict[str, Markup]:
+        """The finished diagrams, by their ids; waits for PlantUML."""
+        return {name: Markup(svg) for name, svg in self.drawing.result().items()}
 
     def _diagrams(self) -> list[diagrams.Diagram]:
         return [
@@ -133,7 +142,6 @@ class Portal:
             links=self.links,
             views=names.VIEWS,
             glyph=names.glyph,
-            diagrams=self.drawn,
             family=diagrams.role_family,
             located=lambda svg, requirement: Markup(diagrams.located(svg, requirement)),
         )

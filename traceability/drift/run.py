@@ -13,8 +13,8 @@ from traceability.checks import message, run_checks, run_link_checks
 from traceability.documents.build import build_site
 from traceability.drift.faults import COMPILER, Fault, read_faults
 from traceability.drift.record import SOURCES, Outcome, write_record
+from traceability.model.build import build
 from traceability.model.schema import Finding
-from traceability.pipeline import build_model
 
 NEAR = 2  # lines between the expected place and the finding: a comment stands above what it says
 WORKERS = 2
@@ -26,7 +26,7 @@ PAGES = ("build/pages", "build/pages-cache", "build/site", "build/diagrams")
 def seed_all(root: Path) -> list[Outcome]:
     """Seeds every fault that the state of the project allows, and writes the record."""
     faults = read_faults(root)
-    fresh = not build_model(root).results_stale
+    fresh = not build(root).results_stale
     stages = {"sources"} | ({"results"} if fresh else set())
     if (root / PAGES[2]).is_dir():
         stages |= {"pages", "site"}
@@ -85,8 +85,8 @@ class Copy:
 
     def findings(self) -> list[Finding]:
         if self.stage == "site":
-            return run_link_checks(build_model(self.tree), self.tree / "build" / "site")
-        model = build_model(self.tree)
+            return run_link_checks(build(self.tree), self.tree / "build" / "site")
+        model = build(self.tree)
         found = run_checks(model)
         if self.stage == "pages":
             found = [*found, *build_site(self.tree, model, found).warnings]
