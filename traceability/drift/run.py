@@ -1,4 +1,4 @@
-"""Seeds each fault in a copy of the project, checks the copy, and keeps what was found."""
+"""Seeds the faults in copies of the project, checks the copies, and keeps what was found."""
 
 from __future__ import annotations
 
@@ -37,17 +37,17 @@ def seed_all(root: Path) -> list[Outcome]:
 
 
 def _outcomes(root: Path, faults: list[Fault]) -> Iterator[Outcome]:
-    """By stage; the faults of a stage are shared out among copies."""
+    """By stage; the groups of a stage are shared out among copies."""
     with (
         tempfile.TemporaryDirectory(prefix="drift-") as folder,
         ProcessPoolExecutor(WORKERS, mp_context=get_context("fork")) as pool,
     ):
         work = []
         for stage in dict.fromkeys(fault.stage for fault in faults):
-            of_stage = [fault for fault in faults if fault.stage == stage]
-            parts = WORKERS if len(of_stage) > WORKERS else 1
+            groups = grouped([fault for fault in faults if fault.stage == stage])
+            parts = min(WORKERS, len(groups))
             work += [
-                (root, Path(folder) / f"{stage}{part}", stage, of_stage[part::parts])
+                (root, Path(folder) / f"{stage}{part}", stage, groups[part::parts])
                 for part in range(parts)
             ]
         done = {
@@ -58,9 +58,25 @@ def _outcomes(root: Path, faults: list[Fault]) -> Iterator[Outcome]:
     yield from (done[fault.name] for fault in faults)
 
 
-def _seed_part(root: Path, tree: Path, stage: str, faults: list[Fault]) -> list[Outcome]:
+def grouped(faults: list[Fault]) -> list[list[Fault]]:
+    """Groups whose faults share no file: they can be seeded together, and told apart."""
+    alone = [[fault] for fault in faults if fault.check == COMPILER]
+    groups: list[tuple[set[str], list[Fault]]] = []
+    for fault in faults:
+        if fault.check == COMPILER:
+            continue
+        files = {fault.place, *(edit.file for edit in fault.edits)}
+        taken, group = next((one for one in groups if not one[0] & files), (set(), []))
+        if not group:
+            groups.append((taken, group))
+        taken |= files
+        group.append(fault)
+    return [group for _, group in groups] + alone
+
+
+def _seed_part(root: Path, tree: Path, stage: str, groups: list[list[Fault]]) -> list[Outcome]:
     copy = Copy(root, tree, stage)
-    return [copy.seed(fault) for fault in faults]
+    return [outcome for group in groups for outcome in copy.seed(group)]
 
 
 class Copy:
@@ -92,36 +108,33 @@ class Copy:
             found = [*found, *build_site(self.tree, model, found).warnings]
         return found
 
-    def seed(self, fault: Fault) -> Outcome:
-        kept = {edit.file: _content(self.tree / edit.file) for edit in fault.edits}
+    def seed(self, faults: list[Fault]) -> list[Outcome]:
+        """What is not found among others, or does not compile with them, is seeded again, alone."""
+        outcomes = self._seed(faults)
+        sure = all(outcome.compiles for outcome in outcomes)
+        if len(faults) == 1:
+            return outcomes
+        return [
+            outcome if outcome.caught and sure else self._seed([fault])[0]
+            for fault, outcome in zip(faults, outcomes, strict=True)
+        ]
+
+    def _seed(self, faults: list[Fault]) -> list[Outcome]:
+        edits = [edit for fault in faults for edit in fault.edits]
+        kept = {edit.file: _content(self.tree / edit.file) for edit in edits}
         new: list[Finding] = []
-        line = 0
+        lines = [0] * len(faults)
         error: list[str] = []
         try:
-            lines = [edit.apply(self.tree) for edit in fault.edits]
-            line = fault.expected_line(self.tree, lines[0])
+            for number, fault in enumerate(faults):
+                changed = [edit.apply(self.tree) for edit in fault.edits]
+                lines[number] = fault.expected_line(self.tree, changed[0])
             new = [one for one in self.findings() if _key(one) not in self.before]
         except ValueError as problem:
             error = [str(problem)]
         finally:
             self._restore(kept)
-        right = [
-            one
-            for one in new
-            if one.check == fault.check
-            and one.place.file == fault.place
-            and abs(one.place.line - line) <= NEAR
-        ]
-        return Outcome(
-            name=fault.name,
-            check=fault.check,
-            says=fault.says,
-            file=fault.place,
-            line=line,
-            caught=bool(right),
-            compiles=not any(one.check == COMPILER for one in new),
-            said=error or [message(one) for one in right or new],
-        )
+        return [_outcome(*pair, new, error) for pair in zip(faults, lines, strict=True)]
 
     def _cached(self) -> list[Path]:
         return sorted((self.tree / "build" / "model" / "cache").glob("*.json"))
@@ -143,6 +156,26 @@ class Copy:
         for path in set(now) - set(self.cache):
             path.unlink()
         self.stamps = self._stamps()
+
+
+def _outcome(fault: Fault, line: int, new: list[Finding], error: list[str]) -> Outcome:
+    right = [
+        one
+        for one in new
+        if one.check == fault.check
+        and one.place.file == fault.place
+        and abs(one.place.line - line) <= NEAR
+    ]
+    return Outcome(
+        name=fault.name,
+        check=fault.check,
+        says=fault.says,
+        file=fault.place,
+        line=line,
+        caught=bool(right),
+        compiles=not any(one.check == COMPILER for one in new),
+        said=error or [message(one) for one in right or new],
+    )
 
 
 def _key(finding: Finding) -> tuple[str, int, str, str]:
