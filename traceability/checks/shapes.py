@@ -454,11 +454,16 @@ def singleton_copy(shape: Shape) -> Broken:
 
 
 def serializer_used(shape: Shape) -> Broken:
-    """Each element reads from a Reader or writes to a Writer."""
+    """Each operation of an element reads from a Reader or writes to a Writer."""
     abstractions = shape.playing("Reader") + shape.playing("Writer")
     for element in shape.playing("Concrete Element"):
-        if not any(owner_of(target) in abstractions for target, _ in shape.calls(element)):
-            yield shape.place(element), f"{element} calls no {' or '.join(abstractions)}"
+        operations = [body for body in shape.bodies(element) if body.overrides]
+        if not operations:
+            yield shape.place(element), f"{element} has no operation of its own"
+        for body in operations:
+            owners = {owner_of(target) for target in shape.calls_from(body.id, element)}
+            if not owners.intersection(abstractions):
+                yield body.place, f"{body.id} calls no {' or '.join(abstractions)}"
 
 
 def together(*clauses: Callable[[Shape], Broken]) -> Callable[[Shape], Broken]:

@@ -12,7 +12,6 @@ from traceability.documents.exports import DIAGRAMS
 from traceability.documents.links import logic_anchor
 from traceability.documents.paper_views import paper_views
 from traceability.documents.portal import Page, Portal
-from traceability.drift.faults import COMPILER
 from traceability.metrics import read_products
 from traceability.model import usual_design
 from traceability.model.mutation import mutants_of
@@ -91,7 +90,7 @@ def overview_pages(portal: Portal) -> Iterator[Page]:
     yield closed_loop_page(portal)
     yield usual_design_page(portal)
     yield portal.page("checks/index", "Checks", "checks", "checks")
-    yield portal.page("checks/drift", "Drift test", "drift", "drift", compiler=COMPILER)
+    yield portal.page("checks/drift", "Drift test", "drift", "drift")
     yield portal.page("source/index", "Source", "source", "sources", folders=folders(portal))
 
 

@@ -352,9 +352,9 @@ class Portal:
         outcome = self.outcome_of(fault)
         if outcome is None:
             return names.glyph("none", "not seeded")
-        if not outcome.caught:
-            return names.glyph("bad", "missed")
-        return names.glyph("ok", "found" if outcome.compiles else "found by the compiler")
+        if outcome.compiles != fault.compiles:
+            return names.glyph("bad", "does not compile" if fault.compiles else "compiles")
+        return names.glyph("ok", "found") if outcome.caught else names.glyph("bad", "missed")
 
     def findings_of(self, check: str) -> list[Finding]:
         return [finding for finding in self.findings if finding.check == check]

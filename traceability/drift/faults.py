@@ -53,6 +53,7 @@ class Fault:
     place: str = ""
     at: str = ""
     stage: str = "sources"
+    compiles: bool = True  # where it does not, the compiler finds it too
 
     def expected_line(self, root: Path, changed: int) -> int:
         if not self.at:
@@ -89,4 +90,5 @@ def _fault(name: str, item: dict[str, object]) -> Fault:
         place=str(item.get("place", edits[0].file)),
         at=str(item.get("at", "")),
         stage=str(item.get("stage", "sources")),
+        compiles=bool(item.get("compiles", True)),
     )

@@ -59,11 +59,14 @@ def _outcomes(root: Path, faults: list[Fault]) -> Iterator[Outcome]:
 
 
 def grouped(faults: list[Fault]) -> list[list[Fault]]:
-    """Groups whose faults share no file: they can be seeded together, and told apart."""
-    alone = [[fault] for fault in faults if fault.check == COMPILER]
+    """Groups whose faults share no file: they can be seeded together, and told apart.
+
+    One that does not compile hides what else is wrong: it stays alone.
+    """
+    alone = [[fault] for fault in faults if not fault.compiles]
     groups: list[tuple[set[str], list[Fault]]] = []
     for fault in faults:
-        if fault.check == COMPILER:
+        if not fault.compiles:
             continue
         files = {fault.place, *(edit.file for edit in fault.edits)}
         taken, group = next((one for one in groups if not one[0] & files), (set(), []))
@@ -111,11 +114,10 @@ class Copy:
     def seed(self, faults: list[Fault]) -> list[Outcome]:
         """What is not found among others, or does not compile with them, is seeded again, alone."""
         outcomes = self._seed(faults)
-        sure = all(outcome.compiles for outcome in outcomes)
         if len(faults) == 1:
             return outcomes
         return [
-            outcome if outcome.caught and sure else self._seed([fault])[0]
+            outcome if outcome.caught else self._seed([fault])[0]
             for fault, outcome in zip(faults, outcomes, strict=True)
         ]
 
@@ -166,14 +168,15 @@ def _outcome(fault: Fault, line: int, new: list[Finding], error: list[str]) -> O
         and one.place.file == fault.place
         and abs(one.place.line - line) <= NEAR
     ]
+    compiles = not any(one.check == COMPILER for one in new)
     return Outcome(
         name=fault.name,
         check=fault.check,
         says=fault.says,
         file=fault.place,
         line=line,
-        caught=bool(right),
-        compiles=not any(one.check == COMPILER for one in new),
+        caught=bool(right) and compiles == fault.compiles,
+        compiles=compiles,
         said=error or [message(one) for one in right or new],
     )
 
