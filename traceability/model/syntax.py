@@ -566,8 +566,9 @@ class _Reader:
 
     def unresolved(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
         """In a template a call of what depends on the parameters has a name only."""
-        if body is not None and cursor.kind == CursorKind.MEMBER_REF_EXPR and cursor.spelling:
-            body.calls.append(CallFact(f"{ANY_CLASS}::{cursor.spelling}", False, place))
+        if body is not None and cursor.kind == CursorKind.MEMBER_REF_EXPR:
+            name = [token.spelling for token in cursor.get_tokens()][-1:]
+            body.calls += [CallFact(f"{ANY_CLASS}::{one}", False, place) for one in name]
 
     def variable(self, cursor: Cursor, owner: str, place: Place) -> None:
         """A variable that is no reference is an object of its class, or holds one."""
