@@ -7,7 +7,6 @@ from pathlib import Path
 from traceability.checks import (
     architecture,
     board,
-    declarations,
     documents,
     execution,
     files,
@@ -41,7 +40,6 @@ FAMILIES = (
     execution.check,
     machines.check,
     trees.check,
-    declarations.check,
     requirements.check,
 )
 
