@@ -8,8 +8,9 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
+from traceability.drift.record import read_record
 from traceability.image import TOTALS, sources_of_image
-from traceability.model.results import RESULTS, read_json, read_recording_factor
+from traceability.model.results import read_json, read_recording_factor
 from traceability.model.schema import Finding, Model, Module
 from traceability.model.traces import nodes_of
 from traceability.products import PRODUCTS
@@ -32,15 +33,18 @@ def write_metrics(root: Path, model: Model, measured: dict[str, Any] | None = No
 def figures(root: Path, model: Model) -> dict[str, Any]:
     """What this run measured of the present sources."""
     factor = {"tests.recording_factor": read_recording_factor(root, model.sources_hash)}
-    return metrics(model) | drift(root, model) | image(root) | forbidden(root) | factor
+    return metrics(model) | drift(root) | image(root) | forbidden(root) | factor
 
 
-def drift(root: Path, model: Model) -> dict[str, Any]:
-    """The seeded faults, when they were seeded in the present sources."""
-    record = read_json(root / RESULTS / "drift.json")
-    if not isinstance(record, dict) or record.get("sources") != model.sources_hash:
+def drift(root: Path) -> dict[str, Any]:
+    """The seeded faults, when they were seeded in the present state of the project."""
+    outcomes = read_record(root)
+    if outcomes is None:
         return {}
-    return {"drift.seeded": record["seeded"], "drift.caught": record["caught"]}
+    return {
+        "drift.seeded": len(outcomes),
+        "drift.caught": sum(outcome.caught for outcome in outcomes),
+    }
 
 
 def image(root: Path) -> dict[str, Any]:

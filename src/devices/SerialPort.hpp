@@ -28,7 +28,7 @@ class SerialPort {
   [[nodiscard]] virtual std::size_t free() const = 0;
 
   /// @brief Gives bytes to the port to send, all or none. Never waits.
-  /// @param bytes what is to be sent
+  /// @param bytes bytes to send
   /// @return false when there is no room for all bytes: none is sent
   /// @isr{no}
   virtual bool write(std::span<const std::uint8_t> bytes) = 0;

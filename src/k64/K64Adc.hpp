@@ -30,6 +30,7 @@ class K64Adc final : public AnalogInput {
   /// @param signal name that the part gives it, such as ADC0_SE12
   /// @return its channel
   /// @satisfies FR-142
+  /// @isr{yes}
   static consteval Channel channelOf(std::string_view signal) {
     static_cast<void>(pinOf(signal));
     std::uint8_t number = 0;

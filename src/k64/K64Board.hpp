@@ -65,7 +65,7 @@ class K64Board {
   /// @brief Ends the firmware: outputs safe, fault recorded, reset. Never returns.
   /// @param kind what happened
   /// @param number number that belongs to the kind, 0 without one
-  /// @param address instruction at which it happened, 0 when it is not known
+  /// @param address number of the byte of the instruction at which it happened, 0 when it is not known
   /// @isr{yes}
   /// @satisfies FR-75
   [[noreturn]] static void endWithFault(FaultKind kind, std::uint16_t number,

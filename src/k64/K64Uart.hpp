@@ -13,6 +13,7 @@ namespace wr {
 /// @function Receives and sends bytes in the background: 115200 baud, 8 bits, no parity, 1 stop bit.
 /// @secret How bytes go between the registers of the port and the storage, and what the errors of the
 /// line demand.
+/// @hides{K64Uart::kBaud}
 class K64Uart final : public SerialPort {
  public:
   /// @brief Speed of the line [baud].

@@ -29,27 +29,32 @@ class SystemConstants {
   /// @brief Tells the time between two clock pulses.
   /// @return period of the control cycle [us]
   /// @satisfies FR-1
+  /// @isr{yes}
   [[nodiscard]] constexpr Microseconds cyclePeriod() const { return milliseconds(100); }
 
   /// @brief Tells N, the number of failed reads in a row that lead to the last waiting state.
   /// @return number of cycles [2 to 255]
   /// @satisfies FR-16
+  /// @isr{yes}
   [[nodiscard]] constexpr std::uint8_t waitingCycles() const { return 4; }
 
   /// @brief Tells how long an order can be read.
   /// @return greatest age of an order [us]
   /// @satisfies FR-20
   /// @satisfies FR-50
+  /// @isr{yes}
   [[nodiscard]] constexpr Microseconds orderLifetime() const { return milliseconds(200); }
 
   /// @brief Tells how long the system waits for a Confirm after a Welcome.
   /// @return greatest duration of a handshake [us]
   /// @satisfies FR-32
+  /// @isr{yes}
   [[nodiscard]] constexpr Microseconds handshakeTimeout() const { return milliseconds(1000); }
 
   /// @brief Tells how long a connected PC may be silent.
   /// @return greatest silence on the link [us]
   /// @satisfies FR-33
+  /// @isr{yes}
   [[nodiscard]] constexpr Microseconds linkTimeout() const { return milliseconds(1000); }
 
   /// @brief Tells how long the system may go without a cycle that completed. Three cycles: a cycle
@@ -57,29 +62,34 @@ class SystemConstants {
   /// m.
   /// @return time-out of the watchdog [us]
   /// @satisfies FR-70
+  /// @isr{yes}
   [[nodiscard]] constexpr Microseconds watchdogTimeout() const { return milliseconds(300); }
 
   /// @brief Tells the time between two beats of the second timer.
   /// @return period of the second timer [us]
   /// @satisfies FR-100
+  /// @isr{yes}
   [[nodiscard]] constexpr Microseconds tickPeriod() const { return milliseconds(1); }
 
   /// @brief Tells how long a measured value can be used. One and a half cycles: a value of the cycle
   /// before still counts, an older one is missing.
   /// @return greatest age of a measurement [us]
   /// @satisfies FR-127
+  /// @isr{yes}
   [[nodiscard]] constexpr Microseconds measurementLifetime() const { return milliseconds(150); }
 
   /// @brief Tells the tension of the battery, which a duty cycle of 100 % puts on a wheel. Assumption:
   /// two lead batteries of 12 V.
   /// @return tension [mV]
   /// @satisfies FR-80
+  /// @isr{yes}
   [[nodiscard]] constexpr Tension supply() const { return Tension(24000); }
 
   /// @brief Tells the tension that a turning wheel motor makes itself. Assumption: 0.50 V s/rad.
   /// @return tension at 1000 times 0.1 rpm [mV]
   /// @satisfies FR-82
   /// @satisfies FR-85
+  /// @isr{yes}
   [[nodiscard]] constexpr Tension motorConstant() const { return Tension(5236); }
 
   /// @brief Tells the velocity below which a wheel counts as standing. Half of what its Hall sensors
@@ -87,36 +97,42 @@ class SystemConstants {
   /// @return velocity at the motor shaft [0.1 rpm]
   /// @satisfies FR-87
   /// @satisfies FR-89
+  /// @isr{yes}
   [[nodiscard]] constexpr Velocity standstill() const { return Velocity(50); }
 
   /// @brief Tells how many edges the two Hall sensors of a wheel give in one turn of the motor shaft.
   /// Assumption: a motor with 15 pairs of poles, two sensors, two edges each.
   /// @return number of edges
   /// @satisfies FR-120
+  /// @isr{yes}
   [[nodiscard]] constexpr std::int32_t hallEdgesPerTurn() const { return 60; }
 
   /// @brief Tells how far one step turns the steering. Assumption: 400 half steps in a turn of the
   /// motor, and a gear that reduces 18 to 1.
   /// @return angle of a step [0.01 degree]
   /// @satisfies FR-101
+  /// @isr{yes}
   [[nodiscard]] constexpr Angle steeringStep() const { return Angle(5); }
 
   /// @brief Tells how fast the steering motor is driven at most. A step needs two ticks: one with the pulse,
   /// one without.
   /// @return greatest rate [steps/s]
   /// @satisfies FR-103
+  /// @isr{yes}
   [[nodiscard]] constexpr StepRate steeringRate() const { return StepRate(500); }
 
   /// @brief Tells how fast the rate of the steering motor changes at most, so that the motor loses no step.
   /// One step/s in each tick.
   /// @return greatest change of the rate [steps/s^2]
   /// @satisfies FR-103
+  /// @isr{yes}
   [[nodiscard]] constexpr std::int32_t steeringAcceleration() const { return 1000; }
 
   /// @brief Tells how far the steering can be set to each side. The least radius of a turn, 2.5 m,
   /// needs about 32 degrees.
   /// @return greatest angle [0.01 degree]
   /// @satisfies FR-46
+  /// @isr{yes}
   [[nodiscard]] constexpr Angle steeringLimit() const { return Angle(3200); }
 
   /// @brief Tells how fast a wheel can be ordered to turn, forwards and backwards. Assumption: the
@@ -124,16 +140,19 @@ class SystemConstants {
   /// at the shaft are 0.85 m/s.
   /// @return greatest velocity at the motor shaft [0.1 rpm]
   /// @satisfies FR-46
+  /// @isr{yes}
   [[nodiscard]] constexpr Velocity velocityLimit() const { return Velocity(3000); }
 
   /// @brief Tells how much tension a wheel can be ordered to have, forwards and backwards.
   /// @return greatest tension [mV]
   /// @satisfies FR-46
+  /// @isr{yes}
   [[nodiscard]] constexpr Tension tensionLimit() const { return Tension(24000); }
 
   /// @brief Tells how much current a wheel can be ordered to have, forwards and backwards.
   /// @return greatest current [mA]
   /// @satisfies FR-46
+  /// @isr{yes}
   [[nodiscard]] constexpr Current currentLimit() const { return Current(10000); }
 
  private:

@@ -9,6 +9,7 @@ from traceability.checks import (
     board,
     documents,
     execution,
+    files,
     links,
     machines,
     modules,
@@ -16,6 +17,7 @@ from traceability.checks import (
     patterns,
     registers,
     requirements,
+    secrets,
     trees,
     uses,
 )
@@ -27,9 +29,11 @@ from traceability.model.schema import Finding, Model
 FAMILIES = (
     documents.check,
     modules.check,
+    files.check,
     patterns.check,
     uses.check,
     registers.check,
+    secrets.check,
     board.check,
     paper.check,
     architecture.check,

@@ -2,28 +2,40 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 from traceability.model.annotations import Text
 from traceability.model.facts import Facts
-from traceability.model.schema import Finding, Method, Model, Module, is_extension
+from traceability.model.schema import Finding, Method, Model, Module, Place, is_extension
 from traceability.sources import DESIGN, SRC
+
+FEWEST_WORDS = 3  # of a sentence that says something
+NUMBER = re.compile(r"\b(u?int\d+_t|size_t|int|unsigned|short|long)\b")
+# What a number is: one with a unit, a count or a number of something, bytes, or what a field holds.
+MEANING = re.compile(
+    r"\[.+?\]|\bunit\b|\bnumbers?\b|\bbytes?\b|\bfields?\b|\bcount|\bhow many\b|\bsteps?\b"
+    r"|\bfactor\b|\braw\b|\bcheck sum\b|\bits value\b|\bidentif",
+    re.IGNORECASE,
+)
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
     found: list[Finding] = []
     secrets: dict[str, str] = {}
+    functions: dict[str, str] = {}
     for module in model.modules.values():
         if module.datatype:
             continue
         described = facts.annotations.classes.get(module.qualified)
         text = described.text if described else Text()
         found += _place_and_name(module, facts)
-        found += _function_and_secret(module, text, secrets)
+        found += _function(module, text, functions)
+        found += _secret(module, text, secrets)
         for method in module.methods:
             if method.access == "public":
                 found += _specification(method)
-    return found + _folders(model, facts)
+    return found + _folders(model, facts) + _written(facts)
 
 
 def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
@@ -60,19 +72,49 @@ def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
     return found
 
 
-def _function_and_secret(module: Module, text: Text, secrets: dict[str, str]) -> list[Finding]:
-    found: list[Finding] = []
-    if not module.brief or not module.function:
-        missing = "@brief" if not module.brief else "@function"
-        found.append(
-            Finding(
-                module.place,
-                "module-function",
-                f"{module.name} has no {missing}",
-                "say above the class what the module is for",
-            )
+def _written(facts: Facts) -> list[Finding]:
+    """The modules of the design that are not there; their number is that of the paper."""
+    names = facts.declared.names
+    found = [
+        Finding(
+            facts.declared.name_places[folder],
+            "module-count",
+            f"there is no module {name} in {folder_of(folder)}",
+            f"write {folder_of(folder)}/{name}.hpp, or correct design/modules.toml",
         )
-    count = len([secret for secret in text.all("Secret") if secret])
+        for folder, listed in names.items()
+        for name in listed
+        if name not in facts.classes
+        or str(Path(facts.classes[name].place.file).parent) != folder_of(folder)
+    ]
+    listed = [name for folder in names for name in names[folder]]
+    total = facts.declared.total
+    if total is not None and {len(listed), len(set(listed))} != {total}:
+        different = len(set(listed))
+        text = f"the design lists {len(listed)} modules, {different} different; the paper {total}"
+        mend = "correct the lists of design/modules.toml"
+        found.append(Finding(Place("design/modules.toml", 1), "module-count", text, mend))
+    return found
+
+
+def _function(module: Module, text: Text, functions: dict[str, str]) -> list[Finding]:
+    count = len([words for words in text.all("Function") if words])
+    if not module.brief:
+        wrong = f"{module.name} has no @brief"
+    elif count != 1:
+        wrong = f"{module.name} has {count or 'no'} @function"
+    elif module.function in functions:
+        wrong = f"{module.name} states the same function as {functions[module.function]}"
+    else:
+        functions[module.function] = module.name
+        return []
+    mend = "say above the class what this module alone is for, once"
+    return [Finding(module.place, "module-function", wrong, mend)]
+
+
+def _secret(module: Module, text: Text, secrets: dict[str, str]) -> list[Finding]:
+    found: list[Finding] = []
+    count = len([secret for secret in text.all("Secret") if len(secret.split()) >= FEWEST_WORDS])
     if count != 1:
         found.append(
             Finding(
@@ -103,8 +145,18 @@ def _specification(method: Method) -> list[Finding]:
     if not method.brief:
         missing.append("@brief")
     missing += [f"@param {param.name}" for param in method.params if param.name and not param.text]
-    if _gives_result(method) and not method.returns:
-        missing.append("@return")
+    missing += [
+        f"unit or meaning of the number {param.name}"
+        for param in method.params
+        if param.text and NUMBER.search(param.type) and not MEANING.search(param.text)
+    ]
+    if _gives_result(method):
+        if not method.returns:
+            missing.append("@return")
+        elif NUMBER.search(_result_of(method)) and not MEANING.search(method.returns):
+            missing.append("unit or meaning of its result")
+    if method.kind != "constructor" and not method.interrupt:
+        missing.append("@isr{yes} or @isr{no}")
     return [
         Finding(
             method.place,
@@ -119,8 +171,13 @@ def _specification(method: Method) -> list[Finding]:
 def _gives_result(method: Method) -> bool:
     if method.kind == "constructor":
         return False
-    words = method.signature.split("(")[0].removeprefix("virtual ").removeprefix("static ")
+    words = _result_of(method)
     return not words.startswith("void ") and " " in words
+
+
+def _result_of(method: Method) -> str:
+    """The type of the result and the name, as in the signature."""
+    return method.signature.split("(")[0].removeprefix("virtual ").removeprefix("static ")
 
 
 def folder_of(logic: str) -> str:

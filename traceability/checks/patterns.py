@@ -16,11 +16,16 @@ from traceability.model.schema import (
     RoleBinding,
 )
 
-ABSTRACTIONS = ("State", "Strategy", "Component", "Command", "Abstract Class", "Serializable")
+ABSTRACTIONS = (
+    *("State", "Strategy", "Component", "Decorator", "Command", "Abstract Class", "Builder"),
+    *("Singleton", "Serializable", "Reader", "Writer"),
+)
+APPLICATIONS = "design/applications.toml"
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
-    found = _roles(model, facts) + _declared_once(model, facts) + _heirs(model)
+    found = _roles(model, facts) + _declared_once(model, facts) + _heirs(model, facts)
+    found += _required(facts) + _undeclared(model, facts) + _counts(facts)
     for application in model.patterns.values():
         found += _known(application, facts)
         found += _missing_roles(application, model, facts)
@@ -99,6 +104,59 @@ def _role_problem(binding: RoleBinding, model: Model, facts: Facts) -> tuple[str
     return None
 
 
+def _undeclared(model: Model, facts: Facts) -> list[Finding]:
+    return [
+        Finding(
+            item.place,
+            "pattern-known",
+            f"no module declares the application {item.id}",
+            "write its @patternapp above its abstraction",
+        )
+        for item in facts.declared.applications.values()
+        if item.id not in model.patterns
+    ]
+
+
+def _counts(facts: Facts) -> list[Finding]:
+    """The number of applications of each pattern is that of the paper."""
+    found: list[Finding] = []
+    for pattern in facts.declared.patterns:
+        known = [i for i in facts.declared.applications.values() if i.pattern == pattern.name]
+        if len(known) != pattern.applications:
+            text = (
+                f"the design has {len(known)} applications of {pattern.name}, not "
+                f"{pattern.applications}"
+            )
+            mend = f"correct the entries of {APPLICATIONS}"
+            found.append(Finding(pattern.place, "pattern-count", text, mend))
+    return found
+
+
+def _required(facts: Facts) -> list[Finding]:
+    """Each application of the design binds every role of its pattern to modules that exist."""
+    found: list[Finding] = []
+    patterns = {pattern.name: pattern.roles for pattern in facts.declared.patterns}
+    for item in facts.declared.applications.values():
+        roles = patterns.get(item.pattern, [])
+        problems = [
+            f"{item.id} binds nothing to the role {r}" for r in roles if not item.roles.get(r)
+        ]
+        problems += [
+            f"{role} is no role of {item.pattern} ({item.id})"
+            for role in item.roles
+            if role not in roles
+        ]
+        problems += [
+            f"there is no module {module}, which is to be {role} in {item.id}"
+            for role, modules in item.roles.items()
+            for module in modules
+            if module not in facts.classes
+        ]
+        mend = f"bind each role of the pattern in {APPLICATIONS}"
+        found += [Finding(item.place, "pattern-role-required", text, mend) for text in problems]
+    return found
+
+
 def _missing_roles(application: PatternApplication, model: Model, facts: Facts) -> list[Finding]:
     known = facts.declared.applications.get(application.id)
     bound = {(item.role, item.module) for item in application.roles}
@@ -115,18 +173,21 @@ def _missing_roles(application: PatternApplication, model: Model, facts: Facts) 
     ]
 
 
-def _heirs(model: Model) -> list[Finding]:
+def _heirs(model: Model, facts: Facts) -> list[Finding]:
+    """A nested Command is the body of a thread; any other heir plays a role."""
     found: dict[str, Finding] = {}
     for application in model.patterns.values():
         for binding in application.roles:
             if binding.role not in ABSTRACTIONS:
                 continue
-            for heir in model.modules[binding.module].heirs:
+            for heir in facts.heirs.get(binding.module, []):
                 module = model.modules.get(heir)
-                if module is None or module.datatype or module.roles:
+                fact = facts.classes[heir]
+                body = binding.role == "Command" and "::" in heir and not fact.local
+                if body or (module is not None and module.roles):
                     continue
                 found[heir] = Finding(
-                    module.place,
+                    fact.place,
                     "pattern-heir-unbound",
                     f"{heir} derives from {binding.module}, which is {binding.role} in "
                     f"{application.id}, and plays no role",

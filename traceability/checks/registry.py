@@ -18,10 +18,41 @@ class Check:
     mend: str
 
     @property
+    def why(self) -> str:
+        """What the family of the check is for."""
+        return WHY[self.id.split("-", maxsplit=1)[0]]
+
+    @property
     def text(self) -> str:
         """The whole description, as plain text."""
         return f"{self.holds} What it cannot see: {self.blind} To mend a finding: {self.mend}"
 
+
+# The first word of an id names its family.
+WHY = {
+    "syntax": "All other checks read the syntax tree: they need one without errors.",
+    "doc": "Every document is made from these texts: a text that cannot be read is missing there.",
+    "module": "A module that is small, has a place of its own and says what it does can be found, "
+    "understood and replaced without reading the others.",
+    "secret": "A change stays in one module only as long as no other one depends on what it hides.",
+    "pattern": "A pattern absorbs the changes it was chosen for only as long as the code keeps its "
+    "shape; each clause is a part of that shape.",
+    "uses": "What a module may use decides what it can be reused without, and what a change of "
+    "another one can break.",
+    "board": "The virtual K64 stands for the hardware: a mistake that it does not find reaches the "
+    "robot.",
+    "tree": "A tree shows how the code fulfils a requirement: it must be what the code can do, and "
+    "what it did.",
+    "fsm": "A state machine is read instead of the code of its states: both must say the same.",
+    "exec": "What runs at different priorities shares data: a call in the wrong place shows only "
+    "once in a thousand cycles.",
+    "req": "A requirement counts as fulfilled only when code, tests and results say so.",
+    "suspect": "A link that a person has reviewed holds for the texts that were reviewed.",
+    "paper": "The paper is the reference of the design: what it names must be found here, or the "
+    "difference must be told.",
+    "arch": "The architecture is the first picture that a newcomer sees: it shows what is there.",
+    "link": "A reader who follows a link is to arrive.",
+}
 
 _TEXT_BLIND = "whether the words are true and useful; a person reads that."
 
@@ -59,7 +90,8 @@ _FIXED = [
     Check(
         "module-function",
         "Each design module has a function",
-        "The comment above every design module has @brief and @function.",
+        "The comment above every design module has @brief and one @function, and no two modules "
+        "state the same.",
         _TEXT_BLIND,
         "write the paragraph above the class.",
     ),
@@ -75,7 +107,8 @@ _FIXED = [
         "module-spec",
         "Each public method has a specification",
         "Every public method of a design module has a brief, a text for each parameter and one for "
-        "its result, its own or inherited from the method that it overrides.",
+        "its result, and says with @isr whether an interrupt may call it; its own or inherited "
+        "from the method that it overrides. A plain number says its unit or what it counts.",
         _TEXT_BLIND,
         "write what is missing above the declaration.",
     ),
@@ -88,18 +121,19 @@ _FIXED = [
     ),
     Check(
         "module-count",
-        "Only the modules of the design",
-        "Every design module below src is listed for its folder in design/modules.toml. Those of "
-        "extensions are free: they do not count.",
-        "a listed module that is not written yet.",
+        "The modules of the design, and no other",
+        "Every design module below src is listed for its folder in design/modules.toml, every "
+        "listed one is there, and their number is that of the paper. Those of extensions are free: "
+        "they do not count.",
+        "whether the list is the right one.",
         "remove the module, mark a value type with @datatype, or change the design.",
     ),
     Check(
         "pattern-known",
         "Known pattern applications",
         "Every @patternapp has an id and a pattern of design/applications.toml, a title, @why and "
-        "@changes, and is declared once.",
-        "an application that nobody declared.",
+        "@changes, and is declared once; every application of the design is declared.",
+        _TEXT_BLIND,
         "correct the id or the pattern, or add the missing paragraph.",
     ),
     Check(
@@ -114,22 +148,39 @@ _FIXED = [
         "pattern-role-missing",
         "All roles bound",
         "Every module that the design binds to a role of a declared application has the @role.",
-        "modules that do not exist yet.",
+        "a role that nobody listed; pattern-role-required finds that.",
         "write the @role above the class.",
+    ),
+    Check(
+        "pattern-role-required",
+        "Every role of the pattern",
+        "Every application in design/applications.toml binds each role of its pattern, and no "
+        "other, to modules that exist.",
+        "whether it is the right module; the clauses of the pattern find some.",
+        "bind the role, or correct the name of the module.",
+    ),
+    Check(
+        "pattern-count",
+        "As many applications as in the paper",
+        "Each pattern has the number of applications that design/clauses.toml states.",
+        "applications of extensions; they bind further modules to the applications that exist.",
+        "correct the entries of design/applications.toml.",
     ),
     Check(
         "pattern-heir-unbound",
         "Every heir plays a role",
-        "Every design module that derives from an abstraction of an application has a role in some "
-        "application.",
-        "heirs that are nested in another class; they are details of that class.",
+        "Every class that derives from an abstraction of an application has a role in some "
+        "application, wherever it stands. A Command that is nested in a module is the body of a "
+        "thread, and needs none.",
+        "whether the role is the right one.",
         "bind the heir to a role, or derive it from something else.",
     ),
     Check(
         "uses-allowed",
         "Only allowed uses",
-        "Every include and call from one logic module to another is allowed in design/uses.toml.",
-        "uses through values and through addresses alone.",
+        "Every include, call and name of a class from one logic module in another is allowed in "
+        "design/uses.toml.",
+        "a use through a number alone, such as an address.",
         "remove the include or the call, or allow the use with a reason.",
     ),
     Check(
@@ -179,7 +230,8 @@ _FIXED = [
     Check(
         "uses-unused",
         "No allowance without use",
-        "Every use that design/uses.toml allows occurs in the code.",
+        "Every use that design/uses.toml allows occurs in the code, and every declared cycle is "
+        "one.",
         "whether the reason given there is good.",
         "remove the entry.",
     ),
@@ -254,6 +306,46 @@ _FIXED = [
         "which guard let a state stay; the last state of a test that calls no state afterwards; "
         "nothing is compared while results are stale.",
         "test the transition through its Context, or correct the machine.",
+    ),
+    Check(
+        "uses-apart",
+        "Controllers and sensors apart",
+        "The modules that design/uses.toml keeps apart never name one another: no controller a "
+        "sensor, no sensor a controller.",
+        "a third module that hands one to the other.",
+        "let the value go through a pipe.",
+    ),
+    Check(
+        "module-file",
+        "Every file belongs to a module",
+        "Every file below src and extensions is that of a module, holds data types, belongs to a "
+        "composition, or is listed as shared in design/modules.toml; no function or class beside "
+        "a module can be used without it.",
+        "how long a file is.",
+        "make the code a private detail of a module, or a module of its own.",
+    ),
+    Check(
+        "module-preprocessor",
+        "No macro, no condition",
+        "The preprocessor includes named files and does nothing else: every product compiles the "
+        "same text.",
+        "what the build leaves out of a product; the tests of the products look there.",
+        "use a constant, a template, or another module that the build chooses.",
+    ),
+    Check(
+        "secret-open",
+        "No way past the interface",
+        "No module has public data that can change, nor a friend outside itself.",
+        "an operation that gives a reference to what is private.",
+        "make the data private and give the module an operation.",
+    ),
+    Check(
+        "secret-hidden",
+        "What a secret names stays inside",
+        "A header, class, function or constant that @hides names is used by its module only; one "
+        "that a logic module hides, by its folder only.",
+        "the same fact, written down a second time.",
+        "call an operation of the module instead.",
     ),
     Check(
         "tree-missing",
@@ -416,6 +508,13 @@ _FIXED = [
         "reason, and no other one has.",
         "whether the reason is good.",
         "say why the name differs, or use the name of the paper.",
+    ),
+    Check(
+        "doc-diagram",
+        "Every diagram can be drawn",
+        "PlantUML draws each diagram of the model without an error.",
+        "whether the diagram is easy to read.",
+        "correct what the diagram is made from.",
     ),
     Check(
         "link-doc",

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from traceability.model.facts import Facts
 from traceability.model.schema import PatternApplication, Place
-from traceability.model.syntax import BodyFact, FieldFact, MethodFact
+from traceability.model.syntax import ANY_CLASS, BodyFact, FieldFact, MethodFact
 
 Broken = Iterator[tuple[Place, str]]
 
@@ -21,6 +21,12 @@ class Shape:
 
     application: PatternApplication
     facts: Facts
+
+    @property
+    def replaced(self) -> list[str]:
+        """The operations that decorators of the application replace instead of extending them."""
+        known = self.facts.declared.applications.get(self.application.id)
+        return known.replaces if known else []
 
     def playing(self, role: str) -> list[str]:
         return [item.module for item in self.application.roles if item.role == role]
@@ -48,19 +54,21 @@ class Shape:
         ]
 
     def bodies(self, module: str) -> list[BodyFact]:
-        inner = f"{module}::"
-        return [
-            body
-            for body in self.facts.syntax.bodies
-            if body.owner == module or body.owner.startswith(inner)
-        ]
+        """The bodies of a class, of those nested in it, and of the functions beside it."""
+        return self.facts.bodies_of.get(module, [])
+
+    def user(self, body: BodyFact) -> str:
+        return self.facts.user(body.owner, body.place)
 
     def bases(self, module: str) -> list[str]:
         found = list(self.facts.classes[module].bases)
         return found + [upper for base in found for upper in self.bases(base)]
 
     def holds(self, module: str, base: str) -> bool:
-        return any(field.refers and base in field.classes for field in self.fields(module))
+        return any(
+            field.refers and not field.static and base in field.classes
+            for field in self.fields(module)
+        )
 
     def is_given(self, module: str, base: str) -> bool:
         """A method of the class, own or inherited, takes or obtains a reference to the base."""
@@ -73,9 +81,9 @@ class Shape:
         return False
 
     def named(self, by: str, targets: list[str]) -> Iterator[tuple[Place, str]]:
-        for name in self.facts.syntax.names:
-            target = name.target.split("::", maxsplit=1)[0]
-            if name.by.split("::", maxsplit=1)[0] == by and target in targets and target != by:
+        for name in self.facts.names_of.get(by, []):
+            target = owner_of(name.target)
+            if target in targets and target != by:
                 yield name.place, target
 
     def calls(self, module: str) -> Iterator[tuple[str, Place]]:
@@ -83,6 +91,19 @@ class Shape:
         for body in self.bodies(module):
             for call in body.calls:
                 yield call.target, call.place
+
+    def calls_from(self, method: str, module: str) -> set[str]:
+        """What a method of a class calls, itself or through methods and functions of the class."""
+        own = {body.id: body for body in self.bodies(module)}
+        work, seen = [method], {method}
+        found: set[str] = set()
+        while work:
+            body = own.get(work.pop())
+            targets = {call.target for call in body.calls} if body else set()
+            found |= targets
+            work += [name for name in targets - seen if name in own]
+            seen |= targets
+        return found
 
 
 def owner_of(method: str) -> str:
@@ -127,23 +148,21 @@ def unnamed(role: str, concrete: str) -> Callable[[Shape], Broken]:
     return clause
 
 
-def state_called(shape: Shape) -> Broken:
-    concrete = shape.playing("Concrete State")
-    for base in shape.playing("State"):
-        callers = 0
-        for context in shape.playing("Context"):
-            for target, place in shape.calls(context):
-                if owner_of(target) in concrete and owner_of(target) != context:
-                    yield place, f"{context} calls {target}, which is not the abstraction"
-                callers += owner_of(target) == base
-            callers += sum(
-                owner_of(target) == base
-                for upper in shape.bases(context)
-                for target, _ in shape.calls(upper)
-            )
-        if not callers and shape.playing("Context"):
-            context = shape.playing("Context")[0]
-            yield shape.place(context), f"no Context calls {base}"
+def called(role: str) -> Callable[[Shape], Broken]:
+    """Each Context calls the abstraction, itself or through what it inherits."""
+
+    def clause(shape: Shape) -> Broken:
+        for base in shape.playing(role):
+            for context in shape.playing("Context"):
+                targets = (
+                    target
+                    for upper in (context, *shape.bases(context))
+                    for target, _ in shape.calls(upper)
+                )
+                if not any(owner_of(target) == base for target in targets):
+                    yield shape.place(context), f"{context} does not call {base}"
+
+    return clause
 
 
 def state_change(shape: Shape) -> Broken:
@@ -156,21 +175,36 @@ def state_change(shape: Shape) -> Broken:
                 for field in shape.fields(context)
                 if field.refers and not field.static and field.classes == [base]
             }
-            changers: dict[str, Place] = {}
-            for body in shape.facts.syntax.bodies:
-                for name, line in body.assigns:
-                    constructor = body.id == f"{body.owner}::{body.owner}"
-                    if name in fields and not constructor:
-                        changers.setdefault(body.id, Place(body.place.file, line))
+            changers = {
+                body.id: Place(body.place.file, line)
+                for body in shape.facts.syntax.bodies
+                for name, line in body.assigns
+                if name in fields and body.id != f"{body.owner}::{body.owner}"
+            }
             if fields and not changers and context not in states:
                 yield shape.place(context), f"no operation of {context} changes the {base}"
-            for method, place in list(changers.items())[1:]:
-                yield place, f"{method} also changes the {base}"
-            allowed = {context, *states}
-            for body in shape.facts.syntax.bodies:
-                for call in body.calls:
-                    if call.target in changers and owner_of(body.id) not in allowed:
-                        yield call.place, f"{body.id} changes the {base} from outside"
+            operation = change_operation(shape, states, context, changers)
+            for method, place in changers.items():
+                if method != operation:
+                    yield place, f"{method} also changes the {base}"
+            yield from changed_outside(shape, {context, *states}, operation, base)
+
+
+def change_operation(
+    shape: Shape, states: set[str], context: str, changers: dict[str, Place]
+) -> str:
+    """The operation of the Context that the states call; of several the first."""
+    by_states = {target for state in states for target, _ in shape.calls(state)}
+    own = [method for method in changers if owner_of(method) == context]
+    return next((m for m in own if m in by_states), next(iter(own), ""))
+
+
+def changed_outside(shape: Shape, allowed: set[str], operation: str, base: str) -> Broken:
+    unresolved = f"{ANY_CLASS}::{operation.rsplit('::', 1)[-1]}"
+    for body in shape.facts.syntax.bodies:
+        for call in body.calls:
+            if call.target in (operation, unresolved) and shape.user(body) not in allowed:
+                yield call.place, f"{body.id} changes the {base} from outside"
 
 
 def decorator_holds(shape: Shape) -> Broken:
@@ -185,7 +219,11 @@ def decorator_forwards(shape: Shape) -> Broken:
     decorators = set(shape.playing("Decorator"))
     for module in [*decorators, *shape.playing("Concrete Decorator")]:
         wrapped = components | (decorators - {module})
-        overriding = [body for body in shape.bodies(module) if body.overrides]
+        overriding = [
+            body
+            for body in shape.bodies(module)
+            if body.overrides and body.id.rsplit("::", 1)[-1] not in shape.replaced
+        ]
         silent = [
             body
             for body in overriding
@@ -195,32 +233,41 @@ def decorator_forwards(shape: Shape) -> Broken:
                 for call in body.calls
             )
         ]
-        if module in decorators:
-            for body in silent:
-                yield body.place, f"{body.id} does not forward to the component"
-        elif len(silent) == len(overriding):
-            yield shape.place(module), f"no operation of {module} forwards to the component"
+        for body in silent:
+            yield body.place, f"{body.id} does not forward to the component"
+        if not overriding and module not in decorators:
+            yield shape.place(module), f"{module} extends no operation"
+
+
+def primitives_called(shape: Shape, module: str) -> dict[str, set[str]]:
+    """Method -> the virtual methods of the same class that it calls."""
+    virtual = {method.id for method in shape.methods(module) if method.virtual}
+    return {
+        body.id: primitives
+        for body in shape.bodies(module)
+        if (primitives := {call.target for call in body.calls if call.target in virtual})
+    }
 
 
 def template_methods(shape: Shape, module: str) -> dict[str, set[str]]:
-    """Non-virtual method -> the virtual methods of the same class that it calls."""
-    virtual = {method.id for method in shape.methods(module) if method.virtual}
+    """Those that are not virtual."""
     plain = {method.id for method in shape.methods(module) if not method.virtual}
-    found: dict[str, set[str]] = {}
-    for body in shape.bodies(module):
-        primitives = {call.target for call in body.calls if call.target in virtual}
-        if body.id in plain and primitives:
-            found.setdefault(body.id, set()).update(primitives)
-    return found
+    return {m: called for m, called in primitives_called(shape, module).items() if m in plain}
 
 
 def template_nonvirtual(shape: Shape) -> Broken:
     for module in shape.playing("Abstract Class"):
-        if not template_methods(shape, module):
-            yield (
-                shape.place(module),
-                f"{module} has no non-virtual method that calls its primitives",
-            )
+        plain = template_methods(shape, module)
+        if not plain:
+            text = f"{module} has no non-virtual method that calls its primitives"
+            yield shape.place(module), text
+        for method in shape.methods(module):
+            if method.virtual and method.id in primitives_called(shape, module):
+                yield method.place, f"{method.id} calls primitives and is virtual itself"
+        called = set().union(*plain.values())
+        for method in shape.methods(module):
+            if plain and method.pure and method.access != "public" and method.id not in called:
+                yield method.place, f"no template method calls the primitive {method.id}"
 
 
 def template_primitives(shape: Shape) -> Broken:
@@ -268,26 +315,50 @@ def command_invoker(shape: Shape) -> Broken:
 
 
 def command_receiver(shape: Shape) -> Broken:
+    """The operation of each Concrete Command calls a Receiver; each Receiver is called."""
     receivers = shape.playing("Receiver")
+    reached: set[str] = set()
     for command in shape.playing("Concrete Command"):
-        if receivers and not any(owner_of(name) in receivers for name, _ in shape.calls(command)):
-            yield shape.place(command), f"{command} calls no {' or '.join(receivers)}"
+        operations = [body.id for body in shape.bodies(command) if body.overrides]
+        targets = {
+            owner_of(target)
+            for operation in operations
+            for target in shape.calls_from(operation, command)
+        }
+        reached |= targets
+        if receivers and not targets.intersection(receivers):
+            text = f"the operation of {command} calls no {' or '.join(receivers)}"
+            yield shape.place(command), text
+    for receiver in receivers:
+        if reached and receiver not in reached:
+            yield shape.place(receiver), f"no Concrete Command calls {receiver}"
 
 
 def makes(shape: Shape, module: str, product: str) -> bool:
     return any(
         product in field.classes and not field.refers for field in shape.fields(module)
     ) or any(
-        name.how == "construct" and name.target == product and owner_of(name.by) == module
-        for name in shape.facts.syntax.names
+        name.how == "construct" and name.target == product
+        for name in shape.facts.names_of.get(module, [])
     )
 
 
 def command_client(shape: Shape) -> Broken:
-    for client in shape.playing("Client"):
-        made = [name for name in shape.playing("Concrete Command") if makes(shape, client, name)]
-        if not made:
-            yield shape.place(client), f"{client} makes no Concrete Command"
+    clients = shape.playing("Client")
+    for command in shape.playing("Concrete Command"):
+        if clients and not any(makes(shape, client, command) for client in clients):
+            yield shape.place(clients[0]), f"{' and '.join(clients)} make no {command}"
+
+
+def makers(shape: Shape, product: str) -> Iterator[tuple[Place, str]]:
+    """Where an object of a class is made, and what makes it; "" is a function of a composition."""
+    for fact in shape.facts.syntax.names:
+        if fact.how == "construct" and fact.target == product:
+            yield fact.place, shape.facts.user(fact.by, fact.place)
+    for name, other in shape.facts.classes.items():
+        for field in other.fields:
+            if product in field.classes and not field.refers:
+                yield field.place, owner_of(name)
 
 
 def builder_constructs(shape: Shape) -> Broken:
@@ -296,27 +367,45 @@ def builder_constructs(shape: Shape) -> Broken:
         for builder in builders:
             if not makes(shape, builder, product):
                 yield shape.place(builder), f"{builder} does not construct {product}"
-        for fact in shape.facts.syntax.names:
-            maker = owner_of(fact.by)
-            outside = maker not in builders and maker not in shape.family(product)
-            if fact.how == "construct" and fact.target == product and outside:
-                yield fact.place, f"{maker or 'a function'} constructs {product}"
-        for name, other in shape.facts.classes.items():
-            if owner_of(name) in builders or owner_of(name) == product:
-                continue
-            for field in other.fields:
-                if product in field.classes and not field.refers:
-                    yield field.place, f"{owner_of(name)} holds a {product} of its own"
+        for place, maker in makers(shape, product):
+            if maker not in builders and maker not in shape.family(product):
+                yield place, f"{maker or 'a function'} makes a {product}"
+
+
+def builder_parts(shape: Shape) -> Broken:
+    """What builders alone make, nothing else makes."""
+    builders = shape.playing("Concrete Builder")
+    for part in sorted(parts_of(shape, builders)):
+        for place, maker in makers(shape, part):
+            if maker in shape.facts.modules - shape.facts.builders:
+                yield place, f"{maker} makes a {part}, which is a part that {builders[0]} makes"
+
+
+def parts_of(shape: Shape, builders: list[str]) -> set[str]:
+    """The modules with a role that the builders hold or construct."""
+    held = {
+        name
+        for builder in builders
+        for field in shape.fields(builder)
+        if not field.refers
+        for name in field.classes
+    }
+    return held & shape.facts.with_role - set(shape.playing("Product"))
 
 
 def builder_director(shape: Shape) -> Broken:
+    """The Director calls the Builder, and nothing of what is built."""
     builders = shape.playing("Builder")
     products = shape.playing("Product")
+    concrete = shape.playing("Concrete Builder")
+    built = {*products, *parts_of(shape, concrete)}
     for director in shape.playing("Director"):
         if not any(owner_of(target) in builders for target, _ in shape.calls(director)):
             yield shape.place(director), f"{director} does not call {', '.join(builders)}"
         for target, place in shape.calls(director):
-            if owner_of(target) in products:
+            owner = owner_of(target)
+            constructor = target.rsplit("::", 1)[-1] == owner
+            if owner in built and not constructor:
                 yield place, f"{director} calls {target}"
 
 
@@ -334,6 +423,13 @@ def singleton_one(shape: Shape) -> Broken:
         ]
         if not gives or len(instances) > 1:
             yield shape.place(module), f"{module} does not give its one instance"
+        for heir in shape.facts.heirs.get(module, []):
+            yield shape.place(heir), f"each {heir} is one more {module}"
+        for body in shape.facts.syntax.bodies:
+            made = [call.place for call in body.calls if call.target == f"{module}::{module}"]
+            if body.id not in {method.id for method in gives[:1]}:
+                for place in made:
+                    yield place, f"{body.id} makes one more {module}"
 
 
 def singleton_constructor(shape: Shape) -> Broken:
@@ -344,6 +440,9 @@ def singleton_constructor(shape: Shape) -> Broken:
         for method in constructors:
             if method.access == "public":
                 yield method.place, f"a constructor of {module} is public"
+        for friend in shape.facts.syntax.friends:
+            if friend.by == module:
+                yield friend.place, f"{friend.target} can construct {module}"
 
 
 def singleton_copy(shape: Shape) -> Broken:
@@ -352,6 +451,19 @@ def singleton_copy(shape: Shape) -> Broken:
         copies = [kind == f"const {module}&" for m in deleted for _, kind in m.params]
         if sum(copies) < 2:
             yield shape.place(module), f"{module} can be copied"
+
+
+def serializer_used(shape: Shape) -> Broken:
+    """Each operation of an element reads from a Reader or writes to a Writer."""
+    abstractions = shape.playing("Reader") + shape.playing("Writer")
+    for element in shape.playing("Concrete Element"):
+        operations = [body for body in shape.bodies(element) if body.overrides]
+        if not operations:
+            yield shape.place(element), f"{element} has no operation of its own"
+        for body in operations:
+            owners = {owner_of(target) for target in shape.calls_from(body.id, element)}
+            if not owners.intersection(abstractions):
+                yield body.place, f"{body.id} calls no {' or '.join(abstractions)}"
 
 
 def together(*clauses: Callable[[Shape], Broken]) -> Callable[[Shape], Broken]:
@@ -366,12 +478,14 @@ CLAUSES: dict[str, Callable[[Shape], Broken]] = {
     "pattern-state-abstract": abstract("State"),
     "pattern-state-derives": derived("Concrete State", "State"),
     "pattern-state-held": held("State"),
-    "pattern-state-called": state_called,
+    "pattern-state-called": called("State"),
+    "pattern-state-unnamed": unnamed("Context", "Concrete State"),
     "pattern-state-successor": unnamed("Concrete State", "Concrete State"),
     "pattern-state-change": state_change,
     "pattern-strategy-abstract": abstract("Strategy"),
     "pattern-strategy-derives": derived("Concrete Strategy", "Strategy"),
     "pattern-strategy-held": held("Strategy"),
+    "pattern-strategy-called": called("Strategy"),
     "pattern-strategy-unnamed": unnamed("Context", "Concrete Strategy"),
     "pattern-decorator-component": together(
         abstract("Component"),
@@ -392,6 +506,7 @@ CLAUSES: dict[str, Callable[[Shape], Broken]] = {
     "pattern-command-client": command_client,
     "pattern-builder-derives": derived("Concrete Builder", "Builder"),
     "pattern-builder-constructs": builder_constructs,
+    "pattern-builder-parts": builder_parts,
     "pattern-builder-director": builder_director,
     "pattern-singleton-one": singleton_one,
     "pattern-singleton-constructor": singleton_constructor,
@@ -400,6 +515,7 @@ CLAUSES: dict[str, Callable[[Shape], Broken]] = {
         unnamed("Concrete Element", "Concrete Reader"),
         unnamed("Concrete Element", "Concrete Writer"),
     ),
+    "pattern-serializer-used": serializer_used,
     "pattern-serializer-derives": together(
         abstract("Serializable"),
         abstract("Reader"),

@@ -20,7 +20,9 @@ def check(model: Model, facts: Facts) -> list[Finding]:
     return (
         _forbidden(model)
         + _extensions(model)
+        + _apart(facts)
         + _unused(model)
+        + _idle_cycles(model, facts)
         + _cycles(allowed, facts)
         + _board(facts.root)
     )
@@ -118,6 +120,52 @@ def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
                 names = ", ".join(sorted(members))
                 found.append(_finding(use, f"undeclared cycle of {names}"))
     return found
+
+
+def _apart(facts: Facts) -> list[Finding]:
+    """Where a module names one that it is to know nothing of, or the other way round."""
+    pairs = {
+        (one, other): rule
+        for rule in facts.declared.apart
+        for module in rule.modules
+        for other_module in rule.others
+        for one, other in ((module, other_module), (other_module, module))
+    }
+    found = {
+        (fact.place.file, fact.place.line, user, target): Finding(
+            fact.place,
+            "uses-apart",
+            f"{user} names {target}, and design/uses.toml keeps them apart",
+            "let the value go through a pipe",
+        )
+        for user, facts_of in facts.names_of.items()
+        for fact in facts_of
+        if (user, target := fact.target.split("::", maxsplit=1)[0]) in pairs
+    }
+    unknown = [
+        Finding(rule.place, "uses-apart", f"there is no module {name}", "correct the name")
+        for rule in facts.declared.apart
+        for name in (*rule.modules, *rule.others)
+        if name not in facts.classes
+    ]
+    return [*found.values(), *unknown]
+
+
+def _idle_cycles(model: Model, facts: Facts) -> list[Finding]:
+    """A declared cycle that the uses do not form."""
+    graph = _graph(model.uses, depth=9)
+    return [
+        Finding(
+            cycle.place,
+            "uses-unused",
+            f"{one} is in no cycle with {cycle.modules[0]}",
+            "remove it from the cycle",
+        )
+        for cycle in facts.declared.cycles
+        for one in cycle.modules
+        if one not in _reached(graph, cycle.modules[0])
+        or cycle.modules[0] not in _reached(graph, one)
+    ]
 
 
 def _finding(use: Use, text: str) -> Finding:

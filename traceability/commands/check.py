@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 import argparse
+import json
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
-from traceability.commands.steps import Steps
+from traceability.commands.steps import FailureError, Steps
+from traceability.model.results import read_json
+from traceability.sources import DESIGN, file_hash, files_below
 
 if TYPE_CHECKING:
     from traceability.model.schema import Finding, Model
 
 STEPS = 4
+DOCUMENTED = (*DESIGN, "sim", "tests", "requirements", "design", "docs", "site", "traceability")
+# Changed files -> the figure that the time for model, checks, site and links is then.
+MEASURED = {None: "build.cold_s", 1: "build.edit_s"}
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -22,13 +29,42 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Builds the model and the site, and checks both against the code. Prints each "
         "finding as 'file:line: [check] what is wrong; what would mend it'.",
     )
-    parser.set_defaults(run=lambda root, _options: check(root))
+    parser.add_argument(
+        "--drift",
+        action="store_true",
+        help="first seed each fault of tests/drift in a copy, and see whether the checks find it",
+    )
+    parser.set_defaults(run=lambda root, options: check(root, drift=options.drift))
 
 
-def check(root: Path) -> int:
-    steps = Steps(root, STEPS)
+def check(root: Path, *, drift: bool = False) -> int:
+    steps = Steps(root, STEPS + drift)
+    if drift:
+        seed_faults(root, steps)
     findings = make_documents(root, steps)
     return report(findings, steps)
+
+
+def seed_faults(root: Path, steps: Steps) -> None:
+    """Each fault must be found; what was found, and where, is on a page of the portal."""
+
+    def seed(log: TextIO) -> str:
+        from traceability.drift.record import read_record
+        from traceability.drift.run import seed_all
+
+        outcomes = read_record(root)
+        if outcomes is None:
+            outcomes = seed_all(root)
+        missed = [one for one in outcomes if not one.caught]
+        for one in missed:
+            log.write(f"{one.name}: {one.says} [{one.check}] at {one.file}:{one.line}\n")
+            log.writelines(f"    found: {said}\n" for said in one.said)
+        found = f"{len(outcomes) - len(missed)} of {len(outcomes)} faults found"
+        if missed:
+            raise FailureError(found)
+        return found
+
+    steps.run("drift", seed)
 
 
 def make_documents(
@@ -43,6 +79,7 @@ def make_documents(
     from traceability.metrics import site_figures, write_metrics
     from traceability.pipeline import build_model
 
+    start, changed = time.monotonic(), changed_files(root)
     model: Model | None = None
     findings: list[Finding] = []
 
@@ -67,7 +104,8 @@ def make_documents(
         site = root / "build" / "site"
         found = run_link_checks(model, site)
         findings.extend(found)
-        write_metrics(root, model, {**site_figures(site, findings), **figures()})
+        took = {measured: seconds_since(start)} if (measured := MEASURED.get(changed)) else {}
+        write_metrics(root, model, {**site_figures(site, findings), **took, **figures()})
         return counted(found)
 
     if not steps.run("model", make_model):
@@ -80,6 +118,22 @@ def make_documents(
     else:
         steps.skip("links", "the site was not built")
     return findings
+
+
+def seconds_since(start: float) -> float:
+    return round(time.monotonic() - start, 1)
+
+
+def changed_files(root: Path) -> int | None:
+    """How many files changed since the documents were made; ``None`` when there are none yet."""
+    record = root / "build" / "model" / "files.json"
+    before = read_json(record) if (root / "build" / "site").is_dir() else None
+    now = {str(path.relative_to(root)): file_hash(path) for path in files_below(root, DOCUMENTED)}
+    record.parent.mkdir(parents=True, exist_ok=True)
+    record.write_text(json.dumps(now), encoding="utf-8")
+    if not isinstance(before, dict):
+        return None
+    return len([file for file in before | now if before.get(file) != now.get(file)])
 
 
 def counted(findings: list[Finding]) -> str:

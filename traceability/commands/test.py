@@ -15,7 +15,7 @@ from traceability.commands.builds import (
     run_tests,
 )
 from traceability.commands.check import STEPS as DOCUMENT_STEPS
-from traceability.commands.check import make_documents, report
+from traceability.commands.check import make_documents, report, seed_faults
 from traceability.commands.firmware import build_firmware
 from traceability.commands.portal import board_tests, closed_loop, traced_tests
 from traceability.commands.steps import FailureError, Steps, run
@@ -55,6 +55,7 @@ def test(root: Path) -> int:
     pages = root / "tests" / "python" / "site"
     python = root / "tests" / "python"
     counts += run_pytest(root, steps, "tools", [python, f"--ignore={pages}"])
+    seed_faults(root, steps)
     findings = make_documents(root, steps)
     if works(find_browser()):
         counts += run_pytest(root, steps, "pages", [pages])

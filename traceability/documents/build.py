@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import shutil
 from collections.abc import Iterable
@@ -40,12 +41,12 @@ def build_site(root: Path, model: Model, findings: list[Finding]) -> SiteResult:
     """Brings ``build/site`` up to date with the model."""
     root = root.resolve()
     pages = root / "build" / "pages"
+    portal = Portal(root, model, findings, check_texts())
     try:
-        portal = Portal(root, model, findings, check_texts())
+        kept = write_sources(portal, pages)
     except DiagramError as error:
         mend = "correct what the diagram is made from, see the message of PlantUML"
         return SiteResult(0, [Finding(Place("design", 0), "doc-diagram", str(error), mend)])
-    kept = write_sources(portal, pages)
     warnings = run_sphinx(portal, pages)
     site = root / "build" / "site"
     remove_others(site, {f"{name}.html" for name in kept})
@@ -57,7 +58,7 @@ def build_site(root: Path, model: Model, findings: list[Finding]) -> SiteResult:
 def check_texts() -> list[CheckText]:
     from traceability.checks.registry import CHECKS
 
-    return [CheckText(c.id, c.title, c.holds, c.blind, c.mend) for c in CHECKS]
+    return [CheckText(c.id, c.title, c.why, c.holds, c.blind, c.mend) for c in CHECKS]
 
 
 # ---- what Sphinx reads -------------------------------------------------------
@@ -147,6 +148,7 @@ def run_sphinx(portal: Portal, pages: Path) -> list[Finding]:
             buildername="html",
             status=None,
             warning=collector,
+            parallel=os.cpu_count() or 1,
             confoverrides={
                 "html_context": {"groups": portal.navigation.data()},
                 "html_static_path": [str(pages / "_static")],

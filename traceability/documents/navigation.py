@@ -145,4 +145,5 @@ def verify(portal: Portal) -> list[Entry]:
         Entry("closed_loop", "Closed loop", "closed_loop.html", "", len(portal.model.closed_loop)),
         Entry("virtual_k64", "Findings of the board", "virtual_k64.html"),
         Entry("checks", "Checks", "checks/index.html", "", len(portal.checks)),
+        Entry("drift", "Drift test", "checks/drift.html", "", len(portal.faults)),
     ]

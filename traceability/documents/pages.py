@@ -40,6 +40,9 @@ EXAMPLE = "FR-15"  # the requirement that the first page follows
 
 
 def all_pages(portal: Portal) -> Iterator[Page]:
+    """Those of sources come first: they have no diagrams, which are still being drawn."""
+    for path in portal.model.files:
+        yield source_page(portal, path)
     yield from overview_pages(portal)
     yield from paper_views(portal)
     for module in portal.designs:
@@ -50,8 +53,6 @@ def all_pages(portal: Portal) -> Iterator[Page]:
         yield requirement_page(portal, requirement)
     for check in portal.checks.values():
         yield portal.page(f"checks/{check.id}", check.id, "checks", "check", check=check)
-    for path in portal.model.files:
-        yield source_page(portal, path)
 
 
 def overview_pages(portal: Portal) -> Iterator[Page]:
@@ -89,6 +90,7 @@ def overview_pages(portal: Portal) -> Iterator[Page]:
     yield closed_loop_page(portal)
     yield usual_design_page(portal)
     yield portal.page("checks/index", "Checks", "checks", "checks")
+    yield portal.page("checks/drift", "Drift test", "drift", "drift")
     yield portal.page("source/index", "Source", "source", "sources", folders=folders(portal))
 
 

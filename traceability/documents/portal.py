@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import functools
 import re
 from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,6 +18,8 @@ from traceability.documents.calls import CallGraph
 from traceability.documents.highlight import Highlighter
 from traceability.documents.links import Links, slug
 from traceability.documents.navigation import Navigation, hand_written
+from traceability.drift.faults import Fault, read_faults
+from traceability.drift.record import Outcome, read_record
 from traceability.metrics import figures
 from traceability.model.execution import INTERRUPT, START
 from traceability.model.impact import Impact, Impacts
@@ -49,6 +53,7 @@ class CheckText:
 
     id: str
     title: str
+    why: str
     holds: str
     blind: str
     mend: str
@@ -76,6 +81,8 @@ class Portal:
         self.model = model
         self.findings = findings
         self.checks = {check.id: check for check in checks}
+        self.faults = read_faults(root)
+        self.outcomes = read_record(root)
         self.links = Links(model, set(self.checks))
         self.names = names.Names(model, self.links)
         self.calls = CallGraph(model, self.links)
@@ -87,9 +94,16 @@ class Portal:
         self.designs = [m for m in model.modules.values() if not m.datatype]
         self.datatypes = [m for m in model.modules.values() if m.datatype]
         self.diagrams = self._diagrams()
-        drawn = diagrams.draw(self.diagrams, root / "build" / "diagrams")
-        self.drawn = {name: Markup(svg) for name, svg in drawn.items()}
+        # PlantUML draws on the other core while pages without diagrams are written.
+        self.drawing = ThreadPoolExecutor(1).submit(
+            diagrams.draw, self.diagrams, root / "build" / "diagrams"
+        )
         self.templates = self._environment()
+
+    @functools.cached_property
+    def drawn(self) -> dict[str, Markup]:
+        """The finished diagrams, by their ids; waits for PlantUML."""
+        return {name: Markup(svg) for name, svg in self.drawing.result().items()}
 
     def _diagrams(self) -> list[diagrams.Diagram]:
         return [
@@ -128,7 +142,6 @@ class Portal:
             links=self.links,
             views=names.VIEWS,
             glyph=names.glyph,
-            diagrams=self.drawn,
             family=diagrams.role_family,
             located=lambda svg, requirement: Markup(diagrams.located(svg, requirement)),
         )
@@ -327,6 +340,21 @@ class Portal:
         if check in DYNAMIC and self.model.results_stale:
             return names.glyph("none", "no fresh results")
         return names.glyph("ok", "holds")
+
+    def faults_of(self, check: str) -> list[Fault]:
+        return [fault for fault in self.faults if fault.check == check]
+
+    def outcome_of(self, fault: Fault) -> Outcome | None:
+        """What became of a fault; ``None`` when it was not seeded in the present state."""
+        return next((one for one in self.outcomes or [] if one.name == fault.name), None)
+
+    def verdict_on(self, fault: Fault) -> Markup:
+        outcome = self.outcome_of(fault)
+        if outcome is None:
+            return names.glyph("none", "not seeded")
+        if outcome.compiles != fault.compiles:
+            return names.glyph("bad", "does not compile" if fault.compiles else "compiles")
+        return names.glyph("ok", "found") if outcome.caught else names.glyph("bad", "missed")
 
     def findings_of(self, check: str) -> list[Finding]:
         return [finding for finding in self.findings if finding.check == check]

@@ -39,7 +39,7 @@ from traceability.model.schema import (
     RoleBinding,
     Use,
 )
-from traceability.model.syntax import BodyFact, ClassFact, MethodFact, read_syntax
+from traceability.model.syntax import BodyFact, CallFact, ClassFact, MethodFact, read_syntax
 from traceability.model.tests import add_board_findings, add_executed_modules, add_tests
 from traceability.model.traces import nodes_of, read_traces
 from traceability.model.trees import add_trees
@@ -162,6 +162,7 @@ def _logic_module(facts: Facts, folder: str, parent: str) -> LogicModule:
         brief=text.brief,
         function=text.one("Function"),
         secret=text.one("Secret"),
+        hides=text.all("Hides"),
         place=place,
     )
 
@@ -174,7 +175,7 @@ def _add_modules(model: Model, facts: Facts) -> None:
         if not fact.place.file.endswith(".hpp"):
             continue
         nested = "::" in fact.name
-        if not text.datatype and (nested or fact.kind in ("enum", "alias")):
+        if not text.datatype and (nested or fact.local or fact.kind in ("enum", "alias")):
             continue
         logic = logic_of(fact.place.file)
         source = fact.place.file.removesuffix(".hpp") + ".cpp"
@@ -187,6 +188,7 @@ def _add_modules(model: Model, facts: Facts) -> None:
             brief=text.brief,
             function=text.one("Function"),
             secret=text.one("Secret"),
+            hides=text.all("Hides"),
             place=Place(fact.place.file, fact.place.line, fact.end),
             header=fact.place.file,
             source=source if source in sources else None,
@@ -338,7 +340,7 @@ def _add_calls(model: Model, facts: Facts) -> None:
 
 def _add_users(model: Model, facts: Facts) -> None:
     for named in facts.syntax.names:
-        user, used = named.by.split("::")[0], named.target.split("::")[0]
+        user, used = facts.user(named.by, named.place), named.target.split("::")[0]
         if user not in model.modules or used not in model.modules or user == used:
             continue
         if model.modules[used].datatype or model.modules[user].datatype:
@@ -425,6 +427,7 @@ def logic_of(file: str) -> str:
 
 def _add_uses(model: Model, facts: Facts) -> None:
     found: dict[tuple[str, str], list[Place]] = {}
+    others: dict[tuple[str, str], Place] = {}  # the first call or name, where nothing is included
     folders = {fact.name: logic_of(fact.place.file) for fact in facts.syntax.classes}
     for include in facts.syntax.includes:
         pair = (logic_of(include.place.file), logic_of(include.target))
@@ -432,15 +435,26 @@ def _add_uses(model: Model, facts: Facts) -> None:
     for body in facts.syntax.bodies:
         for call in body.calls:
             owner = call.target.rsplit("::", 1)[0]
-            target = logic_of(call.declared) if call.declared else folders.get(owner)
+            declared = _declared_in(call, facts)
+            target = logic_of(declared) if declared else folders.get(owner)
             if target is not None:
-                pair = (logic_of(body.place.file), target)
-                places = found.setdefault(pair, [])
-                if not places:
-                    places.append(call.place)
+                others.setdefault((logic_of(body.place.file), target), call.place)
+    for name in facts.syntax.names:
+        target = logic_of(name.file) if name.file else folders.get(name.target)
+        if target is not None:
+            others.setdefault((logic_of(name.place.file), target), name.place)
+    found = {pair: [place] for pair, place in others.items()} | found
     for (source, target), places in sorted(found.items()):
         if source != target and source.startswith(tuple(model.logic_modules)):
             model.uses.append(Use(source, target, places))
+
+
+def _declared_in(call: CallFact, facts: Facts) -> str:
+    """The file of a function outside classes; a declaration beside the call does not count."""
+    written = {body.place.file for body in facts.bodies.get(call.target, [])}
+    if call.declared.endswith(".cpp") and written and call.declared not in written:
+        return min(written)
+    return call.declared
 
 
 def _add_measures(model: Model, root: Path, coverage: dict[str, Coverage]) -> None:

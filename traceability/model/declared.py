@@ -44,6 +44,36 @@ class KnownApplication:
     pattern: str
     roles: dict[str, list[str]]
     place: Place
+    replaces: list[str] = field(default_factory=list)  # operations that decorators do not forward
+
+
+@dataclass
+class KnownPattern:
+    """A pattern: the roles that each application binds, and how many applications there are."""
+
+    name: str
+    applications: int
+    roles: list[str]
+    place: Place
+
+
+@dataclass
+class Apart:
+    """Modules that never name the others, nor the others them."""
+
+    modules: list[str]
+    others: list[str]
+    why: str
+    place: Place
+
+
+@dataclass
+class SharedFunctions:
+    """A file that is no module: functions that the modules of a folder share."""
+
+    file: str
+    why: str
+    place: Place
 
 
 @dataclass
@@ -93,7 +123,12 @@ class Declared:
     tree_errors: list[tuple[Place, str]] = field(default_factory=list)
     applications: dict[str, KnownApplication] = field(default_factory=dict)
     clauses: dict[str, ClauseText] = field(default_factory=dict)
+    patterns: list[KnownPattern] = field(default_factory=list)
+    apart: list[Apart] = field(default_factory=list)
+    shared: list[SharedFunctions] = field(default_factory=list)
     names: dict[str, list[str]] = field(default_factory=dict)  # logic module -> its modules
+    name_places: dict[str, Place] = field(default_factory=dict)  # logic module -> its entry
+    total: int | None = None  # how many modules the design has
     blocks: list[Block] = field(default_factory=list)
     contexts: dict[str, ExecutionContext] = field(default_factory=dict)
     ends: list[str] = field(default_factory=list)  # methods that end the firmware
@@ -136,7 +171,9 @@ def read_declared(root: Path) -> Declared:
     for path in sorted((design / "trees").glob("*.tree")):
         _trees(root, path, declared)
     for item, place in _tables(root, design / "applications.toml", "application"):
-        known = KnownApplication(item["id"], item["pattern"], item["roles"], place)
+        known = KnownApplication(
+            item["id"], item["pattern"], item["roles"], place, item.get("replaces", [])
+        )
         declared.applications[known.id] = known
     for item, _ in _tables(root, design / "clauses.toml", "clause"):
         clause = ClauseText(**item)
@@ -155,9 +192,29 @@ def read_declared(root: Path) -> Declared:
     ]
     declared.concordance = read_concordance(root)
     declared.changes = read_change_texts(root)
-    for item, _ in _tables(root, design / "modules.toml", "logic"):
+    for item, place in _tables(root, design / "modules.toml", "logic"):
         declared.names[item["folder"]] = item["modules"]
+        declared.name_places[item["folder"]] = place
+    declared.shared = [
+        SharedFunctions(item["file"], item["why"], place)
+        for item, place in _tables(root, design / "modules.toml", "shared")
+    ]
+    declared.total = _total(design / "modules.toml")
+    declared.patterns = [
+        KnownPattern(item["name"], item["applications"], item["roles"], place)
+        for item, place in _tables(root, design / "clauses.toml", "pattern")
+    ]
+    declared.apart = [
+        Apart(item["modules"], item["others"], item["why"], place)
+        for item, place in _tables(root, design / "uses.toml", "apart")
+    ]
     return declared
+
+
+def _total(path: Path) -> int | None:
+    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    total = tomllib.loads(text).get("total")
+    return int(total) if total is not None else None
 
 
 def _tables(root: Path, path: Path, name: str) -> list[tuple[dict[str, Any], Place]]:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import functools
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from traceability.model.annotations import Annotations
 from traceability.model.declared import Declared
 from traceability.model.references import References
-from traceability.model.syntax import BodyFact, ClassFact, MethodFact, Syntax
+from traceability.model.schema import Place
+from traceability.model.syntax import BodyFact, ClassFact, MethodFact, NameFact, Syntax
 
 
 @dataclass
@@ -24,6 +25,39 @@ class Facts:
     overriders: dict[str, list[str]]  # method -> all methods that override it
     bodies: dict[str, list[BodyFact]]
     classes: dict[str, ClassFact]
+    written_in: dict[str, str]  # file -> the class that it is named after
+    bodies_of: dict[str, list[BodyFact]] = field(default_factory=dict)  # class -> all in its files
+    names_of: dict[str, list[NameFact]] = field(default_factory=dict)  # class -> what it names
+
+    def __post_init__(self) -> None:
+        for body in self.syntax.bodies:
+            self.bodies_of.setdefault(self.user(body.owner, body.place), []).append(body)
+        for name in self.syntax.names:
+            self.names_of.setdefault(self.user(name.by, name.place), []).append(name)
+
+    @property
+    def modules(self) -> set[str]:
+        """The design modules, as they are named in the design."""
+        return {name for names in self.declared.names.values() for name in names}
+
+    @property
+    def with_role(self) -> set[str]:
+        """The modules that the design binds to a role."""
+        known = self.declared.applications.values()
+        return {name for item in known for names in item.roles.values() for name in names}
+
+    @property
+    def builders(self) -> set[str]:
+        """The modules that build."""
+        return {
+            name
+            for item in self.declared.applications.values()
+            for name in item.roles.get("Concrete Builder", [])
+        }
+
+    def user(self, owner: str, place: Place) -> str:
+        """The class that code belongs to: what stands beside a class is its detail."""
+        return owner.split("::", maxsplit=1)[0] or self.written_in.get(place.file, "")
 
     @functools.cached_property
     def references(self) -> References:
@@ -70,4 +104,12 @@ def gather_facts(root: Path, annotations: Annotations, syntax: Syntax, declared:
     bodies: dict[str, list[BodyFact]] = {}
     for body in syntax.bodies:
         bodies.setdefault(body.id, []).append(body)
-    return Facts(root, annotations, syntax, declared, heirs, overriders, bodies, classes)
+    written_in = {
+        file: fact.name
+        for fact in syntax.classes
+        if Path(fact.place.file).stem == fact.name
+        for file in (fact.place.file, str(Path(fact.place.file).with_suffix(".cpp")))
+    }
+    return Facts(
+        root, annotations, syntax, declared, heirs, overriders, bodies, classes, written_in
+    )

@@ -139,6 +139,7 @@ class Module:
     uses: list[str] = field(default_factory=list)  # modules named in its header or source
     used_by: list[str] = field(default_factory=list)
     requirements: list[str] = field(default_factory=list)
+    hides: list[str] = field(default_factory=list)  # headers, constants and types of its secret
     registers: list[str] = field(default_factory=list)  # blocks that it owns
     tests: list[str] = field(
         default_factory=list
@@ -174,6 +175,7 @@ class LogicModule:
     secret: str
     place: Place
     modules: list[str] = field(default_factory=list)
+    hides: list[str] = field(default_factory=list)  # what only its folder names
     children: list[str] = field(default_factory=list)
 
 

@@ -3,7 +3,7 @@
 A file of the design is read once: a header with the source file of the same name, a header without
 one for itself. Files below ``src/k64``, and those in the folder ``k64`` of an extension, are read
 for the K64, with the library of its compiler. The facts of a translation unit are kept in a cache,
-whose key is the content of every file of the project that the unit includes.
+whose key is the content of its own files, and the code without comments of all that it includes.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from pathlib import Path
 from typing import Any
 
 from clang import cindex
-from clang.cindex import Cursor, CursorKind, TypeKind
+from clang.cindex import Cursor, CursorKind, LinkageKind, TypeKind
 
 from traceability.model import cursors, flow
 from traceability.model.cursors import (
@@ -39,6 +39,7 @@ from traceability.model.flow import FlowFact
 from traceability.model.schema import Place
 from traceability.sources import DESIGN, file_hash, files_below, include_options
 
+ANY_CLASS = "?"  # the class of a call that depends on the parameters of a template
 BOARD = re.compile(r"(src|extensions/\w+)/k64/")
 BOARD_COMPILER = "arm-none-eabi-g++"
 BOARD_FLAGS = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"]
@@ -49,6 +50,18 @@ _NAMES = {
     CursorKind.DECL_REF_EXPR,
     CursorKind.CALL_EXPR,
 }
+
+_REFERRING = {TypeKind.POINTER, TypeKind.LVALUEREFERENCE}
+_LOCAL = {LinkageKind.INTERNAL, LinkageKind.UNIQUE_EXTERNAL, LinkageKind.NO_LINKAGE}
+_CASTS = {
+    CursorKind.CXX_REINTERPRET_CAST_EXPR,
+    CursorKind.CSTYLE_CAST_EXPR,
+    CursorKind.CXX_FUNCTIONAL_CAST_EXPR,
+}
+_NUMBERS = {
+    TypeKind.INT, TypeKind.UINT, TypeKind.LONG, TypeKind.ULONG, TypeKind.LONGLONG,
+    TypeKind.ULONGLONG, TypeKind.SHORT, TypeKind.USHORT, TypeKind.ENUM, TypeKind.DEPENDENT,
+}  # fmt: skip
 
 
 @dataclass
@@ -79,6 +92,8 @@ class FieldFact:
     refers: bool  # pointer or reference, not a value
     static: bool
     place: Place
+    access: str = "public"
+    constant: bool = False
 
 
 @dataclass
@@ -91,6 +106,7 @@ class ClassFact:
     place: Place
     end: int
     abstract: bool = False
+    local: bool = False  # in an anonymous namespace, or in a function
     bases: list[str] = field(default_factory=list)
     base_places: list[Place] = field(default_factory=list)
     methods: list[MethodFact] = field(default_factory=list)
@@ -117,6 +133,7 @@ class BodyFact:
     place: Place
     end: int
     overrides: str | None = None
+    local: bool = False  # no other file can call it
     calls: list[CallFact] = field(default_factory=list)
     assigns: list[tuple[str, int]] = field(default_factory=list)  # Class::field, line
     touches: dict[str, bool] = field(default_factory=dict)  # Class::field -> whether it is changed
@@ -124,12 +141,17 @@ class BodyFact:
 
 @dataclass
 class NameFact:
-    """A class is named in the code of another one. ``how``: type, member, construct, base."""
+    """A class is named in the code of another one. ``how``: type, member, construct, base.
+
+    What a namespace holds has no class; its ``member`` has the name of the namespace.
+    """
 
     by: str
     target: str
     how: str
     place: Place
+    member: str = ""
+    file: str = ""  # where the class is defined, when the unit sees that
 
 
 @dataclass
@@ -158,6 +180,7 @@ class Syntax:
     casts: list[Place] = field(default_factory=list)  # numbers made into addresses
     flows: list[FlowFact] = field(default_factory=list)
     constants: dict[str, int] = field(default_factory=dict)  # var -> value of a plain number
+    friends: list[NameFact] = field(default_factory=list)  # a class lets another one in
     errors: list[tuple[Place, str]] = field(default_factory=list)
 
     def merge(self, other: Syntax) -> None:
@@ -169,6 +192,7 @@ class Syntax:
         self.casts += other.casts
         self.flows += other.flows
         self.constants |= other.constants
+        self.friends += other.friends
         self.errors += other.errors
 
 
@@ -232,12 +256,41 @@ def _stored(root: Path, cache: Path, unit: str, hashes: dict[str, str]) -> bool 
         return None
     if entry["reader"] != _reader_hash(is_board(unit)):
         return None
+    own = own_files(unit)
     for file, known in entry["files"].items():
-        if file not in hashes:
-            hashes[file] = file_hash(root / file)
-        if hashes[file] != known:
+        key = file if file in own else f"code of {file}"
+        if key not in hashes:
+            hashes[key] = file_hash(root / file) if file in own else code_hash(root / file)
+        if hashes[key] != known:
             return None
     return True
+
+
+def own_files(unit: str) -> tuple[str, str]:
+    """The files whose facts may be taken from a unit."""
+    return unit, unit.removesuffix(".cpp") + ".hpp"
+
+
+# Numbers come first: their ' begins no character.
+_TOKENS = re.compile(
+    r"""\b\d[\w'.]*|R"(?P<mark>[^()\s]*)\(.*?\)(?P=mark)"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])+'"""
+    r"""|(?P<comment>//[^\n]*|/\*.*?\*/)""",
+    re.DOTALL,
+)
+
+
+def code_of(text: str) -> str:
+    """The code without comments and empty lines: what the facts of other files depend on."""
+    bare = _TOKENS.sub(lambda found: " " if found["comment"] else found[0], text)
+    return "\n".join(line for words in bare.splitlines() if (line := words.strip()))
+
+
+def code_hash(path: Path) -> str:
+    """The SHA-256 of the code of a file, or the empty string when there is none."""
+    try:
+        return hashlib.sha256(code_of(path.read_text(encoding="utf-8")).encode()).hexdigest()
+    except OSError:
+        return ""
 
 
 @functools.cache
@@ -275,9 +328,13 @@ def _board_folders() -> list[str]:
 
 def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> None:
     facts, included = parse(root, unit, files, standard(cache, is_board(unit)))
+    own = own_files(unit)
     entry = {
         "reader": _reader_hash(is_board(unit)),
-        "files": {file: file_hash(root / file) for file in sorted(included)},
+        "files": {
+            file: file_hash(root / file) if file in own else code_hash(root / file)
+            for file in sorted(included)
+        },
         "facts": asdict(facts),
     }
     path = _entry(cache, unit)
@@ -392,9 +449,13 @@ class _Reader:
         place = self.place(cursor)
         if place is None:
             return
-        if kind in CLASSES and cursor.is_definition() and body is None:
-            owner = class_name(cursor)
-            self.facts.classes.append(self.class_fact(cursor, place))
+        if kind in CLASSES and cursor.is_definition():
+            fact = self.class_fact(cursor, place)
+            self.facts.classes.append(fact)
+            if body is None:
+                owner = fact.name
+            else:
+                fact.name = f"{body.id}()::{fact.name}"
         elif kind in (CursorKind.ENUM_DECL, CursorKind.TYPE_ALIAS_DECL) and body is None:
             if cursor.spelling and cursor.semantic_parent.kind == CursorKind.NAMESPACE:
                 self.facts.classes.append(
@@ -417,10 +478,7 @@ class _Reader:
             self.name(owner, cursor.referenced, "base", place)
             return
         self.address(cursor, place)
-        if kind in _NAMES:
-            self.reference(cursor, body, owner, place)
-        if kind == CursorKind.CALL_EXPR and cursor.spelling == "emplace" and body is not None:
-            self.emplacement(cursor, body, owner, place)
+        self.uses(cursor, body, owner, place)
         self.flow.note(cursor, self.function, place)
         if kind == CursorKind.VAR_DECL and body is None:
             self.constant(cursor)
@@ -449,36 +507,89 @@ class _Reader:
         for name in self.flow.written(cursor):
             body.touches[name] = True
 
+    def uses(self, cursor: Cursor, body: BodyFact | None, owner: str, place: Place) -> None:
+        if cursor.kind == CursorKind.FRIEND_DECL and owner:
+            self.friend(cursor, owner, place)
+        elif cursor.kind == CursorKind.VAR_DECL:
+            self.variable(cursor, owner, place)
+        elif cursor.kind in _NAMES:
+            self.reference(cursor, body, owner, place)
+        if cursor.kind == CursorKind.CALL_EXPR and cursor.spelling == "emplace" and body:
+            self.emplacement(cursor, body, owner, place)
+
     def reference(self, cursor: Cursor, body: BodyFact | None, owner: str, place: Place) -> None:
         target = cursor.referenced or flow.method_in_template(cursor)
-        if target is None or self.place(target) is None:
+        if target is None:
+            self.unresolved(cursor, body, place)
+            return
+        if self.place(target) is None:
             return
         self.block(target.semantic_parent, place, declares=False)
         if cursor.kind in (CursorKind.TYPE_REF, CursorKind.TEMPLATE_REF):
             self.name(owner, target, "type", place)
+            for meant in aliased(target):
+                self.name(owner, meant, "type", place)
             return
         parent = target.semantic_parent
         if cursor.kind != CursorKind.CALL_EXPR:
-            self.name(owner, parent, "member", place)
+            self.name(owner, parent, "member", place, target.spelling)
+            if not class_name(parent) and target.kind in (CursorKind.VAR_DECL, *FUNCTIONS):
+                member = "::".join(filter(None, (namespace_of(parent), target.spelling)))
+                self.facts.names.append(NameFact(owner, "", "member", place, member))
+            if cursor.kind == CursorKind.DECL_REF_EXPR:
+                self.named(target, body, place)
             return
         if target.kind == CursorKind.CONSTRUCTOR:
             self.name(owner, parent, "construct", place)
-        if target.kind not in FUNCTIONS:
-            return
-        args = self.flow.arguments(cursor, target, place)
-        if body is not None:
-            first = None if class_name(parent) else self.place(target.canonical)
-            declared = first.file if first else ""
-            call = CallFact(function_id(target), _is_dynamic(cursor), place, declared)
-            call.on, call.args = self.flow.receiver(cursor), args
-            call.sometimes = self.chances > 0 or self.left
-            body.calls.append(call)
+        if target.kind in FUNCTIONS:
+            args = self.flow.arguments(cursor, target, place)
+            call = self.call(target, body, place, virtual=_is_dynamic(cursor))
+            if call is not None:
+                call.on, call.args = self.flow.receiver(cursor), args
+                call.sometimes = self.chances > 0 or self.left
+
+    def named(self, target: Cursor, body: BodyFact | None, place: Place) -> None:
+        """Whoever has the address of a function may call it. The name in a call is not counted."""
+        known = [] if body is None else [c.target for c in body.calls[-3:] if c.place == place]
+        if target.kind in FUNCTIONS and function_id(target) not in known:
+            self.call(target, body, place, virtual=False)
+
+    def call(
+        self, target: Cursor, body: BodyFact | None, place: Place, *, virtual: bool
+    ) -> CallFact | None:
+        if body is None:
+            return None
+        first = None if class_name(target.semantic_parent) else self.place(target.canonical)
+        call = CallFact(function_id(target), virtual, place, first.file if first else "")
+        body.calls.append(call)
+        return call
+
+    def unresolved(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
+        """In a template a call of what depends on the parameters has a name only."""
+        if body is not None and cursor.kind == CursorKind.MEMBER_REF_EXPR:
+            name = [token.spelling for token in cursor.get_tokens()][-1:]
+            body.calls += [CallFact(f"{ANY_CLASS}::{one}", False, place) for one in name]
+
+    def variable(self, cursor: Cursor, owner: str, place: Place) -> None:
+        """A variable that is no reference is an object of its class, or holds one."""
+        held = self.field_fact(cursor, place)
+        if not held.refers and not cursor.type.is_const_qualified():
+            inner = owner.split("::", maxsplit=1)[0]
+            classes = [name for name in held.classes if name.split("::", maxsplit=1)[0] != inner]
+            self.facts.names += [NameFact(owner, name, "construct", place) for name in classes]
+
+    def friend(self, cursor: Cursor, owner: str, place: Place) -> None:
+        for part in cursor.get_children():
+            named = part.referenced if part.kind == CursorKind.TYPE_REF else None
+            if named is not None and self.place(named) is not None:
+                self.facts.friends.append(NameFact(owner, class_name(named), "friend", place))
 
     def address(self, cursor: Cursor, place: Place) -> None:
-        if cursor.kind == CursorKind.CXX_REINTERPRET_CAST_EXPR:
-            value = list(cursor.get_children())[-1]
+        bits = cursor.kind == CursorKind.CALL_EXPR and cursor.spelling == "bit_cast"
+        if bits or cursor.kind in _CASTS:
+            value = next(reversed(list(cursor.get_children())), cursor)
             kinds = [one.type.get_canonical().kind for one in (cursor, value)]
-            if kinds[0] == TypeKind.POINTER and kinds[1] != TypeKind.POINTER:
+            if kinds[0] == TypeKind.POINTER and kinds[1] in _NUMBERS:
                 self.facts.casts.append(place)
         elif cursor.kind == CursorKind.NAMESPACE:
             self.block(cursor, place, declares=True)
@@ -515,14 +626,25 @@ class _Reader:
             return False
         return bool(cursor.referenced.kind == CursorKind.FIELD_DECL)
 
-    def name(self, owner: str, target: Cursor | None, how: str, place: Place) -> None:
+    def name(
+        self, owner: str, target: Cursor | None, how: str, place: Place, member: str = ""
+    ) -> None:
         if target is None or self.place(target) is None:
             return
         named = class_name(target)
         if named and named.split("::")[0] != owner.split("::", maxsplit=1)[0]:
-            self.facts.names.append(NameFact(owner, named, how, place))
+            known = target.get_definition()
+            at = self.place(known) if known is not None else None
+            file = at.file if at else ""
+            self.facts.names.append(NameFact(owner, named, how, place, member, file))
 
     def assignment(self, cursor: Cursor, body: BodyFact, place: Place) -> None:
+        if cursor.kind == CursorKind.CALL_EXPR and cursor.spelling in ("swap", "exchange"):
+            for part in cursor.walk_preorder():
+                if self.is_field(part):
+                    owner = class_name(part.referenced.semantic_parent)
+                    body.assigns.append((f"{owner}::{part.spelling}", place.line))
+            return
         operator = cursor.kind == CursorKind.CALL_EXPR and cursor.spelling == "operator="
         if not operator and cursor.kind != CursorKind.BINARY_OPERATOR:
             return
@@ -545,6 +667,7 @@ class _Reader:
             place=place,
             end=cursor.extent.end.line,
             abstract=cursor.is_abstract_record(),
+            local=is_local(cursor),
         )
         for child in cursor.get_children():
             at = self.place(child) or place
@@ -575,6 +698,8 @@ class _Reader:
             refers=any(mark in spelling for mark in ("&", "*", "reference_wrapper")),
             static=cursor.kind == CursorKind.VAR_DECL,
             place=place,
+            access=cursor.access_specifier.name.lower(),
+            constant=cursor.type.is_const_qualified(),
         )
 
     def method_fact(self, cursor: Cursor, place: Place, owner: str) -> MethodFact:
@@ -625,7 +750,21 @@ class _Reader:
             place=Place(place.file, place.line, cursor.extent.end.line),
             end=cursor.extent.end.line,
             overrides=function_id(above) if above is not None else None,
+            local=is_local(cursor),
         )
+
+
+def is_local(cursor: Cursor) -> bool:
+    return bool(cursor.linkage in _LOCAL)
+
+
+def aliased(cursor: Cursor) -> Iterator[Cursor]:
+    """The classes that an alias means: its own, and those of its parameters."""
+    if cursor.kind in (CursorKind.TYPE_ALIAS_DECL, CursorKind.TYPEDEF_DECL):
+        meant = cursor.underlying_typedef_type.get_canonical()
+        count = max(0, meant.get_num_template_arguments())
+        for part in (meant, *map(meant.get_template_argument_type, range(count))):
+            yield (part.get_pointee() if part.kind in _REFERRING else part).get_declaration()
 
 
 def _arguments_of(cursor: Cursor) -> Iterator[Cursor]:
@@ -729,5 +868,8 @@ def _facts_from(data: dict[str, Any]) -> Syntax:
     facts.flows = [FlowFact(**item) for item in data["flows"]]
     facts.constants = data["constants"]
     facts.casts = [_place_from(place) for place in data["casts"]]
+    for item in data["friends"]:
+        item["place"] = _place_from(item["place"])
+        facts.friends.append(NameFact(**item))
     facts.errors = [(_place_from(place), text) for place, text in data["errors"]]
     return facts

@@ -21,6 +21,7 @@ namespace wr {
 /// them, and counts what goes wrong.
 /// @secret How the frames of one cycle are taken from the line and given to the state of the
 /// connection.
+/// @hides{communication/pc_connection/FirmwareIdentity.hpp}
 /// @role{pc-mcu-connection, Context}
 class PcConnection final {
  public:

@@ -22,11 +22,13 @@ class OrderMessage final : public Serializable {
   /// @brief Tells what the order sets.
   /// @return the set-points
   /// @satisfies FR-170
+  /// @isr{yes}
   [[nodiscard]] const SetPoints& setPoints() const { return setPoints_; }
 
   /// @brief Tells whether the robot is to stop.
   /// @return true for a stop
   /// @satisfies FR-21
+  /// @isr{yes}
   [[nodiscard]] bool stop() const { return stop_ == kStop; }
 
   /// @brief Tells whether each field is in its range. The fields beside the stop count in a stop
@@ -34,6 +36,7 @@ class OrderMessage final : public Serializable {
   /// @return true when the order can be carried out
   /// @satisfies FR-46
   /// @satisfies FR-178
+  /// @isr{yes}
   [[nodiscard]] bool inRange() const;
 
   [[nodiscard]] bool readFrom(Reader& reader) override;

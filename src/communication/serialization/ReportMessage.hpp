@@ -21,6 +21,7 @@ class ReportMessage final : public Serializable {
   /// @brief Tells what the report tells.
   /// @return the data of the report
   /// @satisfies FR-170
+  /// @isr{yes}
   [[nodiscard]] const ReportData& data() const { return data_; }
 
   [[nodiscard]] bool readFrom(Reader& reader) override;

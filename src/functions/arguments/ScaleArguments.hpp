@@ -17,7 +17,7 @@ class ScaleArguments final : public ArgumentsDecorator {
   /// @brief Extends arguments by a scale.
   /// @param wrapped the extended arguments
   /// @param scale factor
-  /// @param divisor divisor; with 0 no function gives a result
+  /// @param divisor number to divide by; with 0 no function gives a result
   /// @param offset raw value that stands for zero
   ScaleArguments(const Arguments& wrapped, std::int32_t scale, std::int32_t divisor,
                  std::int32_t offset);

@@ -25,6 +25,8 @@ struct CurrentRecord {
 /// wheel, and executes a command as soon as the current is too high.
 /// @secret What a sample means as a current: the zero of the sensor, and the limit beyond which the
 /// motor must be switched off.
+/// @hides{ValueCollector::kGroup}
+/// @hides{ValueCollector::kZeroSamples}
 /// @role{wheel-timer-interrupt, Receiver}
 class ValueCollector final {
  public:

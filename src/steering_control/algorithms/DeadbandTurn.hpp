@@ -11,6 +11,8 @@ namespace wr {
 /// position that only trembles starts nothing.
 ///
 /// @secret The widths of the dead band, and the curve along which the steering brakes.
+/// @hides{DeadbandTurn::kDeadband}
+/// @hides{DeadbandTurn::kArrived}
 ///
 /// @role{steering-control-algorithm, Concrete Strategy}
 class DeadbandTurn final : public SteeringAlgorithm {

@@ -18,6 +18,7 @@ from traceability.documents.pages import aligned, all_pages
 from traceability.documents.paper_views import families
 from traceability.documents.portal import CheckText, Portal
 from traceability.image import sources_of_image
+from traceability.drift.record import Outcome, write_record
 from traceability.model.schema import (
     HOST,
     VIRTUAL_K64,
@@ -36,7 +37,7 @@ from traceability.model.schema import (
 )
 from traceability.products import DEFAULT, PRODUCTS
 
-CHECKS = [CheckText("tree-static", "Calls are possible", "Each edge is one.", "runs.", "call it.")]
+CHECKS = [CheckText("tree-static", "Possible", "It shows.", "Each edge is one.", "runs.", "call it.")]
 
 
 @pytest.fixture(scope="module")
@@ -317,7 +318,7 @@ def test_a_check_that_needs_fresh_results_does_not_hold_without_them(tmp_path: P
 
 
 def test_a_check_of_the_finished_site_claims_no_verdict(tmp_path: Path) -> None:
-    later = CheckText("link-site", "Links", "Each link has a target.", "other sites.", "mend it.")
+    later = CheckText("link-site", "Links", "To arrive.", "Each has one.", "others.", "mend it.")
     portal = Portal(tmp_path, make_project(tmp_path), [], [*CHECKS, later])
     found = {page.name: page.body for page in all_pages(portal)}
     assert "Checked after the pages are written" in found["checks/link-site"]
@@ -326,17 +327,20 @@ def test_a_check_of_the_finished_site_claims_no_verdict(tmp_path: Path) -> None:
     assert portal.early == 1
 
 
-def test_seeded_faults_are_a_figure_only_when_these_sources_were_measured(tmp_path: Path) -> None:
+def test_seeded_faults_are_a_figure_only_when_this_state_was_measured(tmp_path: Path) -> None:
     model = make_project(tmp_path)
-    record = tmp_path / "build" / "results" / "drift.json"
-    record.parent.mkdir(parents=True)
-    shown = {}
-    for sources in ("older", model.sources_hash):
-        record.write_text(json.dumps({"sources": sources, "seeded": 17, "caught": 16}))
+    found = Outcome("a-1", "tree-static", "One.", "src/a.hpp", 1, True, True, ["found"])
+    missed = Outcome("a-2", "tree-static", "Two.", "src/a.hpp", 1, False, True, [])
+    write_record(tmp_path, [found, missed], 0)
+
+    def home() -> str:
         pages = all_pages(Portal(tmp_path, model, [], CHECKS))
-        shown[sources] = next(page.body for page in pages if page.name == "index")
-    assert "faults caught" not in shown["older"]
-    assert "16<small>/17</small>" in shown[model.sources_hash]
+        return next(page.body for page in pages if page.name == "index")
+
+    assert "1<small>/2</small>" in home()
+    (tmp_path / "design" / "new.toml").parent.mkdir(exist_ok=True)
+    (tmp_path / "design" / "new.toml").write_text("", encoding="utf-8")
+    assert "faults caught" not in home()
 
 
 def test_the_page_of_the_virtual_k64_shows_what_was_found(tmp_path: Path) -> None:

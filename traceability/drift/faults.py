@@ -1,0 +1,94 @@
+"""The seeded faults, as tests/drift declares them."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from dataclasses import dataclass, field
+from pathlib import Path
+
+FAULTS = Path("tests/drift")
+# What a fault is seeded in: the sources, the sources with the results of their tests, the pages, or
+# the finished site.
+STAGES = ("sources", "results", "pages", "site")
+COMPILER = "syntax-error"
+
+
+@dataclass(frozen=True)
+class Edit:
+    """Replaces what a pattern matches first. Without a pattern the file is new."""
+
+    file: str
+    find: str
+    put: str
+
+    def apply(self, root: Path) -> int:
+        """Changes the file; returns the line where the change begins."""
+        path = root / self.file
+        if not self.find:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(self.put, encoding="utf-8")
+            return 1
+        text = path.read_text(encoding="utf-8")
+        match = re.search(self.find, text, re.MULTILINE | re.DOTALL)
+        if match is None:
+            raise ValueError(f"nothing in {self.file} matches {self.find}")
+        path.write_text(
+            text[: match.start()] + match.expand(self.put) + text[match.end() :], encoding="utf-8"
+        )
+        return text.count("\n", 0, match.start()) + 1
+
+
+@dataclass(frozen=True)
+class Fault:
+    """``place`` is the file in which the finding is to lie, on the first line that ``at`` matches.
+
+    Without ``at`` it is to lie where the first change begins. A finding about a folder has no line.
+    """
+
+    name: str
+    check: str
+    says: str
+    edits: list[Edit] = field(default_factory=list)
+    place: str = ""
+    at: str = ""
+    stage: str = "sources"
+    compiles: bool = True  # where it does not, the compiler finds it too
+
+    def expected_line(self, root: Path, changed: int) -> int:
+        if not self.at:
+            return changed
+        path = root / self.place
+        if path.is_dir():
+            return 0
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if re.search(self.at, line):
+                return number
+        raise ValueError(f"nothing in {self.place} matches {self.at}")
+
+
+def read_faults(root: Path) -> list[Fault]:
+    """All faults, in the order of their files."""
+    found: list[Fault] = []
+    for path in sorted((root / FAULTS).glob("*.toml")):
+        entries = tomllib.loads(path.read_text(encoding="utf-8"))["fault"]
+        found += [_fault(f"{path.stem}-{number}", item) for number, item in enumerate(entries, 1)]
+    return found
+
+
+def _fault(name: str, item: dict[str, object]) -> Fault:
+    changes = item.get("edits", [item])
+    assert isinstance(changes, list)
+    edits = [
+        Edit(str(one["file"]), str(one.get("find", "")), str(one.get("put", ""))) for one in changes
+    ]
+    return Fault(
+        name=name,
+        check=str(item["check"]),
+        says=str(item["says"]),
+        edits=edits,
+        place=str(item.get("place", edits[0].file)),
+        at=str(item.get("at", "")),
+        stage=str(item.get("stage", "sources")),
+        compiles=bool(item.get("compiles", True)),
+    )
