@@ -55,7 +55,8 @@ def lines_of(found: Impact) -> list[str]:
     farthest = max((one.distance for one in found.modules), default=-1)
     for distance in range(farthest + 1):
         names = found.at(distance)
-        title = ["in", "may affect directly", f"may affect over {distance} uses"][min(distance, 2)]
+        titles = ["begins with", "may affect directly", f"may affect over {distance} uses"]
+        title = titles[min(distance, 2)]
         lines += ["", f"{title}: {counted(len(names), 'module')}"]
         lines += reasons(names) if distance < 2 else wrapped([one.id for one in names])
     for noun, reached in (("requirement", found.requirements), ("pattern", found.patterns)):

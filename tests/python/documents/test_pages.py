@@ -17,8 +17,8 @@ from traceability.documents.names import Names
 from traceability.documents.pages import aligned, all_pages
 from traceability.documents.paper_views import families
 from traceability.documents.portal import CheckText, Portal
-from traceability.image import sources_of_image
 from traceability.drift.record import Outcome, write_record
+from traceability.image import sources_of_image
 from traceability.model.schema import (
     HOST,
     VIRTUAL_K64,
@@ -37,7 +37,9 @@ from traceability.model.schema import (
 )
 from traceability.products import DEFAULT, PRODUCTS
 
-CHECKS = [CheckText("tree-static", "Possible", "It shows.", "Each edge is one.", "runs.", "call it.")]
+CHECKS = [
+    CheckText("tree-static", "Possible", "It shows.", "Each edge is one.", "runs.", "call it.")
+]
 
 
 @pytest.fixture(scope="module")
