@@ -99,7 +99,9 @@ def test_what_a_secret_names_stands_beside_it(tmp_path: Path) -> None:
         "headers": ["remote/Pulse.hpp"],
         "types": ["Pulse"],
     }
-    page = next(p.body for p in all_pages(Portal(tmp_path, model, [], CHECKS)) if p.name == "secrets")
+    page = next(
+        p.body for p in all_pages(Portal(tmp_path, model, [], CHECKS)) if p.name == "secrets"
+    )
     assert "<code>remote/Pulse.hpp</code>" in page
 
 
