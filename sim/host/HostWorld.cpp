@@ -18,8 +18,8 @@ constexpr Microseconds kStartUp(5361);
 // From a beat to the first turn of a wheel's thread in the cycle that begins with it, and from one
 // such turn to the next, as the image takes them on the virtual K64. All else on the host takes no
 // time, so the clock pulse comes when the first thread has its turn.
-constexpr Microseconds kToWheels(15);
-constexpr Microseconds kOfWheel(44);
+constexpr Microseconds kToWheels(23);
+constexpr Microseconds kOfWheel(62);
 
 // The microsecond that an edge is in; the firmware's clock has no finer time.
 Instant at(Instant begin, std::chrono::nanoseconds offset) {

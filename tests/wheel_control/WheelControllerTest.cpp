@@ -200,6 +200,20 @@ TEST_F(WheelControllerTest, FR91_BlindUntilHalted) {
   EXPECT_EQ(controller.applied(), Tension(7000));
 }
 
+/// @brief After a halt the cycles are counted anew, also while tension is left.
+/// @verifies FR-91
+TEST_F(WheelControllerTest, FR91_HaltBeginsTheCountAnew) {
+  for (int cycle = 0; cycle < 9; ++cycle) {
+    controlStanding(tensionOf(9000));
+  }
+  controller.halt();
+  EXPECT_EQ(controller.applied(), Tension(6600));
+  for (int cycle = 0; cycle < 9; ++cycle) {
+    controlStanding(tensionOf(9000));
+    EXPECT_FALSE(controller.blind());
+  }
+}
+
 /// @brief One edge to and fro is no turn: it is what one working sensor gives.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_OneEdgeToAndFroIsNoTurn) {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -10,8 +11,15 @@ from markupsafe import Markup
 from traceability.documents import names
 from traceability.documents.links import ROOT, slug
 from traceability.documents.portal import Page, Portal
-from traceability.model.schema import LikelyChange, Method, Module, PaperElement
+from traceability.model.schema import (
+    LikelyChange,
+    LogicModule,
+    Method,
+    Module,
+    PaperElement,
+)
 
+CONSTANT = re.compile(r"k[A-Z]\w*")
 COMMON_CHECKS = ("module-secret", "module-spec", "uses-allowed", "req-verified", "tree-static")
 
 
@@ -84,10 +92,18 @@ def secrets_page(portal: Portal) -> Page:
     )
 
 
-def hidden_names(module: Module) -> dict[str, list[str]]:
-    """What the secret of a module names, by kind."""
-    found = {"registers": module.registers}
+def hidden_names(owner: Module | LogicModule) -> dict[str, list[str]]:
+    """What the secret of a module or of a folder names, by kind."""
+    found = {"registers": list(owner.registers)} if isinstance(owner, Module) else {}
+    for name in owner.hides:
+        found.setdefault(kind_of(name), []).append(name)
     return {kind: words for kind, words in found.items() if words}
+
+
+def kind_of(name: str) -> str:
+    if name.endswith(".hpp"):
+        return "headers"
+    return "constants" if CONSTANT.fullmatch(name.rpartition("::")[2]) else "types"
 
 
 # ---- interface inheritances --------------------------------------------------

@@ -15,7 +15,7 @@ from traceability.documents.highlight import highlighted_lines
 from traceability.documents.links import Links
 from traceability.documents.names import Names
 from traceability.documents.pages import aligned, all_pages
-from traceability.documents.paper_views import families
+from traceability.documents.paper_views import families, hidden_names
 from traceability.documents.portal import CheckText, Portal
 from traceability.drift.record import Outcome, write_record
 from traceability.image import sources_of_image
@@ -87,6 +87,22 @@ def test_an_heir_overrides_what_it_has_of_its_base(portal: Portal) -> None:
     family = families(portal)[0]
     seen = [(heir.module.name, heir.depth, len(heir.own), len(heir.overridden)) for heir in family]
     assert seen == [("Mode", 0, 1, 0), ("RC", 1, 0, 1)]
+
+
+def test_what_a_secret_names_stands_beside_it(tmp_path: Path) -> None:
+    model = make_project(tmp_path)
+    rc = model.modules["RC"]
+    rc.registers, rc.hides = ["uart"], ["RC::kPause", "remote/Pulse.hpp", "Pulse"]
+    assert hidden_names(rc) == {
+        "registers": ["uart"],
+        "constants": ["RC::kPause"],
+        "headers": ["remote/Pulse.hpp"],
+        "types": ["Pulse"],
+    }
+    page = next(
+        p.body for p in all_pages(Portal(tmp_path, model, [], CHECKS)) if p.name == "secrets"
+    )
+    assert "<code>remote/Pulse.hpp</code>" in page
 
 
 def test_the_concordance_leads_both_ways(pages: dict[str, str]) -> None:
