@@ -10,7 +10,7 @@ import pytest
 from tests.python.site.content import SITE, content
 
 MODEL = SITE.parents[1] / "build" / "model" / "model.json"
-# Not the data dictionary: it lists enumerators, and some have the name of the module they stand for.
+# Not the data dictionary: some of its enumerators have the name of the module they stand for.
 SAMPLE = [
     "index", "structure", "guide", "interfaces", "inheritances", "secrets", "changes",
     "concordance", "architecture", "machines", "uses", "trees", "products",
