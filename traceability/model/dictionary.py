@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from traceability.model.syntax import BodyFact
 
 FIELDS = "FieldName"
-ACCESS = re.compile(r"(Reader|Writer)::(read|write)([UI]\d+)")
+ACCESS = re.compile(r"\w*(Reader|Writer)::(read|write)([UI]\d+)")
 UNIT = re.compile(r"\[([^\]]+)\]")
 
 
