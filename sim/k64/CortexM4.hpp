@@ -110,6 +110,9 @@ class CortexM4 {
   /// @brief Number of the exception that runs, 0 in thread mode.
   [[nodiscard]] unsigned exception() const { return core_.registers.exception; }
 
+  /// @brief Priority of an exception, as its register holds it.
+  [[nodiscard]] int priority(unsigned exception) const { return nvic_.priority(exception); }
+
   /// @brief Sets the level of an interrupt line.
   void setLine(unsigned line, bool high);
 

@@ -16,7 +16,8 @@ struct Event {
     Reset,             ///< number: of the Reset
     PinChanged,        ///< number: 32 * port + pin; value: level that the program puts out
     ByteSent,          ///< number: of the UART; value: the byte, at the end of its stop bit
-    PwmChanged         ///< number: 8 * FTM + channel; value: millionths of the period at high level
+    PwmChanged,        ///< number: 8 * FTM + channel; value: millionths of the period at high level
+    LineRaised         ///< number: of the exception whose interrupt line a device raises
   };
   Kind kind;
   std::chrono::nanoseconds at;

@@ -3,40 +3,50 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace wr::k64 {
 
-/// @brief Which instructions of the flash were executed: one bit for each half-word, the lowest bit
-/// of a byte first.
+/// @brief How often each instruction of the flash was executed.
 class ExecutedCode {
  public:
-  /// @brief Notes an instruction; one outside of the flash is not noted.
+  /// @brief Counts an instruction; one outside of the flash is not counted.
   /// @param address its first address
   void note(std::uint32_t address) {
     const std::size_t half = address / 2;
-    if (half / 8 < bits_.size()) {
-      bits_[half / 8] = static_cast<std::uint8_t>(bits_[half / 8] | 1U << half % 8);
+    if (half < counts_.size()) {
+      ++counts_[half];
     }
   }
 
   /// @brief Tells whether the instruction at an address was executed.
-  [[nodiscard]] bool noted(std::uint32_t address) const {
+  [[nodiscard]] bool noted(std::uint32_t address) const { return timesOf(address) != 0; }
+
+  /// @brief Tells how often the instruction at an address was executed.
+  [[nodiscard]] std::uint64_t timesOf(std::uint32_t address) const {
     const std::size_t half = address / 2;
-    return half / 8 < bits_.size() && (bits_[half / 8] >> half % 8 & 1U) != 0;
+    return half < counts_.size() ? counts_[half] : 0;
   }
 
   /// @brief Forgets all.
-  void clear() { std::ranges::fill(bits_, std::uint8_t{0}); }
+  void clear() { std::ranges::fill(counts_, std::uint64_t{0}); }
 
-  /// @brief All bits, from address 0.
-  [[nodiscard]] std::span<const std::uint8_t> bits() const { return bits_; }
+  /// @brief Which instructions were executed: one bit for each half-word from address 0, the lowest
+  /// bit of a byte first.
+  [[nodiscard]] std::vector<std::uint8_t> bits() const {
+    std::vector<std::uint8_t> bits(counts_.size() / 8);
+    for (std::size_t half = 0; half < counts_.size(); ++half) {
+      const unsigned bit = counts_[half] != 0 ? 1U << half % 8 : 0;
+      bits[half / 8] = static_cast<std::uint8_t>(bits[half / 8] | bit);
+    }
+    return bits;
+  }
+
+  /// @brief First address after the flash.
+  static constexpr std::uint32_t kEnd = 0x100000;
 
  private:
-  static constexpr std::size_t kFlash = 0x100000;
-
-  std::vector<std::uint8_t> bits_ = std::vector<std::uint8_t>(kFlash / 16);
+  std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(kEnd / 2);
 };
 
 }  // namespace wr::k64

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -124,7 +125,7 @@ class VirtualBoard::Parts final : public Surroundings {
   }
   [[nodiscard]] const Clock& coreClock() const override { return core_; }
   [[nodiscard]] const Clock& busClock() const override { return bus_; }
-  void setLine(unsigned line, bool high) override { cpu_.setLine(line, high); }
+  void setLine(unsigned line, bool high) override;
   void raiseNmi() override { cpu_.raise(2); }
   void clocksChanged() override;
   void report(std::string id, std::string what) override {
@@ -158,6 +159,7 @@ class VirtualBoard::Parts final : public Surroundings {
   void limitTo(Time time);
   [[nodiscard]] const Clock& core() const { return core_; }
   [[nodiscard]] bool sleeps() const { return sleeps_; }
+  [[nodiscard]] std::uint64_t sleptCycles() const { return sleptCycles_; }
 
   std::function<void(const Event&)> event;
   std::function<void(std::uint32_t, unsigned, std::uint32_t)> written;
@@ -222,6 +224,8 @@ class VirtualBoard::Parts final : public Surroundings {
   mutable std::uint64_t knownCycle_ = 0;
   mutable Time knownTime_{0};
   bool sleeps_ = false;
+  std::uint64_t sleptCycles_ = 0;
+  std::bitset<128> lines_;
   std::optional<Reset> wantedReset_;
 };
 
@@ -528,6 +532,15 @@ bool VirtualBoard::Parts::runCore(Time until) {
   return stop != CortexM4::Stop::Problem;
 }
 
+void VirtualBoard::Parts::setLine(unsigned line, bool high) {
+  const bool rises = high && !lines_[line];
+  lines_.set(line, high);
+  if (rises) {
+    tell(Event::Kind::LineRaised, kFirstLine + line, 0);
+  }
+  cpu_.setLine(line, high);
+}
+
 void VirtualBoard::Parts::find() {
   const CortexM4::Problem& problem = *cpu_.problem();
   Finding found{problem.id, problem.what, problem.pc, {}, {}, now()};
@@ -559,7 +572,9 @@ bool VirtualBoard::Parts::runUntil(Time limit, Done done) {
     const Time next = std::min(nextEvent(), limit);
     if (next > time() && runCore(next) && sleeps_ && core_.hz() != 0 && !done()) {
       // The program may have made an event come sooner since the run began.
+      const std::uint64_t before = cpu_.cycles();
       cpu_.skipTo(core_.reach(std::min(nextEvent(), limit)));
+      sleptCycles_ += cpu_.cycles() - before;
     }
     advance();
   }
@@ -703,6 +718,14 @@ std::uint64_t VirtualBoard::instructions() const {
 
 std::uint64_t VirtualBoard::cycles() const {
   return parts_->cpu().cycles();
+}
+
+std::uint64_t VirtualBoard::sleptCycles() const {
+  return parts_->sleptCycles();
+}
+
+unsigned VirtualBoard::priority(unsigned exception) const {
+  return static_cast<unsigned>(parts_->cpu().priority(exception)) >> 4U;
 }
 
 std::uint32_t VirtualBoard::clockHz() const {

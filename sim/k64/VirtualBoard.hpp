@@ -137,6 +137,12 @@ class VirtualBoard {
   [[nodiscard]] std::uint64_t instructions() const;
   [[nodiscard]] std::uint64_t cycles() const;
 
+  /// @brief Those of the cycles in which the program waited for an interrupt.
+  [[nodiscard]] std::uint64_t sleptCycles() const;
+
+  /// @brief Priority of an exception from 16 on, 0 to 15; 0 is the highest.
+  [[nodiscard]] unsigned priority(unsigned exception) const;
+
   /// @brief Frequency of the core.
   [[nodiscard]] std::uint32_t clockHz() const;
 

@@ -13,7 +13,9 @@
 #include "sim/host/PtySerialPort.hpp"
 #include "sim/program/Program.hpp"
 #include "sim/scenario/BoardLine.hpp"
+#include "sim/scenario/CycleMeter.hpp"
 #include "sim/scenario/EventTrace.hpp"
+#include "sim/scenario/Scenario.hpp"
 
 namespace {
 
@@ -33,6 +35,8 @@ constexpr const char* kUsage =
     "  --fast           run as fast as possible, without link; needs --cycles\n"
     "  --scenario FILE  play a scenario in stepped time, without link\n"
     "  --reports FILE   write each report of the scenario to FILE, as comma-separated values\n"
+    "  --bench FILE     with --scenario: measure its last 1000 cycles, write them to FILE as JSON\n"
+    "  --profile        with --bench: count also how often each instruction is executed\n"
     "  --trace FILE     write interrupts, resets, pins and sent bytes to FILE, with their times\n"
     "  --help           show this text\n"
     "\n"
@@ -90,7 +94,27 @@ wr::Exit runInRealTime(wr::BoardLine& robot, const wr::CommandLine& options) {
   return ended(robot);
 }
 
+// Plays the scenario and measures its last cycles; one more than these must have begun.
+wr::Exit runBench(wr::BoardLine& robot, const std::string& scenario, const std::string& file,
+                  bool profiled) {
+  const auto end = wr::Scenario::load(scenario).end();
+  const auto measured = kPeriod * (wr::CycleMeter::kCycles + 1);
+  if (end < measured) {
+    throw std::invalid_argument(scenario + " is shorter than what is measured");
+  }
+  wr::CycleMeter meter(robot, end - measured, profiled);
+  const wr::Exit exit = wr::playScenario(scenario, std::nullopt, robot);
+  std::ofstream output;
+  output.exceptions(std::ios::failbit | std::ios::badbit);
+  output.open(file);
+  meter.write(output);
+  return exit;
+}
+
 wr::Exit runAsAsked(wr::BoardLine& robot, const wr::CommandLine& options) {
+  if (const auto file = options.value("--bench")) {
+    return runBench(robot, options.value("--scenario").value(), *file, options.has("--profile"));
+  }
   if (const auto scenario = options.value("--scenario")) {
     return wr::playScenario(*scenario, options.value("--reports"), robot);
   }
@@ -103,8 +127,9 @@ wr::Exit runAsAsked(wr::BoardLine& robot, const wr::CommandLine& options) {
 wr::Exit run(int count, char** arguments) {
   const wr::CommandLine options(
       count, arguments,
-      {"--image", "--elf", "--link", "--cycles", "--scenario", "--reports", "--trace"},
-      {"--fast", "--help"});
+      {"--image", "--elf", "--link", "--cycles", "--scenario", "--reports", "--trace",
+       "--bench"},
+      {"--fast", "--profile", "--help"});
   if (options.has("--help")) {
     std::fputs(kUsage, stdout);
     return wr::Exit::Done;
@@ -114,6 +139,9 @@ wr::Exit run(int count, char** arguments) {
   }
   if (options.has("--fast") && !options.count("--cycles")) {
     throw std::invalid_argument("--fast needs --cycles");
+  }
+  if (options.has("--bench") && (!options.has("--scenario") || options.has("--trace"))) {
+    throw std::invalid_argument("--bench needs --scenario, and goes without --trace");
   }
   std::ofstream file;
   std::optional<wr::EventTrace> trace;

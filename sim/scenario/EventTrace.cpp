@@ -7,8 +7,9 @@ namespace wr {
 
 namespace {
 
-constexpr std::array<const char*, 6> kKinds{"exception_entered", "exception_left", "reset",
-                                            "pin_changed",       "byte_sent",      "pwm_changed"};
+constexpr std::array<const char*, 7> kKinds{"exception_entered", "exception_left", "reset",
+                                            "pin_changed",       "byte_sent",      "pwm_changed",
+                                            "line_raised"};
 
 }  // namespace
 
