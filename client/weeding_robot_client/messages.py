@@ -226,8 +226,11 @@ class Report:
     right_end: bool
     wheels: tuple[WheelReport, WheelReport, WheelReport, WheelReport]
     counters: dict[str, int]
+    report_cycles: int  # of the processor; 0 where the platform counts none, as the next two
+    awake_cycles: int
+    start_cycles: int
     kind: ClassVar[int] = 0x82
-    form: ClassVar[struct.Struct] = struct.Struct("<IIBBBBHhBhBhBhBhhhhihhihhihhiH4hbB11H4B4H")
+    form: ClassVar[struct.Struct] = struct.Struct("<IIBBBBHhBhBhBhBhhhhihhihhihhiH4hbB11H4B4H3I")
 
     @classmethod
     def from_payload(cls, payload: bytes) -> Report:
@@ -238,8 +241,9 @@ class Report:
         counters, (steering_state, ends, cut_offs, blind), rejected = (
             values[36:47],
             values[47:51],
-            values[51:],
+            values[51:55],
         )
+        report_cycles, awake_cycles, start_cycles = values[55:]
         if state >= len(STATES) or mode >= len(MODES) or source not in SOURCES:
             raise MessageError("a report with an unknown state, mode or source")
         if steering_state >= len(STEERING_STATES):
@@ -279,6 +283,9 @@ class Report:
             right_end=bool(ends & 2),
             wheels=(wheels[0], wheels[1], wheels[2], wheels[3]),
             counters=dict(zip(COUNTERS, counters, strict=True)),
+            report_cycles=report_cycles,
+            awake_cycles=awake_cycles,
+            start_cycles=start_cycles,
         )
 
 

@@ -38,10 +38,12 @@ PLAIN_COLUMNS = (
     "left_end",
     "right_end",
 )
+COSTS = ("report_cycles", "awake_cycles", "start_cycles")
 COLUMNS = (
     *PLAIN_COLUMNS,
     *(f"{wheel.replace(' ', '_')}_{column}" for wheel in WHEELS for column in WHEEL_COLUMNS),
     *COUNTERS,
+    *COSTS,
 )
 
 
@@ -51,6 +53,7 @@ def row(report: Report) -> list[object]:
         cells += [wheel.set_point.value, wheel.set_point.quantity.unit]
         cells += [getattr(wheel, column) for column in WHEEL_COLUMNS[2:]]
     cells += [report.counters[counter] for counter in COUNTERS]
+    cells += [getattr(report, column) for column in COSTS]
     return [int(cell) if isinstance(cell, bool) else cell for cell in cells]
 
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "devices/Timebase.hpp"
 #include "units/quantities.hpp"
 
@@ -9,6 +11,7 @@ namespace wr {
 class HostTimebase final : public Timebase {
  public:
   [[nodiscard]] Instant now() const override { return now_; }
+  [[nodiscard]] std::uint32_t awakeCycles() const override { return 0; }
 
   /// @brief Lets time pass.
   /// @param duration how much
@@ -25,6 +28,7 @@ class RealTimebase final : public Timebase {
   RealTimebase();
 
   [[nodiscard]] Instant now() const override;
+  [[nodiscard]] std::uint32_t awakeCycles() const override { return 0; }
 
   /// @brief Sleeps until an instant; a signal ends the sleep early.
   /// @param instant when to wake up

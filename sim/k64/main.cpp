@@ -127,8 +127,7 @@ wr::Exit runAsAsked(wr::BoardLine& robot, const wr::CommandLine& options) {
 wr::Exit run(int count, char** arguments) {
   const wr::CommandLine options(
       count, arguments,
-      {"--image", "--elf", "--link", "--cycles", "--scenario", "--reports", "--trace",
-       "--bench"},
+      {"--image", "--elf", "--link", "--cycles", "--scenario", "--reports", "--trace", "--bench"},
       {"--fast", "--profile", "--help"});
   if (options.has("--help")) {
     std::fputs(kUsage, stdout);

@@ -105,6 +105,9 @@ void CycleMeter::request(unsigned number) {
 void CycleMeter::enter(unsigned number) {
   charge();
   active_.push_back(number);
+  if (number == kPulse) {
+    cycle_.pulseLatency = robot_.board.cycles() - pulseAt_.passed.cycles;
+  }
   if (number == kMainThread && toReport_ && cycle_.startDelay == 0) {
     cycle_.startDelay = robot_.board.cycles() - pulseAt_.passed.cycles;
   }
@@ -158,7 +161,8 @@ void CycleMeter::write(std::ostream& output) const {
   output << "{\n\"clock_hz\": " << robot_.board.clockHz() << ",\n"
          << "\"simulated_ns\": " << robot_.board.now().count() << ",\n";
   writeColumn(output, "reported", cycles_, [](const Cycle& one) { return one.reported ? 1 : 0; });
-  writeColumn(output, "report_cycles", cycles_, [](const Cycle& one) { return one.toReport.cycles; });
+  writeColumn(output, "report_cycles", cycles_,
+              [](const Cycle& one) { return one.toReport.cycles; });
   writeColumn(output, "report_instructions", cycles_,
               [](const Cycle& one) { return one.toReport.instructions; });
   writeColumn(output, "awake_cycles", cycles_, [](const Cycle& one) { return one.whole.cycles; });

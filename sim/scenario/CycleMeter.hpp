@@ -15,10 +15,10 @@ namespace wr {
 
 /// @brief Measures the control cycles of an image on the virtual K64.
 ///
-/// A control cycle lasts from one clock pulse to the next. The clock pulse is the instant at which the
-/// timer raises its interrupt line. The report is handed over when all of it is in the send buffer
-/// of the serial port and its first byte is written to the port. What interrupts the control cycle
-/// is counted with it.
+/// A control cycle lasts from one clock pulse to the next. The clock pulse is the instant at which
+/// the timer raises its interrupt line. The report is handed over when all of it is in the send
+/// buffer of the serial port and its first byte is written to the port. What interrupts the control
+/// cycle is counted with it.
 class CycleMeter {
  public:
   /// Number of control cycles that are measured.
@@ -32,8 +32,10 @@ class CycleMeter {
 
   /// @brief What one control cycle took.
   struct Cycle {
-    Cost toReport;                 ///< from the clock pulse to the report handed over
-    Cost whole;                    ///< without the cycles in which the processor sleeps
+    Cost toReport;  ///< from the clock pulse to the report handed over
+    Cost whole;     ///< without the cycles in which the processor sleeps
+    std::uint64_t pulseLatency =
+        0;                         ///< cycles from the clock pulse to the first step of its handler
     std::uint64_t startDelay = 0;  ///< cycles from the clock pulse to the main thread's first step
     bool reported = false;         ///< a report was handed over
   };

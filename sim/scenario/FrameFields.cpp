@@ -74,6 +74,9 @@ std::vector<FrameField> makeFields() {
   addWheelBits(fields, "cut_off", 98);
   addWheelBits(fields, "blind", 99);
   addWheels(fields, "rejected_edges", 100, 2, Form::U16);
+  fields.push_back({"report_cycles", kReportType, 108, Form::U32});
+  fields.push_back({"awake_cycles", kReportType, 112, Form::U32});
+  fields.push_back({"start_cycles", kReportType, 116, Form::U32});
   return fields;
 }
 

@@ -184,7 +184,10 @@ std::optional<PcReport> reportOf(const Bytes& body) {
                   .steeringState = fields.u8(96),
                   .steeringEnds = fields.u8(97),
                   .cutOffs = fields.u8(98),
-                  .blindWheels = fields.u8(99)};
+                  .blindWheels = fields.u8(99),
+                  .reportCycles = fields.u32(108),
+                  .awakeCycles = fields.u32(112),
+                  .startCycles = fields.u32(116)};
   for (std::size_t reason = 0; reason < report.dropped.size(); ++reason) {
     report.dropped[reason] = fields.u16(78 + 2 * reason);
   }

@@ -55,6 +55,9 @@ struct PcReport {
   std::uint8_t cutOffs = 0;
   std::uint8_t blindWheels = 0;
   std::array<std::uint16_t, 4> rejectedEdges{};
+  std::uint32_t reportCycles = 0;
+  std::uint32_t awakeCycles = 0;
+  std::uint32_t startCycles = 0;
 
   [[nodiscard]] bool stop() const { return (flags & 1U) != 0; }
   [[nodiscard]] bool orderRead() const { return (flags & 2U) != 0; }

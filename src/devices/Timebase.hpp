@@ -1,12 +1,15 @@
 #pragma once
 
+#include <cstdint>
+
 #include "units/quantities.hpp"
 
 namespace wr {
 
 /// @brief Clock that runs from the start of the system.
-/// @function Tells the time to who must stamp values or wait for a time-out.
-/// @secret Which counter measures the time, and how it is kept from wrapping.
+/// @function Tells the time to who must stamp values or wait for a time-out, and how long the processor
+/// was awake to who must tell what a cycle costs.
+/// @secret Which counters measure the time and the work, and how the time is kept from wrapping.
 class Timebase {
  public:
   Timebase(const Timebase&) = delete;
@@ -17,6 +20,13 @@ class Timebase {
   /// @isr{yes}
   /// @satisfies FR-127
   [[nodiscard]] virtual Instant now() const = 0;
+
+  /// @brief Counts the cycles of the processor in which it does not sleep.
+  /// @return number of cycles since start, which begins again at 0 after 2^32 of them; always 0 where the
+  /// platform does not count them
+  /// @satisfies FR-160
+  /// @isr{yes}
+  [[nodiscard]] virtual std::uint32_t awakeCycles() const = 0;
 
  protected:
   Timebase() = default;

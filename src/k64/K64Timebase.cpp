@@ -29,6 +29,21 @@ void K64Timebase::start() {
   pit::TFLG.at(kChannel).write(pit::TFLG_TIF);
   pit::TCTRL.at(kChannel).write(pit::TCTRL_TEN);
   begin_ = {};
+  dwt::DEMCR.set(dwt::DEMCR_TRCENA);
+  dwt::CTRL.set(dwt::CTRL_CYCCNTENA);
+}
+
+std::uint32_t K64Timebase::awakeCycles() const {
+  return dwt::CYCCNT.read().value - sleptCycles_;
+}
+
+// The interrupts are closed so that the one that ends the sleep does not count as sleep.
+void K64Timebase::sleep() {
+  closeInterrupts();
+  const std::uint32_t before = dwt::CYCCNT.read().value;
+  sleepUntilInterrupt();
+  sleptCycles_ += dwt::CYCCNT.read().value - before;
+  openInterrupts();
 }
 
 Instant K64Timebase::now() const {

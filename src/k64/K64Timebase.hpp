@@ -7,16 +7,19 @@
 
 namespace wr {
 
-/// @brief The time since start, from channel 2 of the periodic interrupt timer.
-/// @function Tells the time in microseconds to threads and interrupts.
+/// @brief The time since start, from channel 2 of the periodic interrupt timer, and the cycles of the
+/// core, from its own counter.
+/// @function Tells the time in microseconds to threads and interrupts. Lets the core sleep, and tells how
+/// many cycles it was awake.
 /// @secret How a counter of 32 bits that runs down gives a time that never wraps, without a division of
-/// 64 bits.
+/// 64 bits; how the cycles are counted whether or not the counter of the core stands while the core
+/// sleeps.
 class K64Timebase final : public Timebase {
  public:
   /// @brief Makes a clock that does not run yet.
   constexpr K64Timebase() = default;
 
-  /// @brief Starts the clock at 0.
+  /// @brief Starts the clock at 0, and the count of cycles.
   /// @pre The clocks of the timers run.
   /// @isr{no}
   /// @satisfies FR-127
@@ -25,6 +28,16 @@ class K64Timebase final : public Timebase {
   /// @pre Two calls are less than 71 s apart.
   /// @isr{yes}
   [[nodiscard]] Instant now() const override;
+
+  /// @satisfies FR-160
+  /// @isr{yes}
+  [[nodiscard]] std::uint32_t awakeCycles() const override;
+
+  /// @brief Sleeps until an interrupt comes; it is served when this returns.
+  /// @pre No interrupt is being served, and none is kept away.
+  /// @satisfies FR-160
+  /// @isr{no}
+  void sleep();
 
  private:
   /// @brief A time since start, to the tick.
@@ -47,7 +60,8 @@ class K64Timebase final : public Timebase {
 
   static constexpr std::uint32_t kFirst = 0xFFFFFFFF;  // the counter runs from here down to 0
 
-  mutable Time begin_;  // of the period of the counter
+  mutable Time begin_;             // of the period of the counter
+  std::uint32_t sleptCycles_ = 0;  // written while interrupts are closed
 };
 
 }  // namespace wr

@@ -30,14 +30,19 @@ inline void finishInstructions() {
   asm volatile("dsb\n\tisb" ::: "memory");
 }
 
-/// @brief Sleeps until an interrupt comes.
+/// @brief Sleeps until an interrupt comes, also one that is kept away by closeInterrupts().
 inline void sleepUntilInterrupt() {
   asm volatile("dsb\n\twfi" ::: "memory");
 }
 
-/// @brief Keeps all interrupts and faults away that can be kept away, for good.
+/// @brief Keeps all interrupts and faults away that can be kept away.
 inline void closeInterrupts() {
   asm volatile("cpsid i" ::: "memory");
+}
+
+/// @brief Lets the interrupts through again.
+inline void openInterrupts() {
+  asm volatile("cpsie i" ::: "memory");
 }
 
 /// @brief Tells which exception is being handled.

@@ -206,4 +206,13 @@ inline constexpr Register<std::uint32_t, 0xE000ED88> CPACR;
 inline constexpr auto CPACR_FPU = CPACR.field(0xF, 20);
 }  // namespace scb
 
+/// @brief Data watchpoint and trace unit of the core, and what switches it on.
+namespace dwt {
+inline constexpr Register<std::uint32_t, 0xE000EDFC> DEMCR;
+inline constexpr auto DEMCR_TRCENA = DEMCR.bit(24);
+inline constexpr Register<std::uint32_t, 0xE0001000> CTRL;
+inline constexpr auto CTRL_CYCCNTENA = CTRL.bit(0);
+inline constexpr Register<std::uint32_t, 0xE0001004, Access::Read> CYCCNT;
+}  // namespace dwt
+
 }  // namespace wr

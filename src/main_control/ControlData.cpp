@@ -15,6 +15,16 @@ void ControlData::beginCycle(Instant clockPulse) {
   outputs_ = {};
 }
 
+void ControlData::saveStart(std::uint32_t pulse, std::uint32_t start) {
+  costs_ = {.report = reported_, .awake = pulse - pulse_.value_or(pulse), .start = start - pulse};
+  pulse_ = pulse;
+  reported_ = 0;
+}
+
+void ControlData::saveReported(std::uint32_t end) {
+  reported_ = end - pulse_.value_or(end);
+}
+
 void ControlData::saveModeId(ModeId source) {
   readSource_ = source;
 }
@@ -75,7 +85,8 @@ ReportData ControlData::report(OperationStateId state, ModeId mode,
           .measurements = measurements_,
           .outputs = outputs_,
           .overruns = overruns_,
-          .link = counts};
+          .link = counts,
+          .costs = costs_};
 }
 
 }  // namespace wr

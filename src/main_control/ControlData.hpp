@@ -31,6 +31,19 @@ class ControlData {
   /// @satisfies FR-174
   void beginCycle(Instant clockPulse);
 
+  /// @brief Notes what the begin of this cycle cost, and what the cycle before cost.
+  /// @param pulse count of processor cycles at the clock pulse of this cycle
+  /// @param start the same count when this cycle began
+  /// @satisfies FR-160
+  /// @isr{no}
+  void saveStart(std::uint32_t pulse, std::uint32_t start);
+
+  /// @brief Notes that the report of this cycle was handed over.
+  /// @param end count of processor cycles then
+  /// @satisfies FR-160
+  /// @isr{no}
+  void saveReported(std::uint32_t end);
+
   /// @brief Notes which source is read now; it takes force with the next set-points.
   /// @param source number of the reading mode
   /// @satisfies FR-19
@@ -113,6 +126,9 @@ class ControlData {
   bool overran_ = false;
   Measurements measurements_;
   Outputs outputs_;
+  std::optional<std::uint32_t> pulse_;  // count of processor cycles at the clock pulse
+  std::uint32_t reported_ = 0;          // cycles from the clock pulse to the report
+  CycleCosts costs_;
 };
 
 }  // namespace wr

@@ -29,13 +29,14 @@ void MainController::start() {
 }
 
 void MainController::clockPulse() {
-  ++pulseCount_;
-  pulses_.write(pulseCount_, timebase_.now());
+  pulses_.write(timebase_.awakeCycles(), timebase_.now());
   thread_.post();
 }
 
 void MainController::cycle() {
-  data_.beginCycle(pulses_.read()->at);
+  const Stamped<std::uint32_t> pulse = *pulses_.read();
+  data_.beginCycle(pulse.at);
+  data_.saveStart(pulse.value, timebase_.awakeCycles());
   serveSources();
   noteStop();
   read();
@@ -98,6 +99,7 @@ void MainController::sendReport(OperationStateId state) {
   systems_.collect(data_.measurements(), data_.outputs());
   const ReportMessage report(data_.report(state, mode_.get().id(), connection_.counts()));
   connection_.sendReport(report);
+  data_.saveReported(timebase_.awakeCycles());
 }
 
 void MainController::serveSources() {

@@ -35,12 +35,12 @@ class MainController {
   /// @brief What the controller is made of. Each part lives as long as the controller.
   /// @datatype
   struct Parts {
-    ControlThread& thread;         ///< runs the cycles
-    const Timebase& timebase;      ///< gives the time of a clock pulse
-    ControlData& data;             ///< data of the cycle
-    ControlSystemPool& systems;    ///< what is controlled
-    PcConnection& connection;      ///< link to the PC
-    Watchdog& watchdog;            ///< is told of each cycle that completed
+    ControlThread& thread;       ///< runs the cycles
+    const Timebase& timebase;    ///< gives the time of a clock pulse, and counts what a cycle costs
+    ControlData& data;           ///< data of the cycle
+    ControlSystemPool& systems;  ///< what is controlled
+    PcConnection& connection;    ///< link to the PC
+    Watchdog& watchdog;          ///< is told of each cycle that completed
     OperationState& initialState;  ///< operation state at start
     Mode& initialMode;             ///< reading mode at start
     std::span<Mode* const> modes;  ///< every mode: it is served, and can order a stop
@@ -130,6 +130,7 @@ class MainController {
   /// @satisfies FR-5
   /// @satisfies FR-60
   /// @satisfies FR-61
+  /// @satisfies FR-160
   /// @isr{no}
   void sendReport(OperationStateId state);
 
@@ -149,6 +150,7 @@ class MainController {
   /// @satisfies FR-35
   /// @satisfies FR-37
   /// @satisfies FR-74
+  /// @satisfies FR-160
   void cycle();
   /// @brief Has every source of orders take in what came.
   /// @satisfies FR-35
@@ -171,8 +173,7 @@ class MainController {
   std::reference_wrapper<OperationState> opSt_;
   std::reference_wrapper<Mode> mode_;
   std::span<Mode* const> modes_;
-  Pipe<std::uint32_t> pulses_;  // number of the clock pulse, with its time
-  std::uint32_t pulseCount_ = 0;
+  Pipe<std::uint32_t> pulses_;  // count of processor cycles at a clock pulse, with its time
   std::uint16_t seenOverruns_ = 0;
 };
 

@@ -94,5 +94,34 @@ TEST_F(ControlDataTest, FR4_OverrunCountStopsAtItsGreatestValue) {
   EXPECT_EQ(report().overruns, 65'535);
 }
 
+/// @brief The costs are differences of the count of cycles, which may begin again at 0 between them.
+/// @verifies FR-160
+TEST_F(ControlDataTest, FR160_CostsAreDifferences) {
+  constexpr std::uint32_t kFirst = 0xFFFFFF00;  // the count begins again at 0 in the first cycle
+  data.beginCycle(Instant(1));
+  data.saveStart(kFirst, kFirst + 7);
+  EXPECT_EQ(report().costs, (CycleCosts{.report = 0, .awake = 0, .start = 7}));
+  data.saveReported(kFirst + 1000);
+  EXPECT_EQ(report().costs, (CycleCosts{.report = 0, .awake = 0, .start = 7}));
+  data.beginCycle(Instant(2));
+  data.saveStart(kFirst + 5000, kFirst + 5009);
+  EXPECT_EQ(report().costs, (CycleCosts{.report = 1000, .awake = 5000, .start = 9}));
+}
+
+/// @brief Of a cycle that did not report there is no cost of the report.
+/// @verifies FR-160
+TEST_F(ControlDataTest, FR160_NoCostWithoutReport) {
+  data.saveReported(50);
+  data.beginCycle(Instant(1));
+  data.saveStart(100, 101);
+  EXPECT_EQ(report().costs.report, 0U);
+  data.saveReported(200);
+  data.beginCycle(Instant(2));
+  data.saveStart(300, 301);
+  data.beginCycle(Instant(3));
+  data.saveStart(500, 501);
+  EXPECT_EQ(report().costs.report, 0U);
+}
+
 }  // namespace
 }  // namespace wr::test

@@ -15,9 +15,9 @@
 #include "sim/host/HostScheduler.hpp"
 #include "sim/host/HostSerialPort.hpp"
 #include "sim/host/HostThread.hpp"
-#include "sim/host/HostTimebase.hpp"
 #include "sim/host/HostWatchdog.hpp"
 #include "sim/scenario/PcFrames.hpp"
+#include "support/FakeTimebase.hpp"
 
 namespace wr::test {
 
@@ -101,7 +101,7 @@ class ControllerFixture : public testing::Test {
     return reportOf(sent.at(0)).value();
   }
 
-  HostTimebase time;
+  FakeTimebase time;
   HostSerialPort port;
   HostScheduler scheduler;
   HostThread thread{scheduler, 1};

@@ -130,6 +130,22 @@ TEST_F(MainControllerTest, FR61_ReportTellsTheCycleAfterTheRead) {
   EXPECT_TRUE(report.orderRead());
 }
 
+/// @brief The report tells the cycles between the clock pulses, and those that the cycle waited to begin.
+/// @verifies FR-160
+TEST_F(MainControllerTest, FR160_ReportTellsWhatTheCyclesCost) {
+  connect();
+  controller.start();
+  time.work(500);
+  controller.clockPulse();
+  EXPECT_EQ(sentReport().awakeCycles, 0U);
+  time.work(3000);
+  controller.clockPulse();
+  const PcReport report = sentReport();
+  EXPECT_EQ(report.awakeCycles, 3000U);
+  EXPECT_EQ(report.startCycles, 0U);
+  EXPECT_EQ(report.reportCycles, 0U);
+}
+
 /// @brief Without a connection no report is sent.
 /// @verifies FR-60
 TEST_F(MainControllerTest, FR60_NoReportWithoutConnection) {

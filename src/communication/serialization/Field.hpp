@@ -43,6 +43,9 @@ enum class FieldName : std::uint8_t {
   CutOffs,           ///< which wheels are cut off
   BlindWheels,       ///< which wheels have tension and give no Hall edge
   RejectedEdges,     ///< count of Hall edges of a wheel that were rejected
+  ReportCost,        ///< processor cycles from a clock pulse to the report of its cycle
+  AwakeCost,         ///< processor cycles not asleep between two clock pulses
+  StartCost,         ///< processor cycles from a clock pulse to the start of its cycle
   Session,           ///< number of the session
   FirmwareVersion,   ///< major, minor and patch number
   BuildId,           ///< character of the build id

@@ -26,6 +26,17 @@ struct LinkCounts {
   friend constexpr bool operator==(const LinkCounts&, const LinkCounts&) = default;
 };
 
+/// @brief What control cycles cost, in cycles of the processor; all 0 where the platform counts none.
+/// @datatype
+struct CycleCosts {
+  std::uint32_t report = 0;  ///< from the last clock pulse but one to the report of that cycle
+  std::uint32_t awake = 0;   ///< not asleep between the last two clock pulses
+  std::uint32_t start = 0;   ///< from the last clock pulse to the start of its cycle
+
+  /// @brief Tells whether two costs are the same.
+  friend constexpr bool operator==(const CycleCosts&, const CycleCosts&) = default;
+};
+
 /// @brief What a report tells about one control cycle.
 /// @datatype
 struct ReportData {
@@ -46,6 +57,7 @@ struct ReportData {
   Outputs outputs{};                ///< what was applied
   std::uint16_t overruns = 0;       ///< cycles that overran
   LinkCounts link{};                ///< what went wrong on the PC link
+  CycleCosts costs{};               ///< what the cycles cost
 
   /// @brief Tells whether two reports tell the same.
   friend constexpr bool operator==(const ReportData&, const ReportData&) = default;

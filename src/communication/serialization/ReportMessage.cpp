@@ -257,6 +257,18 @@ void readConditions(Reader& reader, Measurements& measurements) {
   }
 }
 
+void writeCosts(Writer& writer, const CycleCosts& costs) {
+  writer.writeU32({.name = FieldName::ReportCost}, costs.report);
+  writer.writeU32({.name = FieldName::AwakeCost}, costs.awake);
+  writer.writeU32({.name = FieldName::StartCost}, costs.start);
+}
+
+void readCosts(Reader& reader, CycleCosts& costs) {
+  costs.report = reader.readU32({.name = FieldName::ReportCost});
+  costs.awake = reader.readU32({.name = FieldName::AwakeCost});
+  costs.start = reader.readU32({.name = FieldName::StartCost});
+}
+
 }  // namespace
 
 ReportMessage::ReportMessage(const ReportData& data) : data_(data) {}
@@ -269,6 +281,7 @@ bool ReportMessage::readFrom(Reader& reader) {
   data_.overruns = reader.readU16({.name = FieldName::Overruns});
   readCounts(reader, data_.link);
   readConditions(reader, data_.measurements);
+  readCosts(reader, data_.costs);
   return reader.finish();
 }
 
@@ -280,6 +293,7 @@ bool ReportMessage::writeTo(Writer& writer) const {
   writer.writeU16({.name = FieldName::Overruns}, data_.overruns);
   writeCounts(writer, data_.link);
   writeConditions(writer, data_.measurements);
+  writeCosts(writer, data_.costs);
   return writer.finish();
 }
 

@@ -92,7 +92,7 @@ void sleepForever() {
   redLight.set(false);
   greenLight.set(true);
   for (;;) {
-    sleepUntilInterrupt();
+    timebase.sleep();
   }
 }
 

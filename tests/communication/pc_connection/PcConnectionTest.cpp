@@ -510,7 +510,7 @@ TEST_F(PcConnectionTest, FR60_AReportIsSentOnlyWhileConnected) {
   EXPECT_TRUE(connection.sendReport(report));
   ASSERT_EQ(sent().size(), 2U);
   EXPECT_EQ(sent()[1][1], kReport);
-  EXPECT_EQ(sent()[1].size(), 113U);
+  EXPECT_EQ(sent()[1].size(), 125U);
   EXPECT_EQ(connection.counts().reportsNotSent, 0);
 }
 
@@ -520,11 +520,11 @@ TEST_F(PcConnectionTest, FR60_AReportIsSentOnlyWhileConnected) {
 TEST_F(PcConnectionTest, FR64_AReportWithoutRoomIsDroppedAndCounted) {
   handshake();
   const std::size_t before = port.sent.size();
-  port.room = 113;
+  port.room = 125;
   expectCounted(&LinkCounts::reportsNotSent, 1,
                 [&] { EXPECT_FALSE(connection.sendReport(ReportMessage())); });
   EXPECT_EQ(port.sent.size(), before);
-  port.room = 115;
+  port.room = 127;
   EXPECT_TRUE(connection.sendReport(ReportMessage()));
   EXPECT_EQ(sent().back()[2], 1);
 }
@@ -710,6 +710,7 @@ ReportData reportOfCycle8() {
   data.measurements.rightEnd = true;
   data.outputs.tensions = {Tension(11800), Tension(12100), Tension(0), Tension(11950)};
   data.outputs.turn = std::int8_t{-1};
+  data.costs = {.report = 27'354, .awake = 158'211, .start = 1'043};
   return data;
 }
 
@@ -721,6 +722,7 @@ ReportData reportOfCycle8() {
 /// @verifies FR-67
 /// @verifies FR-68
 /// @verifies FR-69
+/// @verifies FR-160
 TEST_F(PcConnectionTest, FR61_TheReportsAgreeWithTheExamples) {
   handshake();
   std::vector<Bytes> made;

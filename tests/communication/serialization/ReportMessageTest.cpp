@@ -117,6 +117,9 @@ ReportData randomData(std::mt19937& random) {
         &data.link.unexpected, &data.link.sequenceGaps, &data.link.reportsNotSent}) {
     *count = number<std::uint16_t>(random);
   }
+  for (auto* cost : {&data.costs.report, &data.costs.awake, &data.costs.start}) {
+    *cost = number<std::uint32_t>(random);
+  }
   return data;
 }
 
@@ -130,13 +133,14 @@ TEST(ReportData, DiffersInEachValue) {
   outputs.turn = 0;
   LinkCounts link;
   link.damaged = 1;
-  test::expectDifference(&ReportData::cycle, 1U, &ReportData::time, Instant(1),
-                         &ReportData::operationState, std::uint8_t{1}, &ReportData::readingMode,
-                         std::uint8_t{1}, &ReportData::source, std::uint8_t{1}, &ReportData::stop,
-                         true, &ReportData::orderRead, true, &ReportData::held, true,
-                         &ReportData::overran, true, &ReportData::setPoints, setPoints,
-                         &ReportData::measurements, measurements, &ReportData::outputs, outputs,
-                         &ReportData::overruns, std::uint16_t{1}, &ReportData::link, link);
+  constexpr CycleCosts kCosts{.awake = 1};
+  test::expectDifference(
+      &ReportData::cycle, 1U, &ReportData::time, Instant(1), &ReportData::operationState,
+      std::uint8_t{1}, &ReportData::readingMode, std::uint8_t{1}, &ReportData::source,
+      std::uint8_t{1}, &ReportData::stop, true, &ReportData::orderRead, true, &ReportData::held,
+      true, &ReportData::overran, true, &ReportData::setPoints, setPoints,
+      &ReportData::measurements, measurements, &ReportData::outputs, outputs, &ReportData::overruns,
+      std::uint16_t{1}, &ReportData::link, link, &ReportData::costs, kCosts);
 }
 
 /// @brief Two sets of counts are the same only when each count is the same.
@@ -149,12 +153,17 @@ TEST(LinkCounts, DifferInEachCount) {
                          &LinkCounts::sequenceGaps, kOne, &LinkCounts::reportsNotSent, kOne);
 }
 
-/// @brief A report without content has 108 bytes, and all values are marked as missing.
+/// @brief Two costs are the same only when each count is the same.
+TEST(CycleCosts, DifferInEachCount) {
+  test::expectDifference(&CycleCosts::report, 1U, &CycleCosts::awake, 1U, &CycleCosts::start, 1U);
+}
+
+/// @brief A report without content has 120 bytes, and all values are marked as missing.
 /// @verifies FR-62
 TEST(ReportMessage, FR62_AnEmptyReportMarksAllValuesAsMissing) {
   const Bytes bytes = written({});
-  ASSERT_EQ(bytes.size(), 108U);
-  Bytes expected(108, 0);
+  ASSERT_EQ(bytes.size(), 120U);
+  Bytes expected(120, 0);
   expected[10] = 255;
   EXPECT_EQ(bytes, expected);
 }
@@ -301,6 +310,15 @@ TEST(ReportMessage, FR69_EachCountOfRejectedEdgesHasItsPlace) {
   }
 }
 
+/// @brief Each count of processor cycles has its place, and all of its 32 bits.
+/// @verifies FR-160
+TEST(ReportMessage, FR160_EachCountOfCyclesHasItsPlace) {
+  const Bytes bytes =
+      written({.costs = {.report = 0x04030201, .awake = 0x08070605, .start = 0x0C0B0A09}});
+  const Bytes costs(bytes.begin() + 108, bytes.end());
+  EXPECT_EQ(costs, (Bytes{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
+}
+
 /// @brief A value that its field cannot hold is sent as the nearest one that it can.
 /// @verifies FR-177
 TEST(ReportMessage, ValuesAreLimitedToTheirFields) {
@@ -321,6 +339,7 @@ TEST(ReportMessage, ValuesAreLimitedToTheirFields) {
 /// @verifies FR-67
 /// @verifies FR-68
 /// @verifies FR-69
+/// @verifies FR-160
 TEST(ReportMessage, IsReadAsItWasWritten) {
   std::mt19937 random(test::seed());
   for (int i = 0; i < 1000; ++i) {

@@ -138,6 +138,7 @@ def test_report_of_the_worked_example_with_conditions() -> None:
     assert [wheel.cut_off for wheel in report.wheels] == [False, False, True, False]
     assert [wheel.blind for wheel in report.wheels] == [False, True, False, False]
     assert [wheel.rejected_edges for wheel in report.wheels] == [0, 3, 0, 1]
+    assert (report.report_cycles, report.awake_cycles, report.start_cycles) == (27354, 158211, 1043)
 
 
 # The report, field by field as the protocol lists it: name, offset, form.
@@ -158,7 +159,7 @@ FIELDS = {
 
 
 def report_with(**values: int) -> Report:
-    payload = bytearray(108)
+    payload = bytearray(120)
     for name, value in values.items():
         offset, form = FIELDS[name]
         struct.pack_into(form, payload, offset, value)
@@ -199,7 +200,7 @@ def test_each_applied_bit_makes_just_its_value_valid() -> None:
 
 
 def test_wheel_values_have_their_own_places() -> None:
-    payload = bytearray(108)
+    payload = bytearray(120)
     for wheel in range(4):
         struct.pack_into("<Bh", payload, 16 + 3 * wheel, 1, 1000 * wheel)
         struct.pack_into("<hhi", payload, 30 + 8 * wheel, 10 + wheel, 20 + wheel, -70000 - wheel)

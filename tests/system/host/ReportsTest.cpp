@@ -59,5 +59,16 @@ TEST_F(ReportsOfRobotOnHost, FR64_ReportWithoutRoomIsDroppedWholeAndCounted) {
   EXPECT_EQ(robot.system.cycle, before + 10);
 }
 
+/// @brief The host counts no cycles of its processor.
+/// @verifies FR-160
+TEST_F(ReportsOfRobotOnHost, FR160_TheHostTellsNoCosts) {
+  robot.connect();
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_EQ(robot.report().reportCycles, 0U);
+  EXPECT_EQ(robot.report().awakeCycles, 0U);
+  EXPECT_EQ(robot.report().startCycles, 0U);
+}
+
 }  // namespace
 }  // namespace wr::test

@@ -1,0 +1,127 @@
+#include "sim/scenario/CycleMeter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "k64/BoardRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+constexpr unsigned kPulse = 16 + 48;
+constexpr unsigned kHallEdges = 16 + 62;
+constexpr unsigned kMainThread = 16 + 64;
+
+/// A connected robot that drives, and what was measured of some of its cycles.
+struct Drive {
+  explicit Drive(int cycles, bool profiled = false) {
+    robot.startUp();
+    meter.emplace(robot.line, nanoseconds(0), profiled);
+    robot.connect();
+    for (int cycle = 0; cycle < cycles; ++cycle) {
+      PcOrder order{.id = static_cast<std::uint16_t>(cycle + 1)};
+      order.wheels.fill({.quantity = 0, .value = 500});
+      robot.order(order);
+      robot.cycle();
+      reports.push_back(robot.report());
+    }
+  }
+
+  BoardRobot robot;
+  std::optional<CycleMeter> meter;
+  std::vector<PcReport> reports;  ///< the first is that of the third cycle
+};
+
+/// @brief The firmware counts what the board measures. Its counts begin when the interrupt of the clock
+/// pulse is served; of each sleep it takes a few cycles too many.
+/// @verifies FR-160
+TEST(CyclesOfTheImage, FR160_TheReportTellsWhatTheBoardMeasures) {
+  const Drive drive(60);
+  constexpr std::int64_t kFew = 300;
+  const auto off = [](std::uint64_t left, std::uint64_t right) {
+    return std::abs(static_cast<std::int64_t>(left - right));
+  };
+  for (std::size_t i = 10; i + 1 < drive.reports.size(); ++i) {
+    const CycleMeter::Cycle& before = drive.meter->cycles().at(i + 1);
+    const CycleMeter::Cycle& own = drive.meter->cycles().at(i + 2);
+    const PcReport& report = drive.reports.at(i);
+    EXPECT_LT(off(report.awakeCycles, before.whole.cycles), before.whole.cycles / 30);
+    EXPECT_LT(off(report.startCycles + own.pulseLatency, own.startDelay), kFew);
+    EXPECT_LT(off(report.reportCycles + before.pulseLatency, before.toReport.cycles), kFew);
+  }
+}
+
+/// @brief The same run costs the same instructions and cycles, always.
+TEST(CyclesOfTheImage, SameRunCostsTheSame) {
+  std::string first;
+  for (int run = 0; run < 2; ++run) {
+    const Drive drive(30, true);
+    std::ostringstream text;
+    drive.meter->write(text);
+    EXPECT_GT(text.str().size(), 1000U);
+    EXPECT_TRUE(run == 0 || text.str() == first);
+    first = text.str();
+  }
+}
+
+/// @brief What the exceptions cost is what the cycles cost, and so is what the instructions count.
+TEST(CyclesOfTheImage, EachInstructionIsCountedOnce) {
+  const Drive drive(30, true);
+  CycleMeter::Cost whole;
+  CycleMeter::Cost toReport;
+  for (const CycleMeter::Cycle& cycle : drive.meter->cycles()) {
+    whole.instructions += cycle.whole.instructions;
+    whole.cycles += cycle.whole.cycles;
+    toReport.instructions += cycle.toReport.instructions;
+  }
+  ASSERT_GT(whole.instructions, 0U);
+  // The last cycle has begun and is not whole: exceptions and instructions count it already.
+  CycleMeter::Cost charged;
+  for (const auto& [number, exception] : drive.meter->exceptions()) {
+    charged.instructions += exception.whole.instructions;
+    charged.cycles += exception.whole.cycles;
+  }
+  std::uint64_t profiled = 0;
+  for (std::uint32_t address = 0; address < k64::ExecutedCode::kEnd; address += 2) {
+    profiled += drive.meter->timesOf(address, false) + drive.meter->timesOf(address, true);
+  }
+  EXPECT_GE(charged.instructions, whole.instructions);
+  EXPECT_GE(profiled, charged.instructions);
+  EXPECT_LT(profiled - whole.instructions, whole.instructions / 10);
+}
+
+/// @brief The report is handed over after the main thread has begun, and before the cycle ends.
+TEST(CyclesOfTheImage, ACycleBeginsReportsAndSleeps) {
+  const Drive drive(30);
+  ASSERT_GE(drive.meter->cycles().size(), 30U);
+  for (std::size_t i = 1; i < drive.meter->cycles().size(); ++i) {
+    const CycleMeter::Cycle& cycle = drive.meter->cycles()[i];
+    EXPECT_TRUE(cycle.reported);
+    EXPECT_GT(cycle.startDelay, 0U);
+    EXPECT_GT(cycle.toReport.cycles, cycle.startDelay);
+    EXPECT_GT(cycle.whole.cycles, cycle.toReport.cycles);
+    EXPECT_GT(cycle.whole.instructions, cycle.toReport.instructions);
+    EXPECT_LT(cycle.whole.cycles, 12'000'000U);
+  }
+}
+
+/// @brief Each interrupt has its priority and its latency; a thread, which no device raises, has no latency.
+TEST(CyclesOfTheImage, InterruptsHaveLatencies) {
+  const Drive drive(60);
+  const auto& exceptions = drive.meter->exceptions();
+  EXPECT_EQ(exceptions.at(kHallEdges).priority, 1U);
+  EXPECT_EQ(exceptions.at(kPulse).priority, 2U);
+  EXPECT_EQ(exceptions.at(kMainThread).priority, 12U);
+  EXPECT_GE(exceptions.at(kPulse).worstLatency, 12U);
+  EXPECT_GE(exceptions.at(kHallEdges).worstLatency, 12U);
+  EXPECT_EQ(exceptions.at(kMainThread).requests, 0U);
+}
+
+}  // namespace
+}  // namespace wr::test
