@@ -36,6 +36,7 @@ constexpr const char* kUsage =
     "  --scenario FILE  play a scenario in stepped time, without link\n"
     "  --reports FILE   write each report of the scenario to FILE, as comma-separated values\n"
     "  --bench FILE     with --scenario: measure its last 1000 cycles, write them to FILE as JSON\n"
+    "  --timing MODEL   what instructions cost: no-wait-states or slow-flash\n"
     "  --profile        with --bench: count also how often each instruction is executed\n"
     "  --trace FILE     write interrupts, resets, pins and sent bytes to FILE, with their times\n"
     "  --help           show this text\n"
@@ -124,11 +125,22 @@ wr::Exit runAsAsked(wr::BoardLine& robot, const wr::CommandLine& options) {
   return runInRealTime(robot, options);
 }
 
+wr::k64::Timing timingOf(const wr::CommandLine& options) {
+  const std::string name = options.value("--timing").value_or("no-wait-states");
+  if (name == "slow-flash") {
+    return wr::k64::Timing::SlowFlash;
+  }
+  if (name != "no-wait-states") {
+    throw std::invalid_argument("there is no timing " + name);
+  }
+  return wr::k64::Timing::NoWaitStates;
+}
+
 wr::Exit run(int count, char** arguments) {
-  const wr::CommandLine options(
-      count, arguments,
-      {"--image", "--elf", "--link", "--cycles", "--scenario", "--reports", "--trace", "--bench"},
-      {"--fast", "--profile", "--help"});
+  const wr::CommandLine options(count, arguments,
+                                {"--image", "--elf", "--link", "--cycles", "--scenario",
+                                 "--reports", "--trace", "--bench", "--timing"},
+                                {"--fast", "--profile", "--help"});
   if (options.has("--help")) {
     std::fputs(kUsage, stdout);
     return wr::Exit::Done;
@@ -150,7 +162,7 @@ wr::Exit run(int count, char** arguments) {
     trace.emplace(&file);
   }
   wr::BoardLine robot(wr::readImage(*options.value("--image")),
-                      {.elf = options.value("--elf").value_or("")});
+                      {.elf = options.value("--elf").value_or(""), .timing = timingOf(options)});
   if (trace) {
     robot.onEvent([&](const wr::k64::Event& event) { trace->add(event); });
   }

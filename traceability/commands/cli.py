@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 from traceability.commands import (
+    bench,
     check,
     firmware,
     flash,
@@ -35,6 +36,7 @@ def parser() -> argparse.ArgumentParser:
         portal,
         test,
         check,
+        bench,
         review,
         impact,
         mutate,
