@@ -10,6 +10,7 @@ from typing import Any
 
 from traceability.drift.record import read_record
 from traceability.image import TOTALS, sources_of_image
+from traceability.model.bench import bench_metrics, read_bench
 from traceability.model.results import read_json, read_recording_factor
 from traceability.model.schema import Finding, Model, Module
 from traceability.model.traces import nodes_of
@@ -33,7 +34,7 @@ def write_metrics(root: Path, model: Model, measured: dict[str, Any] | None = No
 def figures(root: Path, model: Model) -> dict[str, Any]:
     """What this run measured of the present sources."""
     factor = {"tests.recording_factor": read_recording_factor(root, model.sources_hash)}
-    return metrics(model) | drift(root) | image(root) | forbidden(root) | factor
+    return metrics(model) | drift(root) | image(root) | bench(root) | forbidden(root) | factor
 
 
 def drift(root: Path) -> dict[str, Any]:
@@ -61,6 +62,11 @@ def forbidden(root: Path) -> dict[str, Any]:
     if products is None:
         return {}
     return {"firmware.forbidden_parts": sum(len(one["forbidden"]) for one in products.values())}
+
+
+def bench(root: Path) -> dict[str, Any]:
+    """The times of the paper's scenarios, when they were measured with these sources."""
+    return {"bench.scenarios": bench_metrics(read_bench(root))}
 
 
 def read_products(root: Path) -> dict[str, dict[str, Any]] | None:

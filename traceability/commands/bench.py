@@ -10,6 +10,7 @@ import subprocess
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, TextIO
 
@@ -76,14 +77,14 @@ def bench(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
         return 1
     record: dict[str, Any] = {**measured_with(root), "scenarios": {}}
     for paper in SCENARIOS:
-        steps.run(paper.title, lambda log, one=paper: measure(root, log, one, record))
+        steps.run(paper.title, partial(measure, root, paper, record))
     if len(record["scenarios"]) == len(SCENARIOS):
         (root / BENCH).parent.mkdir(parents=True, exist_ok=True)
         (root / BENCH).write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
     return 1 if steps.failed else 0
 
 
-def measure(root: Path, log: TextIO, paper: Paper, record: dict[str, Any]) -> str:
+def measure(root: Path, paper: Paper, record: dict[str, Any], log: TextIO) -> str:
     """Plays a scenario with each model of time, and once more to count each instruction."""
     runs: dict[str, Any] = {}
     for timing in TIMINGS:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from traceability.documents import calls, plots, verification
+from traceability.documents.bench_page import bench_page
 from traceability.documents.exports import DIAGRAMS
 from traceability.documents.links import logic_anchor
 from traceability.documents.paper_views import paper_views
@@ -89,6 +90,7 @@ def overview_pages(portal: Portal) -> Iterator[Page]:
     )
     yield closed_loop_page(portal)
     yield usual_design_page(portal)
+    yield bench_page(portal)
     yield portal.page("checks/index", "Checks", "checks", "checks")
     yield portal.page("checks/drift", "Drift test", "drift", "drift")
     yield portal.page("source/index", "Source", "source", "sources", folders=folders(portal))
