@@ -22,7 +22,7 @@ def report_payload(cycle: int, order_id: int, stop: int, conditions: tuple[int, 
     measures = [0] * 12
     return Report.form.pack(
         *(cycle, cycle * 100, 0, 1, 1, stop, order_id, 0, *wheels, 0, *measures, 0),
-        *(0, 0, 0, 0, 0, 0, *[0] * 11, *conditions),
+        *(0, 0, 0, 0, 0, 0, *[0] * 11, *conditions, 0, 0, 0),
     )
 
 

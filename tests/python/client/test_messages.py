@@ -291,14 +291,14 @@ def test_an_order_out_of_range_is_refused() -> None:
 @pytest.mark.parametrize(
     ("frame", "reason"),
     [
-        (Frame(0x82, 0, bytes(107)), "107 bytes"),
+        (Frame(0x82, 0, bytes(119)), "119 bytes"),
         (Frame(0x81, 0, bytes(15)), "15 bytes"),
         (Frame(0x83, 0, b""), "0x83"),
-        (Frame(0x82, 0, bytes(8) + b"\5" + bytes(99)), "unknown state"),
-        (Frame(0x82, 0, bytes(9) + b"\3" + bytes(98)), "mode"),
-        (Frame(0x82, 0, bytes(10) + b"\3" + bytes(97)), "source"),
-        (Frame(0x82, 0, bytes(16) + b"\3" + bytes(91)), "quantity"),
-        (Frame(0x82, 0, bytes(96) + b"\4" + bytes(11)), "steering"),
+        (Frame(0x82, 0, bytes(8) + b"\5" + bytes(111)), "unknown state"),
+        (Frame(0x82, 0, bytes(9) + b"\3" + bytes(110)), "mode"),
+        (Frame(0x82, 0, bytes(10) + b"\3" + bytes(109)), "source"),
+        (Frame(0x82, 0, bytes(16) + b"\3" + bytes(103)), "quantity"),
+        (Frame(0x82, 0, bytes(96) + b"\4" + bytes(23)), "steering"),
     ],
 )
 def test_a_frame_that_is_no_message_is_refused(frame: Frame, reason: str) -> None:
@@ -307,6 +307,6 @@ def test_a_frame_that_is_no_message_is_refused(frame: Frame, reason: str) -> Non
 
 
 def test_the_numbers_of_all_products_have_names() -> None:
-    report = from_frame(Frame(0x82, 0, bytes(8) + b"\4\2\2" + bytes(97)))
+    report = from_frame(Frame(0x82, 0, bytes(8) + b"\4\2\2" + bytes(109)))
     assert isinstance(report, Report)
     assert (report.state, report.mode, report.source) == ("WaitingK", "Bluetooth", "Bluetooth")

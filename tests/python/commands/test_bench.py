@@ -9,7 +9,7 @@ import pytest
 from traceability.commands import bench, cli
 from traceability.commands.bench import costs, orders_of, wishes
 from traceability.commands.steps import FailureError
-from traceability.model.bench import CYCLES, FOLDER, SCENARIOS
+from traceability.model.bench import BENCH, CYCLES, FOLDER, SCENARIOS
 
 ROOT = Path(__file__).parents[3]
 
@@ -83,4 +83,4 @@ def test_a_port_that_is_not_there_fails(
     monkeypatch.setattr(bench, "measured_with", lambda _root: {})
     assert cli.main(["bench", "--port", str(tmp_path / "nothing")]) == 1
     assert "FAILED" in capsys.readouterr().out
-    assert not (tmp_path / bench.BENCH).exists()
+    assert not (tmp_path / BENCH).exists()

@@ -1,4 +1,4 @@
-"""The bench with the image: a module that is slowed shows in its row, a board is measured by its line."""
+"""The bench with the image: a slowed module shows in its row; a board is measured by its line."""
 
 import json
 import shlex
@@ -10,7 +10,7 @@ import pytest
 
 from tests.python.firmware.seeding import BOARD, link_command
 from traceability.commands import bench
-from traceability.model.bench import FOLDER, SCENARIOS, frames_of, profile_of
+from traceability.model.bench import BENCH, FOLDER, SCENARIOS, frames_of, profile_of
 
 ROOT = Path(__file__).parents[3]
 BUILD = ROOT / "build" / "k64"
@@ -85,7 +85,7 @@ def test_a_board_on_a_line_is_measured(tmp_path: Path, monkeypatch: pytest.Monke
             assert bench.on_board(tmp_path, link, 2) == 0
         finally:
             board.terminate()
-    record = json.loads((tmp_path / bench.BENCH).read_text(encoding="utf-8"))
+    record = json.loads((tmp_path / BENCH).read_text(encoding="utf-8"))
     for paper in SCENARIOS:
         found = record["scenarios"][paper.name]["board"]
         assert found["cycles"] >= 5
