@@ -101,22 +101,20 @@ void Core::note(std::uint32_t address) {
 }
 
 inline const Instruction* Core::fetch(std::uint32_t address) {
-  const std::uint32_t offset = address - codeAddress_;
-  if (offset < codeSize_) [[likely]] {
-    Instruction& slot = code_[offset / 2];
-    if ((slot.form & Instruction::kPlace) == Instruction::place(registers.it != 0)) [[likely]] {
-      return &slot;
+  if (address - codeAddress_ >= codeSize_) [[unlikely]] {
+    const Memory::Area* area = memory.find(address);
+    if (area == nullptr || area->instructions == nullptr) {
+      return decodeAt(address, single_);
     }
-    return decodeAt(address, slot);
+    codeAddress_ = area->address;
+    codeSize_ = area->size;
+    code_ = area->instructions.get();
   }
-  const Memory::Area* area = memory.find(address);
-  if (area == nullptr || area->instructions == nullptr) {
-    return decodeAt(address, single_);
+  Instruction& slot = code_[(address - codeAddress_) / 2];
+  if ((slot.form & Instruction::kPlace) == Instruction::place(registers.it != 0)) [[likely]] {
+    return &slot;
   }
-  codeAddress_ = area->address;
-  codeSize_ = area->size;
-  code_ = area->instructions.get();
-  return fetch(address);
+  return decodeAt(address, slot);
 }
 
 bool Core::fetchHalf(std::uint32_t address, std::uint32_t& half) {

@@ -61,12 +61,8 @@ const Memory::Area* Memory::find(std::uint32_t address) const {
   return found == all_.end() ? nullptr : &*found;
 }
 
-Memory::Area* Memory::find(std::uint32_t address) {
-  return const_cast<Area*>(std::as_const(*this).find(address));
-}
-
 void Memory::load(std::uint32_t address, std::span<const std::uint8_t> bytes) {
-  Area* area = find(address);
+  const Area* area = find(address);
   if (area == nullptr || area->bytes == nullptr ||
       !area->holds(address, static_cast<std::uint32_t>(bytes.size()))) {
     throw std::invalid_argument("there is no memory for what is loaded");

@@ -72,7 +72,6 @@ class Memory {
   }
 
   /// @brief The area of an address; none where nothing is.
-  [[nodiscard]] Area* find(std::uint32_t address);
   [[nodiscard]] const Area* find(std::uint32_t address) const;
 
   /// @brief Writes from outside, also where the program may not.

@@ -95,7 +95,8 @@ struct Registers {
 
   /// @brief The next instruction of an IT block: A7.3.3, ITAdvance.
   void advanceIt() {
-    it = static_cast<std::uint8_t>((it & 7U) == 0 ? 0U : (it & 0xE0U) | (it << 1U & 0x1FU));
+    const std::uint32_t now = it;
+    it = static_cast<std::uint8_t>((now & 7U) == 0 ? 0U : (now & 0xE0U) | (now << 1U & 0x1FU));
   }
 
  private:
