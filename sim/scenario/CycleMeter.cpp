@@ -13,6 +13,9 @@ constexpr unsigned kPulse = kFirstInterrupt + BoardLine::kPulseInterrupt;
 constexpr unsigned kMainThread = kFirstInterrupt + 64;
 // Data register of the port to the PC.
 constexpr std::uint32_t kUart0Data = 0x4006A007;
+// The image has its stack at the begin of the RAM; the first word of the flash is the end of it.
+constexpr std::uint32_t kStack = 0x1FFF0000;
+constexpr std::uint32_t kWord = 4;
 
 CycleMeter::Cost operator-(const CycleMeter::Cost& left, const CycleMeter::Cost& right) {
   return {.cycles = left.cycles - right.cycles,
@@ -39,6 +42,9 @@ void writeColumn(std::ostream& output, std::string_view name,
 
 CycleMeter::CycleMeter(BoardLine& robot, std::chrono::nanoseconds from, bool profiled)
     : robot_(robot), from_(from), profiled_(profiled) {
+  for (std::uint32_t at = kStack; at < robot_.board.word(0); at += kWord) {
+    stack_.push_back(robot_.board.word(at));
+  }
   robot_.onEvent([this](const k64::Event& event) { take(event); });
   robot_.board.onWrite([this](std::uint32_t address, unsigned /*size*/, std::uint32_t /*value*/) {
     if (address == kUart0Data) {
@@ -152,6 +158,16 @@ void CycleMeter::profileTo(bool toReport) {
   }
 }
 
+std::size_t CycleMeter::stackBytes() const {
+  std::uint32_t at = kStack;
+  const auto deepest = std::ranges::find_if(stack_, [&](std::uint32_t before) {
+    const bool kept = robot_.board.word(at) == before;
+    at += kWord;
+    return !kept;
+  });
+  return static_cast<std::size_t>(stack_.end() - deepest) * kWord;
+}
+
 CycleMeter::Instant CycleMeter::present() const {
   return {.passed = {.cycles = robot_.board.cycles(), .instructions = robot_.board.instructions()},
           .slept = robot_.board.sleptCycles()};
@@ -159,7 +175,8 @@ CycleMeter::Instant CycleMeter::present() const {
 
 void CycleMeter::write(std::ostream& output) const {
   output << "{\n\"clock_hz\": " << robot_.board.clockHz() << ",\n"
-         << "\"simulated_ns\": " << robot_.board.now().count() << ",\n";
+         << "\"simulated_ns\": " << robot_.board.now().count() << ",\n"
+         << "\"stack_bytes\": " << stackBytes() << ",\n";
   writeColumn(output, "reported", cycles_, [](const Cycle& one) { return one.reported ? 1 : 0; });
   writeColumn(output, "report_cycles", cycles_,
               [](const Cycle& one) { return one.toReport.cycles; });

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -72,6 +73,11 @@ class CycleMeter {
     return profile_[toReport ? 1 : 0].timesOf(address);
   }
 
+  /// @brief How deep the stack was since the board was switched on: down to the lowest word that no
+  /// longer holds what it held when the meter was made.
+  /// @return bytes of the stack
+  [[nodiscard]] std::size_t stackBytes() const;
+
   /// @brief Writes all as JSON.
   void write(std::ostream& output) const;
 
@@ -100,6 +106,7 @@ class CycleMeter {
   Instant pulseAt_;
   Instant chargedAt_;  ///< up to when costs are charged to exceptions
   Cycle cycle_;
+  std::vector<std::uint32_t> stack_;  ///< its words before the image ran
   std::vector<unsigned> active_;
   std::vector<Cycle> cycles_;
   std::map<unsigned, Exception> exceptions_;

@@ -24,6 +24,7 @@ from weeding_robot_client.script import Wish
 from traceability.commands.builds import BOARD_PROGRAM, build_for_board
 from traceability.commands.firmware import build_k64
 from traceability.commands.steps import FailureError, Steps
+from traceability.commands.usual_design import compare
 from traceability.model.bench import (
     BENCH,
     ELF,
@@ -70,7 +71,7 @@ def bench(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
         parser.error(f"--seconds {options.seconds} needs --port")
     if options.port:
         return on_board(root, options.port, options.seconds)
-    steps = Steps(root, 2 + len(SCENARIOS))
+    steps = Steps(root, 3 + len(SCENARIOS))
     build_k64(root, steps)
     steps.run("virtual K64", lambda log: build_for_board(root, log, BOARD_PROGRAM))
     if steps.failed:
@@ -78,6 +79,7 @@ def bench(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
     record: dict[str, Any] = {**measured_with(root), "scenarios": {}}
     for paper in SCENARIOS:
         steps.run(paper.title, partial(measure, root, paper, record))
+    steps.run("the usual design beside the patterns", partial(compare, root))
     if len(record["scenarios"]) == len(SCENARIOS):
         (root / BENCH).parent.mkdir(parents=True, exist_ok=True)
         (root / BENCH).write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")

@@ -63,7 +63,7 @@ void runRobot() {
   platform::enableInterrupts();
   platform::redLight.set(false);
   for (;;) {
-    sleepUntilInterrupt();
+    platform::timebase.sleep();
     design.run();
   }
 }

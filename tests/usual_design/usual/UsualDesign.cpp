@@ -22,7 +22,7 @@ constexpr std::uint8_t kWaitingN = 2;
 constexpr std::uint8_t kReconnecting = 3;
 
 constexpr std::size_t kOrderLength = 17;
-constexpr std::size_t kReportLength = 108;
+constexpr std::size_t kReportLength = 120;
 constexpr std::size_t kWelcomeLength = 23;
 constexpr std::size_t kChunk = 64;
 constexpr std::size_t kMostChunks = 64;
@@ -141,13 +141,19 @@ void UsualDesign::start() {
 void UsualDesign::cycleTimerExpired() {
   devices_.cycleTimer.acknowledge();
   const std::uint32_t number = pulses_.load() + 1;
-  pulse_.write(number, devices_.timebase.now());
+  pulse_.write({.number = number, .awake = devices_.timebase.awakeCycles()},
+               devices_.timebase.now());
   pulses_.store(number);
 }
 
 void UsualDesign::cycle() {
-  const std::optional<Stamped<std::uint32_t>> pulse = pulse_.read();
-  begun_ = pulse->value;
+  const std::optional<Stamped<Pulse>> pulse = pulse_.read();
+  const std::uint32_t awake = pulse->value.awake;
+  costs_ = {.report = reportCost_,
+            .awake = awake - awakeAtPulse_.value_or(awake),
+            .start = devices_.timebase.awakeCycles() - awake};
+  awakeAtPulse_ = awake;
+  begun_ = pulse->value.number;
   clockPulse_ = pulse->at;
   ++cycle_;
   orderRead_ = false;
@@ -156,6 +162,7 @@ void UsualDesign::cycle() {
   readOrder();
   control();
   sendReport();
+  reportCost_ = devices_.timebase.awakeCycles() - awake;
   devices_.watchdog.refresh();
 }
 
@@ -327,6 +334,9 @@ void UsualDesign::sendReport() {
   for (const WheelMeasurements& wheel : measurements_.wheels) {
     payload.put16(wheel.rejectedEdges);
   }
+  payload.put32(costs_.report);
+  payload.put32(costs_.awake);
+  payload.put32(costs_.start);
   if (!send(FrameType::Report, bytes)) {
     count(counts_.reportsNotSent);
   }

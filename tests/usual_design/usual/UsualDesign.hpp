@@ -46,6 +46,10 @@ class UsualDesign {
   enum class Mode : std::uint8_t { Rc = 0, Pc = 1, None = 255 };
   enum class Link : std::uint8_t { Disconnected, Handshaking, Connected };
 
+  struct Pulse {
+    std::uint32_t number = 0;
+    std::uint32_t awake = 0;  // count of processor cycles
+  };
   struct HallRecord {
     std::optional<Instant> last;
     std::int32_t count = 0;
@@ -107,7 +111,7 @@ class UsualDesign {
 
   // Control cycle.
   std::atomic<std::uint32_t> pulses_{0};
-  Pipe<std::uint32_t> pulse_;
+  Pipe<Pulse> pulse_;
   std::uint32_t begun_ = 0;
   std::uint32_t cycle_ = 0;
   std::uint16_t overruns_ = 0;
@@ -115,6 +119,9 @@ class UsualDesign {
   bool orderRead_ = false;
   bool held_ = false;
   bool overran_ = false;
+  CycleCosts costs_{};
+  std::optional<std::uint32_t> awakeAtPulse_;
+  std::uint32_t reportCost_ = 0;
 
   // Reading of orders.
   Mode mode_ = Mode::Rc;
