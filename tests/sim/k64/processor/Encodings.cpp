@@ -118,7 +118,7 @@ constexpr auto kEncodings = std::to_array<Encoding>({
     {"MLS", "111110110000 nnnn aaaa dddd 0001 mmmm"},
     {"SMLAxy", "111110110001 nnnn aaaa dddd 00xx mmmm"},
     {"SMULxy", "111110110001 nnnn 1111 dddd 00xx mmmm"},
-    {"SMLAD", "111110110010 nnnn aaaa dddd 000x mmmm"},
+    {"SMLAD", "111110110010 nnnn aaaa dddd 000x mmmm", "", false, true},
     {"SMUAD", "111110110010 nnnn 1111 dddd 000x mmmm"},
     {"SMLAWy", "111110110011 nnnn aaaa dddd 000x mmmm"},
     {"SMULWy", "111110110011 nnnn 1111 dddd 000x mmmm"},

@@ -15,6 +15,8 @@ struct Encoding {
   std::string_view bits;
   std::string_view differ = "";  ///< fields that must not be equal, two by two
   bool toNearest = false;        ///< the engine rounds it as FPSCR says, which is wrong
+  bool qTooOften =
+      false;  ///< the engine sets Q when a part of the sum is too large, which is wrong
 };
 
 /// @brief All instructions of ARMv7E-M with FPv4-SP that go on with the next one.

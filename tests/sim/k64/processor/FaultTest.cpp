@@ -140,6 +140,19 @@ TEST_F(FaultTest, ConversionFromFixedPointRoundsToNearest) {
   EXPECT_EQ(core_.registers.s[0], 0x43800000U);      // 256, not the next number
 }
 
+/// @brief SMLAD sets Q when the whole sum is too large, not when the sum of the products alone is:
+/// A7.7.144. Unicorn sets it in both cases.
+TEST_F(FaultTest, DualProductSetsQForTheWholeSum) {
+  core_.registers.r[1] = 0x80008000;  // the products make 2^31
+  core_.registers.r[2] = 0xFFFFFFFF;
+  EXPECT_EQ(execute({0xFB21, 0x2001}), Trap::None);  // smlad r0, r1, r1, r2
+  EXPECT_EQ(core_.registers.r[0], 0x7FFFFFFFU);
+  EXPECT_FALSE(core_.registers.q);
+  core_.registers.r[2] = 0;
+  EXPECT_EQ(execute({0xFB21, 0x2001}), Trap::None);
+  EXPECT_TRUE(core_.registers.q);
+}
+
 /// @brief In a block whose condition does not hold an instruction does nothing; a fault keeps the
 /// block, so that the return from its handler goes on in it.
 TEST_F(FaultTest, FaultInBlockKeepsTheBlock) {
