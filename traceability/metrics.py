@@ -119,7 +119,7 @@ def metrics(model: Model) -> dict[str, Any]:
         "coverage.drivers_on_board": _executed(model.board_lines),
         "firmware.flash_bytes": None,
         "firmware.ram_bytes": None,
-        "firmware.stack_bytes": None,
+        "firmware.stack_bytes": model.stack.total if model.stack and model.stack.proven else None,
         "firmware.forbidden_parts": None,
         "bench.scenarios": None,
         "mutation.tried": len(model.mutation.tried) if model.mutation else None,

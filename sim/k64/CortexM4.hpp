@@ -153,6 +153,10 @@ class CortexM4 {
   /// @param code where they are noted; must outlive the processor
   void noteExecuted(ExecutedCode& code) { core_.noteExecuted(code); }
 
+  /// @brief Notes the lowest stack pointer from now on.
+  /// @param lowest keeps the lowest; must outlive the processor
+  void noteStack(std::uint32_t& lowest) { core_.noteStack(lowest); }
+
  private:
   [[nodiscard]] std::uint32_t readSystem(std::uint32_t address, unsigned size);
   void writeSystem(std::uint32_t address, unsigned size, std::uint32_t value);

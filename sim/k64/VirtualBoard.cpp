@@ -756,4 +756,8 @@ void VirtualBoard::noteExecuted(ExecutedCode& code) {
   parts_->cpu().noteExecuted(code);
 }
 
+void VirtualBoard::noteStack(std::uint32_t& lowest) {
+  parts_->cpu().noteStack(lowest);
+}
+
 }  // namespace wr::k64

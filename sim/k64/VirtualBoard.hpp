@@ -162,6 +162,10 @@ class VirtualBoard {
   /// @param code where they are noted; must outlive the board
   void noteExecuted(ExecutedCode& code);
 
+  /// @brief Notes the lowest stack pointer from now on.
+  /// @param lowest keeps the lowest; must outlive the board
+  void noteStack(std::uint32_t& lowest);
+
  private:
   class Parts;
   std::unique_ptr<Parts> parts_;

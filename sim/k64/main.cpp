@@ -38,6 +38,7 @@ constexpr const char* kUsage =
     "  --bench FILE     with --scenario: measure its last 1000 cycles, write them to FILE as JSON\n"
     "  --timing MODEL   what instructions cost: no-wait-states or slow-flash\n"
     "  --profile        with --bench: count also how often each instruction is executed\n"
+    "  --stack          tell how much of the stack was used\n"
     "  --trace FILE     write interrupts, resets, pins and sent bytes to FILE, with their times\n"
     "  --help           show this text\n"
     "\n"
@@ -140,7 +141,7 @@ wr::Exit run(int count, char** arguments) {
   const wr::CommandLine options(count, arguments,
                                 {"--image", "--elf", "--link", "--cycles", "--scenario",
                                  "--reports", "--trace", "--bench", "--timing"},
-                                {"--fast", "--profile", "--help"});
+                                {"--fast", "--profile", "--stack", "--help"});
   if (options.has("--help")) {
     std::fputs(kUsage, stdout);
     return wr::Exit::Done;
@@ -166,7 +167,15 @@ wr::Exit run(int count, char** arguments) {
   if (trace) {
     robot.onEvent([&](const wr::k64::Event& event) { trace->add(event); });
   }
+  const std::uint32_t top = robot.board.word(0);  // the first vector: the stack begins there
+  std::uint32_t lowest = top;
+  if (options.has("--stack")) {
+    robot.board.noteStack(lowest);
+  }
   const wr::Exit exit = runAsAsked(robot, options);
+  if (options.has("--stack")) {
+    std::printf("stack: %u bytes\n", static_cast<unsigned>(top - lowest));
+  }
   if (trace) {
     std::printf("trace: %llu events, hash %016llx\n",
                 static_cast<unsigned long long>(trace->events()),

@@ -18,6 +18,7 @@ from traceability.checks import (
     registers,
     requirements,
     secrets,
+    stack,
     trees,
     uses,
 )
@@ -38,6 +39,7 @@ FAMILIES = (
     paper.check,
     architecture.check,
     execution.check,
+    stack.check,
     machines.check,
     trees.check,
     requirements.check,

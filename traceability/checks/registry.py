@@ -46,6 +46,8 @@ WHY = {
     "fsm": "A state machine is read instead of the code of its states: both must say the same.",
     "exec": "What runs at different priorities shares data: a call in the wrong place shows only "
     "once in a thousand cycles.",
+    "stack": "The threads and interrupts share one stack: it must hold the worst moment, which no "
+    "test may ever meet.",
     "req": "A requirement counts as fulfilled only when code, tests and results say so.",
     "suspect": "A link that a person has reviewed holds for the texts that were reviewed.",
     "paper": "The paper is the reference of the design: what it names must be found here, or the "
@@ -276,6 +278,30 @@ _FIXED = [
         "changes through references and in the standard library; whether the protection is enough; "
         "two threads of one kind.",
         "put a Pipe between the contexts, or state the protection.",
+    ),
+    Check(
+        "stack-call",
+        "Each indirect call of the image is known",
+        "Each call through a pointer that the compiler lists is a call of a virtual method whose "
+        "objects the builders gave, or is declared in design/stack.toml.",
+        "images that add to the robot; an image that was not built from the present sources.",
+        "call an object that a builder gives, or declare the call.",
+    ),
+    Check(
+        "stack-recursion",
+        "No function of the image calls itself",
+        "From no handler does a chain of calls come back to a function. A chain of decorators "
+        "passes once through each Concrete Decorator of its application.",
+        "a decorator that wraps another object of its own class.",
+        "write a loop with a bound.",
+    ),
+    Check(
+        "stack-bound",
+        "The stack holds the worst moment",
+        "The greatest chains of calls of all priorities, one above the other, fit into the stack; "
+        "each frame has a bound; and no run in closed loop used more than that.",
+        "what the hardware stores for a fault inside of a fault.",
+        "raise stackSize in the linker script, or shorten the deepest chain.",
     ),
     Check(
         "fsm-declared",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 from pathlib import Path
 from typing import TextIO
@@ -15,6 +16,7 @@ from traceability.sources import file_hash, source_hash
 
 HOST_PROGRAM = "weeding_robot_host"
 SECONDS = 300  # for one scenario
+STACK = re.compile(r"^stack: (?P<bytes>\d+) bytes$", re.MULTILINE)
 
 
 def play_all(root: Path, log: TextIO) -> str:
@@ -55,18 +57,23 @@ def _play(root: Path, log: TextIO, name: str, binding: str) -> dict[str, object]
     words: list[str | Path] = [folder / HOST_PROGRAM]
     if binding == VIRTUAL_K64:
         elf = (root / IMAGE).with_suffix(".elf")
-        words = [folder / BOARD_PROGRAM, "--image", root / IMAGE, "--elf", elf]
+        words = [folder / BOARD_PROGRAM, "--image", root / IMAGE, "--elf", elf, "--stack"]
     words += ["--scenario", root / EXAMPLES / f"{name}.scenario", "--reports", reports]
     log.write(f"$ {' '.join(str(word) for word in words)}\n")
     try:
         run = subprocess.run(words, capture_output=True, text=True, timeout=SECONDS, check=False)
     except subprocess.TimeoutExpired:
-        return {"passed": False, "said": f"it did not end within {SECONDS} s"}
+        return {"passed": False, "said": f"it did not end within {SECONDS} s", "stack": None}
     output = run.stdout + run.stderr
     log.write(output)
     lines = [line for line in run.stderr.splitlines() or run.stdout.splitlines() if line.strip()]
     said = lines[0].replace(f"{root}/", "") if lines else f"exit code {run.returncode}"
-    return {"passed": run.returncode == 0, "said": "" if run.returncode == 0 else said}
+    stack = STACK.search(run.stdout)
+    return {
+        "passed": run.returncode == 0,
+        "said": "" if run.returncode == 0 else said,
+        "stack": int(stack["bytes"]) if stack else None,
+    }
 
 
 def _note(runs: object, *, fresh: bool) -> str:

@@ -39,6 +39,7 @@ from traceability.model.schema import (
     RoleBinding,
     Use,
 )
+from traceability.model.stack import prove
 from traceability.model.syntax import BodyFact, CallFact, ClassFact, MethodFact, read_syntax
 from traceability.model.tests import add_board_findings, add_executed_modules, add_tests
 from traceability.model.traces import nodes_of, read_traces
@@ -84,6 +85,7 @@ def build(root: Path) -> Model:
     add_executed_modules(model, traces)
     add_machines(model, facts, traces)
     add_execution(model, facts)
+    model.stack = prove(root, model, facts)
     add_connections(model, facts)
     add_dictionary(model, facts)
     coverage = read_coverage(root, build_folder)

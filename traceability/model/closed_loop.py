@@ -66,7 +66,10 @@ def _scenario(root: Path, item: dict[str, Any], runs: dict[str, Any]) -> LoopSce
         _place(root, name),
         [_plot(plot, rows) for plot in item.get("plot", [])],
         [_figure(figure, rows) for figure in item.get("figure", [])],
-        {binding: LoopRun(run["passed"], run["said"]) for binding, run in runs.items()},
+        {
+            binding: LoopRun(run["passed"], run["said"], run.get("stack"))
+            for binding, run in runs.items()
+        },
     )
 
 

@@ -472,6 +472,62 @@ class ExecutionContext:
 
 
 @dataclass
+class StackCall:
+    """A function of the deepest chain of calls, with its frame."""
+
+    name: str
+    bytes: int
+    measured: bool  # from its instructions: the compiler did not tell it
+
+
+@dataclass
+class StackContext:
+    """What one context needs at most, and the chain of calls that needs it."""
+
+    id: str
+    name: str
+    kind: str  # "start", "thread", "interrupt", "fault"
+    priority: int | None
+    bytes: int
+    chain: list[StackCall]
+
+
+@dataclass
+class StackProof:
+    """The stack that the image of the robot needs at most, in bytes."""
+
+    exception_frame: int  # what the hardware stores at each entry
+    limit: int = 0  # what the linker script gives
+    seen: int | None = None  # the most that a run in closed loop used
+    contexts: list[StackContext] = field(default_factory=list)
+    unresolved: list[tuple[str, Place]] = field(default_factory=list)  # calls: function, place
+    cycles: list[list[str]] = field(default_factory=list)
+    dynamic: list[str] = field(default_factory=list)  # functions whose frame has no bound
+
+    @property
+    def proven(self) -> bool:
+        return not (self.unresolved or self.cycles or self.dynamic)
+
+    @property
+    def levels(self) -> list[StackContext]:
+        """For each priority the context that needs the most; the start is below them all."""
+        worst: dict[int | None, StackContext] = {}
+        for context in self.contexts:
+            held = worst.get(context.priority)
+            if held is None or context.bytes > held.bytes:
+                worst[context.priority] = context
+        return sorted(
+            worst.values(), key=lambda one: -(1 << 10 if one.priority is None else one.priority)
+        )
+
+    @property
+    def total(self) -> int:
+        """All levels at a time, each but the lowest with what the hardware stores."""
+        levels = self.levels
+        return sum(one.bytes for one in levels) + self.exception_frame * (len(levels) - 1)
+
+
+@dataclass
 class SharedPipe:
     """A pipe of the robot; ``writers`` and ``readers`` are methods with their contexts."""
 
@@ -660,6 +716,7 @@ class LoopRun:
 
     passed: bool
     said: str
+    stack: int | None = None  # bytes that it used, on the virtual K64
 
 
 @dataclass
@@ -690,6 +747,7 @@ class Model:
     mutation: Mutation | None = None  # of these sources
     machines: dict[str, StateMachine] = field(default_factory=dict)
     contexts: dict[str, ExecutionContext] = field(default_factory=dict)
+    stack: StackProof | None = None  # of the image, when it was built from the present sources
     pipes: list[SharedPipe] = field(default_factory=list)
     shared: list[SharedMember] = field(default_factory=list)
     uses: list[Use] = field(default_factory=list)

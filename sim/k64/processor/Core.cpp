@@ -50,7 +50,7 @@ bool Core::beginFp() {
 }
 
 Trap Core::run() {
-  const bool looks = executed_ != nullptr || blockCall_ != nullptr;
+  const bool looks = executed_ != nullptr || blockCall_ != nullptr || lowestStack_ != nullptr;
   if (slowFlash_) {
     looks ? runInstructions<true, true>() : runInstructions<true, false>();
   } else {
@@ -97,6 +97,9 @@ void Core::note(std::uint32_t address) {
   }
   if (executed_ != nullptr && (registers.it == 0 || registers.passes(registers.it >> 4U))) {
     executed_->note(address);
+  }
+  if (lowestStack_ != nullptr) {
+    *lowestStack_ = std::min(*lowestStack_, registers.r[Registers::kStack]);
   }
 }
 

@@ -164,6 +164,7 @@ class Core {
   void beginBlock() { branched_ = true; }
 
   void noteExecuted(ExecutedCode& code) { executed_ = &code; }
+  void noteStack(std::uint32_t& lowest) { lowestStack_ = &lowest; }
   void onBlock(std::function<void(std::uint32_t)> call) { blockCall_ = std::move(call); }
 
  private:
@@ -192,6 +193,7 @@ class Core {
   bool branched_ = false;
   Instruction single_;  ///< from memory that may change
   ExecutedCode* executed_ = nullptr;
+  std::uint32_t* lowestStack_ = nullptr;
   std::function<void(std::uint32_t)> blockCall_;
 };
 

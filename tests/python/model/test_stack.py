@@ -1,0 +1,171 @@
+"""The greatest use of the stack, from frames and calls."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import cast
+
+import pytest
+
+from traceability.model.call_graph import Function, _read_listing, _read_unit, short_name
+from traceability.model.facts import Facts
+from traceability.model.schema import (
+    ExecutionContext,
+    Model,
+    Place,
+)
+from traceability.model.stack import Declared, Prover
+from traceability.model.syntax import BodyFact, CallFact, Syntax
+
+HERE = Place("src/robot.cpp", 1)
+CALLED = Place("src/robot.cpp", 7)
+
+
+class Targets:
+    """The references: each call reaches the methods that its argument names."""
+
+    def targets(self, call: CallFact) -> list[str]:
+        return call.on
+
+
+class SmallFacts:
+    def __init__(self, *calls: CallFact) -> None:
+        body = BodyFact("Loop::run", "Loop", HERE, 9, calls=list(calls))
+        self.syntax = Syntax(bodies=[body])
+        self.references = Targets()
+        self.bodies = {"Loop::run": [body]}
+
+
+def graph(**functions: tuple[int, list[str]]) -> dict[str, Function]:
+    return {
+        symbol: Function(symbol, f"wr::{symbol.replace('_', '::')}()", frame, calls=calls)
+        for symbol, (frame, calls) in functions.items()
+    }
+
+
+def context(name: str, handler: str, priority: int | None) -> ExecutionContext:
+    return ExecutionContext(name, "interrupt", name, "", [handler], "", HERE, priority=priority)
+
+
+def prover(
+    functions: dict[str, Function], contexts: list[ExecutionContext], *calls: CallFact
+) -> Prover:
+    model = Model(commit="", version="", sources_hash="", results_hashes={})
+    model.contexts = {one.id: one for one in contexts}
+    facts = cast(Facts, SmallFacts(*calls))
+    return Prover(functions, facts, model, Declared())
+
+
+def test_the_deepest_chain_counts_and_not_the_longest() -> None:
+    functions = graph(
+        Loop_run=(8, ["Loop_a", "Loop_b"]),
+        Loop_a=(8, ["Loop_c"]),
+        Loop_b=(100, []),
+        Loop_c=(16, []),
+    )
+    proof = prover(functions, [context("main", "Loop::run", None)]).prove(36)
+    assert [call.name for call in proof.contexts[0].chain] == ["Loop::run", "Loop::b"]
+    assert proof.total == 108
+
+
+def test_of_each_priority_the_greatest_counts_with_a_frame_of_the_hardware() -> None:
+    functions = graph(Loop_run=(10, []), Loop_a=(20, []), Loop_b=(30, []), Loop_c=(40, []))
+    contexts = [
+        context("main", "Loop::run", None),
+        context("small", "Loop::a", 2),
+        context("large", "Loop::b", 2),
+        context("high", "Loop::c", 1),
+    ]
+    proof = prover(functions, contexts).prove(36)
+    assert [one.id for one in proof.levels] == ["main", "large", "high"]
+    assert proof.total == 10 + 36 + 30 + 36 + 40
+
+
+@pytest.mark.parametrize("more", [8, 1024])
+def test_a_larger_frame_is_seen_byte_for_byte(more: int) -> None:
+    functions = graph(Loop_run=(8, ["Loop_a"]), Loop_a=(16, []))
+    before = prover(functions, [context("main", "Loop::run", None)]).prove(36).total
+    functions["Loop_a"].frame += more
+    assert prover(functions, [context("main", "Loop::run", None)]).prove(36).total == before + more
+
+
+def test_an_indirect_call_reaches_what_the_model_says() -> None:
+    functions = graph(Loop_run=(8, []), Lamp_on=(50, []), Lamp_off=(70, []))
+    functions["Loop_run"].indirect = [CALLED]
+    call = CallFact("Command::execute", True, CALLED, on=["Lamp::on"])
+    proof = prover(functions, [context("main", "Loop::run", None)], call).prove(36)
+    assert proof.total == 58
+    assert proof.proven
+
+
+def test_an_indirect_call_that_nobody_knows_is_told() -> None:
+    functions = graph(Loop_run=(8, []))
+    functions["Loop_run"].indirect = [CALLED]
+    proof = prover(functions, [context("main", "Loop::run", None)]).prove(36)
+    assert proof.unresolved == [("Loop::run", CALLED)]
+    assert not proof.proven
+
+
+def test_recursion_is_told() -> None:
+    functions = graph(Loop_run=(8, ["Loop_a"]), Loop_a=(8, ["Loop_b"]), Loop_b=(8, ["Loop_a"]))
+    proof = prover(functions, [context("main", "Loop::run", None)]).prove(36)
+    assert proof.cycles == [["Loop::a", "Loop::b"]]
+
+
+def test_a_chain_passes_once_through_each_concrete_decorator() -> None:
+    functions = graph(
+        Loop_run=(8, ["Frame_put"]),
+        Frame_put=(4, []),
+        Red_put=(16, ["Frame_put"]),
+        Blue_put=(32, ["Frame_put"]),
+    )
+    functions["Frame_put"].indirect = [CALLED]
+    call = CallFact("Lamp::put", True, CALLED, on=["Red::put", "Blue::put"])
+    one = prover(functions, [context("main", "Loop::run", None)], call)
+    one.most = {"Frame::put": 2, "Red::put": 1, "Blue::put": 1}
+    proof = one.prove(36)
+    assert proof.cycles == []
+    assert proof.total == 8 + 4 + 16 + 4 + 32
+
+
+def test_the_graph_of_the_compiler_is_read(tmp_path: Path) -> None:
+    told: dict[str, Function] = {}
+    file = tmp_path / "a.cpp"
+    _read_unit(
+        tmp_path,
+        f"""graph: {{ title: "a.cpp"
+node: {{ title: "_ZN2wr4Lamp2onEv" label: "void wr::Lamp::on()\\na.cpp:1:1\\n24 bytes (static)" }}
+node: {{ title: "a.cpp:_ZL3offv" label: "void off()\\na.cpp:2:1\\n8 bytes (dynamic)" }}
+edge: {{ sourcename: "_ZN2wr4Lamp2onEv" targetname: "a.cpp:_ZL3offv" label: "a.cpp:1:9" }}
+edge: {{ sourcename: "_ZN2wr4Lamp2onEv" targetname: "__indirect_call" label: "{file}:3:5" }}
+""",
+        told,
+    )
+    lamp = told["_ZN2wr4Lamp2onEv"]
+    assert (lamp.frame, lamp.calls, lamp.indirect) == (24, ["_ZL3offv"], [Place("a.cpp", 3)])
+    assert told["_ZL3offv"].dynamic
+
+
+def test_a_function_of_a_library_is_read_from_its_instructions() -> None:
+    listing = """
+00000100 <memset>:
+     100:\tpush\t{r4, r5, lr}
+     102:\tsub\tsp, #8
+     104:\tbl\t200 <helper>
+     106:\tbeq.n\t104 <memset+0x4>
+
+00000200 <helper>:
+     200:\tstmdb\tsp!, {r4-r7, lr}
+     204:\tstr.w\tlr, [sp, #-4]!
+"""
+    found = _read_listing(listing)
+    assert (found["memset"].frame, found["memset"].calls) == (20, ["helper"])
+    assert found["helper"].frame == 24
+
+
+def test_names_are_those_of_the_model() -> None:
+    assert short_name("wr::Wheel::CutOff::execute()") == "Wheel::CutOff::execute"
+    assert short_name("memset") == "memset"
+    assert short_name("wr::MainController::read(wr::Instant) [clone .isra.0]") == (
+        "MainController::read"
+    )

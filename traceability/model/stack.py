@@ -1,0 +1,194 @@
+"""The stack that the image needs at most: each call of each function that a context may reach.
+
+Frames and calls are the compiler's. An indirect call reaches what the model says: the methods of
+the objects that the builders gave. A chain of decorators passes once through each Concrete
+Decorator of its application, which is all that can repeat.
+"""
+
+from __future__ import annotations
+
+import fnmatch
+import tomllib
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from traceability.image import TOTALS, sources_of_image
+from traceability.model.call_graph import (
+    Function,
+    read_graph,
+    short_name,
+    symbol_value,
+    uses_floats,
+)
+from traceability.model.execution import DISPATCH
+from traceability.model.facts import Facts
+from traceability.model.results import read_json
+from traceability.model.schema import Model, Place, StackCall, StackContext, StackProof
+from traceability.model.syntax import CallFact
+
+DECLARED = Path("design/stack.toml")
+BUILD = Path("build/k64")
+PRODUCT = "weeding_robot"
+RUN_OF_THREAD = "ControlThread::run"
+# ARMv7-M ARM, B1.5.6: what the hardware stores at an entry, and a word that aligns it.
+FRAME = 32 + 4
+FRAME_WITH_FLOATS = 104 + 4
+
+
+@dataclass
+class Declared:
+    faults: list[str] = field(default_factory=list)
+    calls: dict[str, str] = field(default_factory=dict)  # function -> pattern of symbols
+
+
+def read_declared(root: Path) -> Declared:
+    file = root / DECLARED
+    if not file.exists():
+        return Declared()
+    data = tomllib.loads(file.read_text(encoding="utf-8"))
+    return Declared(
+        faults=data.get("faults", []),
+        calls={one["from"]: one["to"] for one in data.get("call", [])},
+    )
+
+
+def prove(root: Path, model: Model, facts: Facts) -> StackProof | None:
+    """The proof for the image of the robot; nothing when it was not built from these sources."""
+    elf = root / BUILD / f"{PRODUCT}.elf"
+    record = read_json(root / TOTALS)
+    fresh = isinstance(record, dict) and record.get("sources") == sources_of_image(root)
+    if not fresh or not elf.exists() or not model.contexts:
+        return None
+    graph = read_graph(root, root / BUILD, elf)
+    frame = FRAME_WITH_FLOATS if uses_floats(elf) else FRAME
+    proof = Prover(graph, facts, model, read_declared(root)).prove(frame)
+    proof.limit = symbol_value(elf, "stackSize")
+    runs = [run for scenario in model.closed_loop or [] for run in scenario.runs.values()]
+    proof.seen = max((run.stack for run in runs if run.stack is not None), default=None)
+    return proof
+
+
+def most_entries(model: Model) -> dict[str, int]:
+    """Method of a decorator -> how often a chain of calls can enter it at a time."""
+    found: dict[str, int] = {}
+    for application in model.patterns.values():
+        if application.pattern != "Decorator":
+            continue
+        concrete = [r.module for r in application.roles if r.role == "Concrete Decorator"]
+        for role in application.roles:
+            if role.role in ("Decorator", "Concrete Decorator") and role.module in model.modules:
+                most = len(concrete) if role.role == "Decorator" else 1
+                found |= {method.id: most for method in model.modules[role.module].methods}
+    return found
+
+
+class Prover:
+    def __init__(
+        self, graph: dict[str, Function], facts: Facts, model: Model, declared: Declared
+    ) -> None:
+        self.graph = graph
+        self.facts = facts
+        self.model = model
+        self.declared = declared
+        self.symbols: dict[str, list[str]] = {}  # short name -> symbols
+        for symbol, function in graph.items():
+            self.symbols.setdefault(short_name(function.name), []).append(symbol)
+        self.written: dict[tuple[str, int], list[tuple[str, CallFact]]] = {}
+        for body in facts.syntax.bodies:
+            for call in body.calls:
+                key = (call.place.file, call.place.line)
+                self.written.setdefault(key, []).append((body.id, call))
+        self.most = most_entries(model)
+        self.proof = StackProof(exception_frame=0)
+        self.body = ""  # the command of the thread that is looked at
+
+    def prove(self, frame: int) -> StackProof:
+        self.proof.exception_frame = frame
+        for context in self.model.contexts.values():
+            self.body = context.body
+            roots = [s for one in context.handlers for s in self.symbols.get(one, [])]
+            deepest = [self.deepest(symbol) for symbol in roots]
+            if deepest:
+                worst = max(deepest, key=lambda chain: sum(one.bytes for one in chain))
+                self._add(context.id, context.name, context.kind, context.priority, worst)
+        self.body = ""
+        for handler in self.declared.faults:
+            for symbol in self.symbols.get(handler, []):
+                self._add("faults", "faults", "fault", -1, self.deepest(symbol))
+        self.proof.dynamic = sorted(one.name for one in self.graph.values() if one.dynamic)
+        return self.proof
+
+    def _add(
+        self, one: str, name: str, kind: str, priority: int | None, chain: list[StackCall]
+    ) -> None:
+        depth = sum(call.bytes for call in chain)
+        self.proof.contexts.append(StackContext(one, name, kind, priority, depth, chain))
+
+    # ---- the deepest chain of calls -------------------------------------------------
+
+    def deepest(self, symbol: str) -> list[StackCall]:
+        known: dict[tuple[str, tuple[tuple[str, int], ...]], list[StackCall]] = {}
+        return self._below(symbol, {}, [], known)
+
+    def _below(
+        self,
+        symbol: str,
+        entered: dict[str, int],
+        path: list[str],
+        known: dict[tuple[str, tuple[tuple[str, int], ...]], list[StackCall]],
+    ) -> list[StackCall]:
+        function = self.graph[symbol]
+        method = short_name(function.name)
+        if method in self.most:
+            entered = {**entered, method: entered.get(method, 0) + 1}
+        key = (symbol, tuple(sorted(entered.items())))
+        if key in known:
+            return known[key]
+        worst: list[StackCall] = []
+        for target in self._callees(function):
+            if self._is_full(target, entered):
+                continue
+            way = [*path, symbol]
+            if target in way and not self._in_chain(way, target):
+                self._note_cycle(way, target)
+                continue
+            below = self._below(target, entered, way, known)
+            if sum(one.bytes for one in below) > sum(one.bytes for one in worst):
+                worst = below
+        known[key] = [StackCall(method, function.frame, function.measured), *worst]
+        return known[key]
+
+    def _is_full(self, symbol: str, entered: dict[str, int]) -> bool:
+        method = short_name(self.graph[symbol].name)
+        return method in self.most and entered.get(method, 0) >= self.most[method]
+
+    def _in_chain(self, path: list[str], target: str) -> bool:
+        cycle = path[path.index(target) :]
+        return any(short_name(self.graph[one].name) in self.most for one in cycle)
+
+    def _note_cycle(self, path: list[str], target: str) -> None:
+        cycle = [short_name(self.graph[one].name) for one in path[path.index(target) :]]
+        if not any(set(cycle) == set(known) for known in self.proof.cycles):
+            self.proof.cycles.append(cycle)
+
+    # ---- what a function calls ------------------------------------------------------
+
+    def _callees(self, function: Function) -> list[str]:
+        found = dict.fromkeys(symbol for symbol in function.calls if symbol in self.graph)
+        for place in function.indirect:
+            found |= dict.fromkeys(self._indirect(function, place))
+        return list(found)
+
+    def _indirect(self, function: Function, place: Place) -> list[str]:
+        pattern = self.declared.calls.get(short_name(function.name))
+        if pattern is not None:
+            return [symbol for symbol in self.graph if fnmatch.fnmatch(symbol, pattern)]
+        targets: list[str] = []
+        for body, call in self.written.get((place.file, place.line), []):
+            if call.virtual:
+                narrowed = self.body and body == RUN_OF_THREAD and call.target == DISPATCH
+                targets += [self.body] if narrowed else self.facts.references.targets(call)
+        symbols = [symbol for one in targets for symbol in self.symbols.get(one, [])]
+        if not symbols and not any(known == place for _, known in self.proof.unresolved):
+            self.proof.unresolved.append((short_name(function.name), place))
+        return symbols
