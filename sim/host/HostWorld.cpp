@@ -37,9 +37,7 @@ HostWorld::HostWorld(SerialPort& pcPort, HostEquipment equipment)
   binding_.measure();
   robot.scheduler().beforeThread([this](const HostThread& thread) {
     if (thread.priority() == HostRobot::kWheelPriority) {
-      const Instant turn = time.now() + kOfWheel;
-      bringEdges(turn);
-      advanceTo(turn);
+      pass(time.now() + kOfWheel);
     }
   });
 }
@@ -64,13 +62,21 @@ void HostWorld::runUntil(Instant instant) {
 void HostWorld::runMainControl(Instant until) {
   while (nextPulse_ <= until) {
     advanceTo(nextPulse_);
-    pulseWhenDue();
+    pulse();
   }
 }
 
 void HostWorld::runWhole(Instant until) {
-  while (std::min({nextStep_, nextBeat_, nextPulse_}) <= until) {
-    const Instant next = std::min({nextStep_, nextBeat_, nextPulse_});
+  while (nextPulse_ <= until) {
+    pass(nextPulse_);
+    pulse();
+  }
+  pass(until);
+}
+
+void HostWorld::pass(Instant until) {
+  while (std::min(nextStep_, nextBeat_) <= until) {
+    const Instant next = std::min(nextStep_, nextBeat_);
     bringEdges(next + Microseconds(-1));
     advanceTo(next);
     if (next == nextStep_) {
@@ -80,9 +86,9 @@ void HostWorld::runWhole(Instant until) {
       nextBeat_ = next + robot.beatPeriod();
       robot.beat();
     }
-    pulseWhenDue();
   }
   bringEdges(until);
+  advanceTo(until);
 }
 
 void HostWorld::step() {
@@ -101,11 +107,9 @@ void HostWorld::step() {
   binding_.measure();
 }
 
-void HostWorld::pulseWhenDue() {
-  if (time.now() >= nextPulse_) {
-    nextPulse_ = time.now() + robot.period();
-    robot.clockPulse();
-  }
+void HostWorld::pulse() {
+  nextPulse_ = time.now() + robot.period();
+  robot.clockPulse();
 }
 
 void HostWorld::bringEdges(Instant until) {

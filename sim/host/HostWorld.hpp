@@ -50,8 +50,9 @@ class HostWorld {
 
   void runWhole(Instant until);
   void runMainControl(Instant until);
+  void pass(Instant until);
   void step();
-  void pulseWhenDue();
+  void pulse();
   void bringEdges(Instant until);
   void advanceTo(Instant instant);
 

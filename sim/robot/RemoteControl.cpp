@@ -1,11 +1,13 @@
 #include "sim/robot/RemoteControl.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace wr::sim {
 
 namespace {
 
+using std::chrono::microseconds;
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
@@ -13,11 +15,11 @@ constexpr milliseconds kStep{1};
 // When the pulse of each channel begins in the period.
 constexpr std::array<milliseconds, 2> kBegin{milliseconds(0), milliseconds(3)};
 
-nanoseconds widthOf(double deflection) {
+// A receiver makes its pulses with a timer of 1 us.
+microseconds widthOf(double deflection) {
   const double share = std::clamp(deflection, -1.0, 1.0);
-  const auto more =
-      static_cast<std::int64_t>(share * static_cast<double>(RemoteControl::kDeflection.count()));
-  return RemoteControl::kMiddle + nanoseconds(more);
+  return RemoteControl::kMiddle +
+         microseconds(std::llround(share * static_cast<double>(RemoteControl::kDeflection.count())));
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ struct RcEdge {
 class RemoteControl {
  public:
   static constexpr std::chrono::milliseconds kPeriod{20};
-  static constexpr std::chrono::nanoseconds kMiddle{1'500'000};
-  static constexpr std::chrono::nanoseconds kDeflection{500'000};
+  static constexpr std::chrono::microseconds kMiddle{1500};
+  static constexpr std::chrono::microseconds kDeflection{500};
 
   /// @brief Moves the sticks. It counts from the next pulses on.
   /// @param sticks where they are; nothing: the remote control is off and sends no pulse
