@@ -7,6 +7,7 @@ import time
 from pathlib import Path
 from typing import TextIO
 
+from traceability.commands.bench import add_bench
 from traceability.commands.builds import BOARD, Counts, require_counts, run_tests
 from traceability.commands.check import STEPS as DOCUMENT_STEPS
 from traceability.commands.check import make_documents, report
@@ -15,7 +16,7 @@ from traceability.commands.firmware import build_firmware
 from traceability.commands.serve import add_port, serve
 from traceability.commands.steps import Steps
 
-BUILD_STEPS = 5
+BUILD_STEPS = 7
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -23,8 +24,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "portal",
         help="build the firmware, test it, check it, build its portal and serve it",
         description="Builds the firmware for this machine and for the K64, runs its tests with "
-        "traces and coverage, and with the image on the virtual K64, checks the documents against "
-        "the code, builds the portal and serves it on this machine. Findings and failed tests do "
+        "traces and coverage, and with the image on the virtual K64, measures the image, checks the "
+        "documents against the code, builds the portal and serves it on this machine. Findings and failed tests do "
         "not stop the portal from being built.",
     )
     add_port(parser)
@@ -46,6 +47,7 @@ def portal(root: Path, options: argparse.Namespace) -> int:
         traced_tests(root, steps)
         board_tests(root, steps)
         closed_loop(root, steps)
+        add_bench(root, steps)
     figures = (lambda: {"build.cold_s": round(time.monotonic() - start, 1)}) if cold else dict
     code = report(make_documents(root, steps, figures), steps)
     print(f"The portal is in {root / 'build' / 'site'}")

@@ -8,6 +8,7 @@ import subprocess
 from pathlib import Path
 from typing import TextIO
 
+from traceability.commands.bench import add_bench
 from traceability.commands.builds import (
     Counts,
     junit_counts,
@@ -22,7 +23,7 @@ from traceability.commands.steps import FailureError, Steps, run
 from traceability.model.results import PLAIN
 from traceability.sources import DESIGN, files_below, hash_of
 
-OTHER_STEPS = 9
+OTHER_STEPS = 12
 # What tests of Python read: some run on a copy of the whole project.
 READ_BY_TESTS = (
     *(*DESIGN, "sim", "tests", "client", "docs", "design", "requirements"),
@@ -52,6 +53,7 @@ def test(root: Path) -> int:
     steps.run("tests (sanitize)", lambda log: require_counts(*run_tests(root, "sanitize", log)))
     counts += board_tests(root, steps)
     closed_loop(root, steps)
+    add_bench(root, steps)
     pages = root / "tests" / "python" / "site"
     python = root / "tests" / "python"
     counts += run_pytest(root, steps, "tools", [python, f"--ignore={pages}"])
