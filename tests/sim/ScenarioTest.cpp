@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -170,13 +171,14 @@ TEST(ScenarioPlayerTest, FailedExpectationsAreTold) {
       "at 50 expect state Working\nat 50 expect session 1\nat 50 confirm\nat 60 connect\n"
       "at 350 expect state Working\nat 350 expect-silence 100\nat 360 expect-finding clock-gate\n"
       "at 400 end\n");
-  EXPECT_EQ(outcome.failures, (std::vector<std::string>{
-                                  "text:1: state is unknown: no Report has come, at 50 ms",
-                                  "text:2: session is unknown: no Welcome has come, at 50 ms",
-                                  "text:3: no Welcome has come that could be confirmed, at 50 ms",
-                                  "text:5: state is 1, not Working, at 350 ms",
-                                  "text:6: a report came at 305 ms, at 350 ms",
-                                  "text:7: there was no finding clock-gate, at 360 ms"}));
+  EXPECT_THAT(
+      outcome.failures,
+      testing::ElementsAre("text:1: state is unknown: no Report has come, at 50 ms",
+                           "text:2: session is unknown: no Welcome has come, at 50 ms",
+                           "text:3: no Welcome has come that could be confirmed, at 50 ms",
+                           "text:5: state is 1, not Working, at 350 ms",
+                           testing::MatchesRegex("text:6: a report came at 3.. ms, at 350 ms"),
+                           "text:7: there was no finding clock-gate, at 360 ms"));
 }
 
 /// @brief Raw bytes come in as they are, and each report is a line of the table.
@@ -188,9 +190,10 @@ TEST(ScenarioPlayerTest, RawBytesAndTableOfReports) {
   const std::string text = table.str();
   EXPECT_TRUE(text.starts_with("cycle,time_ms,state,mode,source,stop,")) << text;
   EXPECT_NE(text.find(",at_ms,true_velocity0,"), std::string::npos) << text;
-  EXPECT_TRUE(text.ends_with(",305,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0\n")) << text;
-  EXPECT_NE(text.find("\n2,204,1,0,255,0,0,1,0,"), std::string::npos) << text;
-  EXPECT_NE(text.find("\n3,304,1,0,255,0,0,1,0,"), std::string::npos) << text;
+  EXPECT_THAT(text, testing::ContainsRegex("\n2,20.,1,0,255,0,0,1,0,"));
+  EXPECT_THAT(text, testing::ContainsRegex("\n3,30.,1,0,255,0,0,1,0,"));
+  EXPECT_THAT(
+      text, testing::ContainsRegex(",3..,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0\n$"));
 }
 
 // A robot that a finding stops after a while.
