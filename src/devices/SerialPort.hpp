@@ -36,6 +36,7 @@ class SerialPort {
   /// @brief Tells how many bytes were received and could not be stored.
   /// @return number of lost bytes since start, at most 65535
   /// @isr{no}
+  /// @satisfies FR-49
   [[nodiscard]] virtual std::uint16_t lostBytes() const = 0;
 
  protected:

@@ -177,8 +177,8 @@ TEST_F(BuilderTest, FR100_SecondTimerExecutesTheCommandsOfTheSystems) {
 }
 
 /// @brief Pulses on both pins of the remote control become the signals that its reader reads.
-/// @verifies FR-51
-TEST_F(BuilderTest, FR51_PulsesOnThePinsReachTheSignals) {
+/// @verifies FR-52
+TEST_F(BuilderTest, FR52_PulsesOnThePinsReachTheSignals) {
   director.construct();
   pins.remoteControl[0].connect([this] { builder.velocityPin().serve(); });
   pins.remoteControl[1].connect([this] { builder.directionPin().serve(); });
@@ -194,12 +194,12 @@ TEST_F(BuilderTest, FR51_PulsesOnThePinsReachTheSignals) {
   ASSERT_TRUE(velocity.read().has_value());
   EXPECT_EQ(velocity.read()->value, Velocity(3000));
   ASSERT_TRUE(direction.read().has_value());
-  EXPECT_LT(direction.read()->value, Angle(-1400));
+  EXPECT_EQ(direction.read()->value, Angle(-1600));
 }
 
 /// @brief A robot that only the PC commands begins in the mode PC and stays in it.
-/// @verifies FR-12
-TEST_F(BuilderTest, FR12_RobotForThePcHasOneMode) {
+/// @verifies FR-10
+TEST_F(BuilderTest, FR10_RobotForThePcHasOneMode) {
   director.constructForPc();
   MainController& controller = builder.controller();
   EXPECT_EQ(controller.getMode().id(), ModeId::PC);

@@ -124,6 +124,7 @@ TEST(K64BoardOnBoard, FR72_CoreRunsAt120MegahertzBeforeTheFirstCycle) {
 
 /// @brief Without the external clock no cycle runs, the outputs stay safe, and the watchdog begins the
 /// start again and again. When the clock comes back the robot starts and tells it.
+/// @verifies FR-72
 /// @verifies FR-73
 /// @verifies FR-76
 TEST(K64BoardOnBoard, FR73_StartIsTriedAgainUntilTheClockComes) {

@@ -38,8 +38,8 @@ TEST(K64ThreadOnBoard, FR1_CycleRunsAfterThePulseHasEnded) {
 }
 
 /// @brief Bytes that come while a cycle runs interrupt it: the serial port goes first.
-/// @verifies FR-37
-TEST(K64ThreadOnBoard, FR37_SerialPortInterruptsTheCycle) {
+/// @verifies FR-171
+TEST(K64ThreadOnBoard, FR171_SerialPortInterruptsTheCycle) {
   BoardRobot robot;
   robot.startUp();
   robot.connect();

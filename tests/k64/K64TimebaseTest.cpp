@@ -9,8 +9,8 @@ namespace {
 
 /// @brief The time in the reports goes on by 100 ms in each cycle, also where the counter of 32 bits wraps:
 /// after 71.6 s and after 143.2 s.
-/// @verifies FR-60
-TEST(K64TimebaseOnBoard, FR60_TimeGoesOnWhereTheCounterWraps) {
+/// @verifies FR-174
+TEST(K64TimebaseOnBoard, FR174_TimeGoesOnWhereTheCounterWraps) {
   BoardRobot robot;
   robot.startUp();
   robot.connect();
@@ -25,8 +25,8 @@ TEST(K64TimebaseOnBoard, FR60_TimeGoesOnWhereTheCounterWraps) {
 }
 
 /// @brief The time of the firmware is that of the board.
-/// @verifies FR-60
-TEST(K64TimebaseOnBoard, FR60_TimeIsThatOfTheBoard) {
+/// @verifies FR-174
+TEST(K64TimebaseOnBoard, FR174_TimeIsThatOfTheBoard) {
   BoardRobot robot;
   robot.startUp();
   robot.connect();

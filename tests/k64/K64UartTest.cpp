@@ -29,8 +29,8 @@ class K64UartOnBoard : public testing::Test {
 };
 
 /// @brief As many bytes as the line brings between two pulses come in, and none is lost.
-/// @verifies FR-37
-TEST_F(K64UartOnBoard, FR37_FullLineLosesNoByte) {
+/// @verifies FR-171
+TEST_F(K64UartOnBoard, FR171_FullLineLosesNoByte) {
   constexpr int kFrames = 150;  // of 7 bytes: 91 ms on the line, the report before takes 9 ms
   robot.connect();
   sendUnknown(kFrames);
@@ -44,9 +44,8 @@ TEST_F(K64UartOnBoard, FR37_FullLineLosesNoByte) {
 }
 
 /// @brief For ten seconds the line is never idle, in both directions, and none is lost.
-/// @verifies FR-37
 /// @verifies FR-171
-TEST_F(K64UartOnBoard, FR37_LineThatIsNeverIdleLosesNoByte) {
+TEST_F(K64UartOnBoard, FR171_LineThatIsNeverIdleLosesNoByte) {
   robot.connect();
   constexpr int kFrames = 16'000;
   sendUnknown(kFrames);

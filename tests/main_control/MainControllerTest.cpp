@@ -192,7 +192,6 @@ TEST_F(MainControllerTest, FR37_FullLineCostsNoFrame) {
 
 /// @brief What comes during a cycle that is late by one period is more than the port can store on a line
 /// without a pause: the loss is counted, and the connection goes on.
-/// @verifies FR-37
 /// @verifies FR-49
 TEST_F(MainControllerTest, FR49_LateCycleOnAFullLineLosesBytesAndGoesOn) {
   connect();

@@ -16,7 +16,7 @@ TEST(Pipe, IsEmptyBeforeTheFirstWrite) {
 }
 
 /// @brief A value stays in the pipe with its time until the next one comes.
-/// @verifies FR-20
+/// @verifies FR-173
 TEST(Pipe, KeepsItsValueWithItsTime) {
   Pipe<int> pipe;
   pipe.write(7, Instant(100));
@@ -29,7 +29,6 @@ TEST(Pipe, KeepsItsValueWithItsTime) {
 }
 
 /// @brief Only the newest of several values is read.
-/// @verifies FR-20
 /// @verifies FR-173
 TEST(Pipe, TellsTheNewestValue) {
   Pipe<int> pipe;

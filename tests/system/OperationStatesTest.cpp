@@ -20,6 +20,21 @@ class OperationStatesOfRobot : public testing::Test {
   SteppedRobot robot;
 };
 
+/// @brief After start the robot is in Working and the mode RC: without any order the N-th read is the one
+/// that sets WaitingN.
+/// @verifies FR-10
+TEST(OperationStatesAfterStart, FR10_FailedReadsAreCountedFromWorking) {
+  SteppedRobot robot;
+  robot.connect();
+  ASSERT_EQ(robot.report().cycle, 2U);
+  while (robot.report().cycle < static_cast<std::uint32_t>(kN)) {
+    EXPECT_EQ(robot.report().state, kWaiting) << robot.report().cycle;
+    robot.silentCycle();
+  }
+  EXPECT_EQ(robot.report().state, kWaitingN);
+  EXPECT_EQ(robot.report().mode, kRc);
+}
+
 /// @brief The first failed read sets the waiting state.
 /// @verifies FR-15
 TEST_F(OperationStatesOfRobot, FR15_FirstFailedReadSetsWaiting) {

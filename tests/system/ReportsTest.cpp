@@ -80,6 +80,7 @@ TEST_F(ReportsOfRobot, FR35_LinkIsServedInBothModes) {
 }
 
 /// @brief A link that is silent for 1 s is lost: reports end, and an order that comes then is not read.
+/// @verifies FR-33
 /// @verifies FR-36
 /// @verifies FR-60
 TEST_F(ReportsOfRobot, FR60_ReportsEndWhenTheLinkIsLost) {
@@ -222,6 +223,10 @@ TEST_F(ReportsOfRobot, FR63_ReportCountsDroppedFramesByReason) {
   EXPECT_EQ(robot.report().flags, before.flags);
   EXPECT_EQ(robot.report().source, kNobody);
   EXPECT_EQ(robot.report().orderId, before.orderId);
+  EXPECT_EQ(robot.report().steering, before.steering);
+  EXPECT_EQ(robot.report().overruns, before.overruns);
+  EXPECT_EQ(robot.report().lostBytes, before.lostBytes);
+  EXPECT_EQ(robot.report().reportsNotSent, before.reportsNotSent);
 }
 
 }  // namespace

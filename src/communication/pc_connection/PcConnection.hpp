@@ -42,6 +42,7 @@ class PcConnection final {
   /// @isr{no}
   /// @satisfies FR-35
   /// @satisfies FR-37
+  /// @satisfies FR-49
   void service();
 
   /// @brief Tells whether the PC is connected.

@@ -46,6 +46,7 @@ TEST_F(BufferReaderTest, FR50_DirectionAloneIsNoOrder) {
 /// @brief An order is complete until the older of its signals is 200 ms old, and not later.
 /// @verifies FR-20
 /// @verifies FR-50
+/// @verifies FR-56
 TEST_F(BufferReaderTest, FR50_NeitherSignalMayBeOld) {
   velocitySignal(1);
   clock.advance(milliseconds(200));
@@ -96,6 +97,7 @@ TEST_F(BufferReaderTest, FR51_OneVelocityForAllWheelsAndOneAngle) {
 
 /// @brief A signal beyond the limit of the robot counts as the limit.
 /// @verifies FR-51
+/// @verifies FR-178
 TEST_F(BufferReaderTest, FR51_SignalsAreLimited) {
   velocitySignal(100000);
   directionSignal(-100000);

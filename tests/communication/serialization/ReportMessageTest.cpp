@@ -216,8 +216,9 @@ TEST(ReportMessage, FR62_TheTurnDirectionHasItsBit) {
 }
 
 /// @brief Each flag has its bit.
-/// @verifies FR-61
-TEST(ReportMessage, FR61_EachFlagHasItsBit) {
+/// @verifies FR-4
+/// @verifies FR-175
+TEST(ReportMessage, FR175_EachFlagHasItsBit) {
   const std::vector<std::pair<bool ReportData::*, int>> flags{{&ReportData::stop, 1},
                                                               {&ReportData::orderRead, 2},
                                                               {&ReportData::held, 4},

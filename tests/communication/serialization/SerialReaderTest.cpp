@@ -120,8 +120,8 @@ TEST_F(SerialReaderTest, FR33_ADroppedOrderIsNotAvailable) {
 }
 
 /// @brief Numbers are little-endian; signed ones are in two's complement.
-/// @verifies FR-40
-TEST_F(SerialReaderTest, FR40_NumbersAreLittleEndian) {
+/// @verifies FR-170
+TEST_F(SerialReaderTest, FR170_NumbersAreLittleEndian) {
   ASSERT_TRUE(reader.offer(orderBytes(0x8001, -2, 0, 0x0102)));
   EXPECT_EQ(reader.readI32({FieldName::WheelPosition}), static_cast<std::int32_t>(0xFFFE8001));
   EXPECT_EQ(reader.readU32({FieldName::Cycle}), 0x00010200U);

@@ -9,8 +9,8 @@ namespace {
 using testing::ElementsAre;
 
 /// @brief Numbers are written little-endian, signed ones in two's complement.
-/// @verifies FR-40
-TEST(SerialWriter, FR40_NumbersAreLittleEndian) {
+/// @verifies FR-170
+TEST(SerialWriter, FR170_NumbersAreLittleEndian) {
   SerialWriter writer;
   writer.writeU8({FieldName::Stop}, 0xAB);
   writer.writeU16({FieldName::OrderId}, 0x1234);
