@@ -5,12 +5,24 @@
 
 namespace wr {
 
+namespace {
+
+// The core divides 32 bits with one instruction, and 64 bits with a loop.
+std::int64_t divided(std::int64_t dividend, std::int64_t divisor) {
+  if (std::in_range<std::int32_t>(dividend) && std::in_range<std::int32_t>(divisor)) {
+    return static_cast<std::int32_t>(dividend) / static_cast<std::int32_t>(divisor);
+  }
+  return dividend / divisor;
+}
+
+}  // namespace
+
 std::optional<std::int32_t> quotient(std::int64_t dividend, std::int64_t divisor) {
   if (divisor <= 0) {
     return std::nullopt;
   }
   const std::int64_t half = dividend < 0 ? -(divisor / 2) : divisor / 2;
-  const std::int64_t result = (dividend + half) / divisor;
+  const std::int64_t result = divided(dividend + half, divisor);
   if (!std::in_range<std::int32_t>(result)) {
     return std::nullopt;
   }

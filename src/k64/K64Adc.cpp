@@ -107,10 +107,14 @@ void K64Adc::serve(Converter& converter) {
   converter.finish();
 }
 
-std::optional<std::uint16_t> K64Adc::sample() {
+std::uint32_t K64Adc::takeResult() {
   const InterruptLock lock;
-  const std::uint32_t result = std::exchange(result_, kNone);
   converter_.ask(*this);
+  return std::exchange(result_, kNone);
+}
+
+std::optional<std::uint16_t> K64Adc::sample() {
+  const std::uint32_t result = takeResult();
   if (result == kNone) {
     return std::nullopt;
   }

@@ -57,9 +57,10 @@ class K64Adc final : public AnalogInput {
 
     void beginCalibration();
     void endCalibration();
-    void ask(K64Adc& input);
-    void begin() const;
-    void finish();
+    // Always inlined: these run several times in a millisecond, and a call costs as much.
+    [[gnu::always_inline]] inline void ask(K64Adc& input);
+    [[gnu::always_inline]] inline void begin() const;
+    [[gnu::always_inline]] inline void finish();
     [[nodiscard]] std::uint32_t offset() const;
 
     std::uint8_t number_;
@@ -98,6 +99,8 @@ class K64Adc final : public AnalogInput {
   [[nodiscard]] std::optional<std::uint16_t> sample() override;
 
  private:
+  [[gnu::always_inline]] inline std::uint32_t takeResult();
+
   static constexpr std::size_t kConverterAt = 3;  // in the name of a signal
   static constexpr std::size_t kNumberAt = 7;
   static constexpr std::uint32_t kNone = 0xFFFF'FFFF;

@@ -12,15 +12,14 @@ void K64Port::start() {
 
 bool K64Port::level() const {
   const auto levels = gpio::PDIR.at(static_cast<std::uint32_t>(port_) * gpio::kPortDistance);
-  return (levels.read() & gpio::PDIR.bit(number_)).any();
+  return (levels.read().value >> number_ & 1U) != 0;
 }
 
 bool K64Port::acknowledge() {
   const auto flags = port::ISFR.at(static_cast<std::uint32_t>(port_) * port::kPortDistance);
-  const auto own = port::ISFR.bit(number_);
-  const bool edge = (flags.read() & own).any();
+  const bool edge = (flags.read().value >> number_ & 1U) != 0;
   if (edge) {
-    flags.write(own);
+    flags.write(port::ISFR.bit(number_));
   }
   return edge;
 }

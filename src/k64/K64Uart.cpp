@@ -73,7 +73,9 @@ void K64Uart::receive() {
       received_.put(byte);
     }
   }
-  lost_.store(lost_.load() + lost);
+  if (lost != 0) {
+    lost_.store(lost_.load() + lost);
+  }
 }
 
 void K64Uart::send() {
@@ -81,19 +83,19 @@ void K64Uart::send() {
       !(uart::S1.at(offset()).read() & uart::S1_TDRE).any()) {
     return;
   }
-  if (toSend_.count() != 0) {
+  std::size_t waiting = toSend_.count();
+  if (waiting != 0) {
     uart::D.at(offset()).write({toSend_.take()});
+    --waiting;
   }
-  if (toSend_.count() == 0) {
+  if (waiting == 0) {
     uart::C2.at(offset()).write(kReceiving);
   }
 }
 
 std::size_t K64Uart::read(std::span<std::uint8_t> bytes) {
   const std::size_t count = std::min(bytes.size(), received_.count());
-  for (std::uint8_t& byte : bytes.first(count)) {
-    byte = received_.take();
-  }
+  received_.take(bytes.first(count));
   return count;
 }
 
@@ -108,15 +110,13 @@ bool K64Uart::write(std::span<const std::uint8_t> bytes) {
   if (bytes.empty()) {
     return true;
   }
-  for (const std::uint8_t byte : bytes) {
-    toSend_.put(byte);
-  }
+  toSend_.put(bytes);
   uart::C2.at(offset()).write(kSending);
   return true;
 }
 
 std::uint32_t K64Uart::offset() const {
-  return port_ == Port::Uart0 ? 0 : uart::kPort4Distance;
+  return static_cast<std::uint32_t>(port_) * uart::kPort4Distance;
 }
 
 std::uint16_t K64Uart::lostBytes() const {

@@ -38,7 +38,9 @@ class Pipe {
   /// @isr{yes}
   /// @satisfies FR-173
   void write(const T& value, Instant at) {
-    slots_[written_] = Stamped<T>{value, at};
+    Stamped<T>& slot = slots_[written_];
+    slot.value = value;
+    slot.at = at;
     written_ = shared_.exchange(written_ | kNew, std::memory_order_acq_rel) & kSlot;
   }
 
@@ -48,14 +50,22 @@ class Pipe {
   /// @isr{yes}
   /// @satisfies FR-173
   [[nodiscard]] std::optional<Stamped<T>> read() {
+    const Stamped<T>* const value = newest();
+    return value != nullptr ? std::optional(*value) : std::nullopt;
+  }
+
+  /// @brief Tells where the newest value stands, for a reader that needs not all of it. It stands
+  /// there until the next call of this or of read().
+  /// @return the newest value and its time; null before the first write
+  /// @pre No other read is under way.
+  /// @isr{yes}
+  /// @satisfies FR-173
+  [[nodiscard]] const Stamped<T>* newest() {
     if ((shared_.load(std::memory_order_relaxed) & kNew) != 0U) {
       read_ = shared_.exchange(read_, std::memory_order_acq_rel) & kSlot;
       filled_ = true;
     }
-    if (!filled_) {
-      return std::nullopt;
-    }
-    return slots_[read_];
+    return filled_ ? &slots_[read_] : nullptr;
   }
 
  private:

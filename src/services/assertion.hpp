@@ -19,10 +19,10 @@ enum class AssertId : std::uint16_t {
 /// @param id the condition that did not hold
 [[noreturn]] void assertionFailed(AssertId id);
 
-/// @brief Ends the program when a condition does not hold.
+/// @brief Ends the program when a condition does not hold. Always inlined: a call would cost more.
 /// @param condition what must hold
 /// @param id number of the condition
-inline void require(bool condition, AssertId id) {
+[[gnu::always_inline]] inline void require(bool condition, AssertId id) {
   if (!condition) {
     assertionFailed(id);
   }

@@ -102,6 +102,9 @@ void SteeringDevice::advance() {
 }
 
 void SteeringDevice::changeRate() {
+  if (rate_ == 0 && demand_ == 0) {  // at rest the end stops do not matter
+    return;
+  }
   const std::int32_t most = leftEnd() ? 0 : kFastest;
   const std::int32_t least = rightEnd() ? 0 : -kFastest;
   const std::int32_t before = std::clamp(rate_, least, most);

@@ -17,8 +17,9 @@ constexpr std::int32_t kJitter = 1;        // edges to and fro that one working 
 // The value of a measurement, unless it has grown old.
 template <class T>
 std::optional<T> fresh(Pipe<T>& pipe, const Timebase& timebase) {
-  const std::optional<Stamped<T>> newest = pipe.read();
-  if (!newest || timebase.now() - newest->at > SystemConstants::instance().measurementLifetime()) {
+  const Stamped<T>* const newest = pipe.newest();
+  if (newest == nullptr ||
+      timebase.now() - newest->at > SystemConstants::instance().measurementLifetime()) {
     return std::nullopt;
   }
   return newest->value;

@@ -40,6 +40,22 @@ TEST(Pipe, TellsTheNewestValue) {
   EXPECT_EQ(pipe.read()->value, 6);
 }
 
+/// @brief Where the newest value stands it stays, also during a write, until it is read anew.
+/// @verifies FR-173
+TEST(Pipe, NewestValueStandsUntilTheNextRead) {
+  Pipe<int> pipe;
+  EXPECT_EQ(pipe.newest(), nullptr);
+  pipe.write(7, Instant(100));
+  const Stamped<int>* const first = pipe.newest();
+  ASSERT_NE(first, nullptr);
+  pipe.write(8, Instant(200));
+  pipe.write(9, Instant(300));
+  EXPECT_EQ(first->value, 7);
+  EXPECT_EQ(first->at, Instant(100));
+  EXPECT_EQ(pipe.newest()->value, 9);
+  EXPECT_EQ(pipe.read()->at, Instant(300));
+}
+
 /// @brief A reader never sees half a value, and never an older value after a newer one.
 /// @verifies FR-173
 TEST(Pipe, ReadsWholeValuesInOrder) {

@@ -1,17 +1,43 @@
 #include "communication/framing/Crc16.hpp"
 
+#include <array>
+#include <bit>
+#include <cstddef>
+
 namespace wr {
 
-// A byte at once. The polynomial is x^16 + x^12 + x^5 + 1: each bit that leaves at the top comes
-// back at the places 12, 5 and 0, and what comes back in the upper 4 bits leaves once more.
-void Crc16::add(std::span<const std::uint8_t> bytes) {
-  std::uint32_t value = value_;
-  for (const std::uint8_t byte : bytes) {
-    std::uint32_t out = (value >> 8U) ^ byte;
-    out ^= out >> 4U;
-    value = ((value << 8U) ^ (out << 12U) ^ (out << 5U) ^ out) & 0xFFFFU;
+namespace {
+
+constexpr std::size_t kBytes = 256;
+
+// What comes back of each byte that leaves at the top. The polynomial is x^16 + x^12 + x^5 + 1:
+// each bit comes back at the places 12, 5 and 0, and what comes back in the upper 4 bits leaves
+// once more. The bytes of the check sum change places here, so that no byte moves up when one
+// leaves.
+consteval std::array<std::uint16_t, kBytes> comesBack() {
+  std::array<std::uint16_t, kBytes> table{};
+  for (std::uint32_t byte = 0; byte < kBytes; ++byte) {
+    const std::uint32_t out = byte ^ (byte >> 4U);
+    table[byte] = std::rotl(static_cast<std::uint16_t>((out << 12U) ^ (out << 5U) ^ out), 8);
   }
-  value_ = static_cast<std::uint16_t>(value);
+  return table;
+}
+
+constexpr std::array<std::uint16_t, kBytes> kComesBack = comesBack();
+
+}  // namespace
+
+void Crc16::add(std::span<const std::uint8_t> bytes) {
+  if (bytes.empty()) {
+    return;
+  }
+  std::uint32_t value = swapped_;
+  auto next = bytes.begin();
+  do {
+    value = (value >> 8U) ^ kComesBack[(value ^ *next) & 0xFFU];
+    ++next;
+  } while (next != bytes.end());
+  swapped_ = static_cast<std::uint16_t>(value);
 }
 
 }  // namespace wr

@@ -23,9 +23,9 @@ Decoded FrameDecoder::push(std::uint8_t byte) {
   }
   if (count_ < bytes_.size()) {
     bytes_[count_] = byte;
-  }
-  if (count_ <= bytes_.size()) {  // one more marks a frame that is too long
     ++count_;
+  } else {
+    count_ = bytes_.size() + 1;  // marks a frame that is too long
   }
   return Decoded::Nothing;
 }

@@ -1,7 +1,7 @@
 #include "communication/framing/FrameEncoder.hpp"
 
-#include <algorithm>
 #include <cstddef>
+#include <cstring>
 
 #include "communication/framing/Crc16.hpp"
 #include "services/assertion.hpp"
@@ -22,7 +22,9 @@ std::span<const std::uint8_t> FrameEncoder::encode(const Frame& frame) {
   body[0] = kProtocolVersion;
   body[1] = static_cast<std::uint8_t>(frame.type);
   body[2] = frame.sequence;
-  std::ranges::copy(frame.payload, body.subspan(kHead).begin());
+  if (!frame.payload.empty()) {
+    std::memcpy(&body[kHead], frame.payload.data(), frame.payload.size());
+  }
   const std::size_t checked = kHead + frame.payload.size();
   Crc16 crc;
   crc.add(body.first(checked));
@@ -32,12 +34,14 @@ std::span<const std::uint8_t> FrameEncoder::encode(const Frame& frame) {
 
   // Each zero gives way to the distance to the next one.
   std::size_t code = 0;
-  for (std::size_t i = 1; i < end; ++i) {
+  std::size_t i = 1;
+  do {
     if (coded_[i] == 0) {
       coded_[code] = static_cast<std::uint8_t>(i - code);
       code = i;
     }
-  }
+    ++i;
+  } while (i != end);
   coded_[code] = static_cast<std::uint8_t>(end - code);
   coded_[end] = 0;
   return std::span(coded_).first(end + 1);

@@ -1,6 +1,5 @@
 #include "communication/pc_connection/PcConnection.hpp"
 
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -12,7 +11,6 @@ namespace wr {
 
 namespace {
 
-constexpr std::size_t kChunk = 64;
 constexpr std::size_t kMostChunks = 64;
 
 static_assert(SerialWriter::kCapacity <= kMaxPayload, "what the writer holds fits in a frame");
@@ -44,11 +42,10 @@ PcConnection::PcConnection(SerialPort& port, const Timebase& clock, SerialReader
     : port_(port), clock_(clock), orders_(orders), state_(&initial), start_(start) {}
 
 void PcConnection::service() {
-  std::array<std::uint8_t, kChunk> chunk{};
-  std::size_t received = chunk.size();
-  for (std::size_t i = 0; i < kMostChunks && received == chunk.size(); ++i) {
-    received = port_.read(chunk);
-    for (const std::uint8_t byte : std::span(chunk).first(received)) {
+  std::size_t received = chunk_.size();
+  for (std::size_t i = 0; i < kMostChunks && received == chunk_.size(); ++i) {
+    received = port_.read(chunk_);
+    for (const std::uint8_t byte : std::span(chunk_).first(received)) {
       receive(byte);
     }
   }

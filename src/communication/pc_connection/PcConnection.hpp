@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -134,11 +136,14 @@ class PcConnection final {
   /// @return false when the port has no room: nothing is sent
   bool send(FrameType type);
 
+  static constexpr std::size_t kChunk = 64;
+
   SerialPort& port_;
   const Timebase& clock_;
   SerialReader& orders_;
   ConnectionState* state_;
   const StartRecord& start_;
+  std::array<std::uint8_t, kChunk> chunk_{};  // what the port gave last
   FrameDecoder decoder_;
   FrameEncoder encoder_;
   SerialWriter writer_;

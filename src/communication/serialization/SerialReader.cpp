@@ -1,6 +1,7 @@
 #include "communication/serialization/SerialReader.hpp"
 
-#include <algorithm>
+#include <bit>
+#include <cstring>
 
 #include "communication/serialization/OrderMessage.hpp"
 #include "services/SystemConstants.hpp"
@@ -11,7 +12,7 @@ SerialReader::SerialReader(const Timebase& clock) : clock_(clock) {}
 
 bool SerialReader::offer(std::span<const std::uint8_t, kOrderLength> payload) {
   const Kept before = kept_;
-  std::ranges::copy(payload, kept_.bytes.begin());
+  std::memcpy(kept_.bytes.data(), payload.data(), payload.size());
   kept_.at = clock_.now();
   OrderMessage order;
   if (!order.readFrom(*this)) {
@@ -36,23 +37,23 @@ bool SerialReader::stopOrdered() const {
 }
 
 std::uint8_t SerialReader::readU8(Field /*field*/) {
-  return static_cast<std::uint8_t>(next(1));
+  return next<std::uint8_t>();
 }
 
 std::uint16_t SerialReader::readU16(Field /*field*/) {
-  return static_cast<std::uint16_t>(next(2));
+  return next<std::uint16_t>();
 }
 
 std::int16_t SerialReader::readI16(Field /*field*/) {
-  return static_cast<std::int16_t>(next(2));
+  return next<std::int16_t>();
 }
 
 std::uint32_t SerialReader::readU32(Field /*field*/) {
-  return next(4);
+  return next<std::uint32_t>();
 }
 
 std::int32_t SerialReader::readI32(Field /*field*/) {
-  return static_cast<std::int32_t>(next(4));
+  return next<std::int32_t>();
 }
 
 bool SerialReader::finish() {
@@ -62,16 +63,17 @@ bool SerialReader::finish() {
   return within;
 }
 
-std::uint32_t SerialReader::next(std::size_t size) {
+template <class Value>
+Value SerialReader::next() {
+  static_assert(std::endian::native == std::endian::little, "the bytes stand as in memory");
+  Value value = 0;
   const std::size_t first = position_;
-  position_ = std::min(first + size, kOrderLength + 1);
-  if (position_ > kOrderLength) {
+  if (first + sizeof(value) > kOrderLength) {
+    position_ = kOrderLength + 1;
     return 0;
   }
-  std::uint32_t value = 0;
-  for (std::size_t i = size; i > 0; --i) {
-    value = value << 8U | kept_.bytes[first + i - 1];
-  }
+  std::memcpy(&value, &kept_.bytes[first], sizeof(value));
+  position_ = first + sizeof(value);
   return value;
 }
 

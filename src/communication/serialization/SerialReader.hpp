@@ -74,9 +74,9 @@ class SerialReader final : public Reader {
   };
 
   /// @brief Takes the next number out of the bytes of the order.
-  /// @param size size of the number [bytes]
   /// @return the number; 0 when the order has no more bytes
-  std::uint32_t next(std::size_t size);
+  template <class Value>
+  Value next();
 
   const Timebase& clock_;
   Kept kept_{};

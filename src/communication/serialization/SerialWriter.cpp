@@ -1,5 +1,8 @@
 #include "communication/serialization/SerialWriter.hpp"
 
+#include <bit>
+#include <cstring>
+
 namespace wr {
 
 void SerialWriter::clear() {
@@ -12,38 +15,39 @@ std::span<const std::uint8_t> SerialWriter::bytes() const {
 }
 
 void SerialWriter::writeU8(Field /*field*/, std::uint8_t value) {
-  put(value, 1);
+  put(value);
 }
 
 void SerialWriter::writeU16(Field /*field*/, std::uint16_t value) {
-  put(value, 2);
+  put(value);
 }
 
 void SerialWriter::writeI16(Field /*field*/, std::int16_t value) {
-  put(static_cast<std::uint16_t>(value), 2);
+  put(value);
 }
 
 void SerialWriter::writeU32(Field /*field*/, std::uint32_t value) {
-  put(value, 4);
+  put(value);
 }
 
 void SerialWriter::writeI32(Field /*field*/, std::int32_t value) {
-  put(static_cast<std::uint32_t>(value), 4);
+  put(value);
 }
 
 bool SerialWriter::finish() {
   return !overflow_;
 }
 
-void SerialWriter::put(std::uint32_t value, std::size_t size) {
-  if (kCapacity - length_ < size) {
+template <class Value>
+void SerialWriter::put(Value value) {
+  static_assert(std::endian::native == std::endian::little, "the bytes stand as in memory");
+  const std::size_t at = length_;
+  if (kCapacity - at < sizeof(value)) {
     overflow_ = true;
     return;
   }
-  for (std::size_t i = 0; i < size; ++i) {
-    bytes_[length_ + i] = static_cast<std::uint8_t>(value >> (8 * i) & 0xFFU);
-  }
-  length_ += size;
+  std::memcpy(&bytes_[at], &value, sizeof(value));
+  length_ = at + sizeof(value);
 }
 
 }  // namespace wr

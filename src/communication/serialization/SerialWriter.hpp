@@ -42,8 +42,8 @@ class SerialWriter final : public Writer {
  private:
   /// @brief Appends a number, all of it or, without room, nothing.
   /// @param value the number
-  /// @param size size of the number [bytes]
-  void put(std::uint32_t value, std::size_t size);
+  template <class Value>
+  void put(Value value);
 
   std::array<std::uint8_t, kCapacity> bytes_{};
   std::size_t length_ = 0;

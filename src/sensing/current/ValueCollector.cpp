@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 
 #include "devices/AnalogInput.hpp"
 
@@ -37,7 +38,8 @@ void ValueCollector::collect(std::uint16_t raw) {
 }
 
 CurrentRecord ValueCollector::record() {
-  return record_.read().value_or(Stamped<CurrentRecord>()).value;
+  const std::optional<Stamped<CurrentRecord>> newest = record_.read();
+  return newest ? newest->value : CurrentRecord();
 }
 
 void ValueCollector::publish() {

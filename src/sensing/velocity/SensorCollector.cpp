@@ -38,17 +38,16 @@ void SensorCollector::collect(std::uint8_t phase, Instant at) {
     direction_ = direction;
     last_ = at;
     instants_.collect({at, rising, direction});
-  } else if (rejected_ < std::numeric_limits<std::uint16_t>::max()) {
-    ++rejected_;
+  } else if (newest_.rejected < std::numeric_limits<std::uint16_t>::max()) {
+    ++newest_.rejected;
   }
-  HallRecord record;
-  instants_.fill(record.instants);
-  record.rejected = rejected_;
-  record_.write(record, at);
+  instants_.fill(newest_.instants);
+  record_.write(newest_, at);
 }
 
 HallRecord SensorCollector::record() {
-  return record_.read().value_or(Stamped<HallRecord>()).value;
+  const Stamped<HallRecord>* const newest = record_.newest();
+  return newest != nullptr ? newest->value : HallRecord();
 }
 
 bool SensorCollector::plausible(std::int8_t direction, Instant at) const {

@@ -62,7 +62,7 @@ class SensorCollector final {
   std::optional<std::uint8_t> phase_;
   std::int8_t direction_ = 0;  // of the last edge that was believed
   Instant last_{};             // its time
-  std::uint16_t rejected_ = 0;
+  HallRecord newest_;
   Pipe<HallRecord> record_;
 };
 

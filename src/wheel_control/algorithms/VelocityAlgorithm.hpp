@@ -45,7 +45,7 @@ class VelocityAlgorithm final : public WheelAlgorithm {
 
  private:
   PiRegulator regulator_;
-  std::optional<std::int64_t> model_;  // [0.0001 rpm] velocity of the model when the cycle began
+  std::optional<std::int32_t> model_;  // [0.0001 rpm] velocity of the model when the cycle began
   std::int16_t setPoint_ = 0;          // set-point of the cycle that ends
   Velocity measured_{};                // measured velocity of the last calculation
   Tension calculated_{};               // result of the last calculation
