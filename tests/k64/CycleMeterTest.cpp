@@ -43,7 +43,7 @@ struct Drive {
 /// @verifies FR-160
 TEST(CyclesOfTheImage, FR160_TheReportTellsWhatTheBoardMeasures) {
   const Drive drive(60);
-  constexpr std::int64_t kFew = 300;
+  constexpr std::int64_t kFew = 500;
   const auto off = [](std::uint64_t left, std::uint64_t right) {
     return std::abs(static_cast<std::int64_t>(left - right));
   };
@@ -70,7 +70,8 @@ TEST(CyclesOfTheImage, SameRunCostsTheSame) {
   }
 }
 
-/// @brief What the exceptions cost is what the cycles cost, and so is what the instructions count.
+/// @brief What the exceptions cost is what the cycles cost, and so is what the instructions count. An
+/// instruction that an IT block passes over takes time, and is not executed.
 TEST(CyclesOfTheImage, EachInstructionIsCountedOnce) {
   const Drive drive(30, true);
   CycleMeter::Cost whole;
@@ -92,8 +93,8 @@ TEST(CyclesOfTheImage, EachInstructionIsCountedOnce) {
     profiled += drive.meter->timesOf(address, false) + drive.meter->timesOf(address, true);
   }
   EXPECT_GE(charged.instructions, whole.instructions);
-  EXPECT_GE(profiled, charged.instructions);
-  EXPECT_LT(profiled - whole.instructions, whole.instructions / 10);
+  EXPECT_LE(profiled, charged.instructions);
+  EXPECT_LT(charged.instructions - profiled, charged.instructions / 20);
 }
 
 /// @brief The report is handed over after the main thread has begun, and before the cycle ends.
