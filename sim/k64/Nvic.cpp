@@ -30,6 +30,7 @@ void Nvic::reset() {
   }
   pending_.reset();
   active_.reset();
+  activeCount_ = 0;
   priorities_.fill(0);
   entries_.fill(0);
   priorityGroup_ = 0;
@@ -41,11 +42,13 @@ void Nvic::unpend(unsigned exception) {
 
 void Nvic::activate(unsigned exception) {
   pending_.reset(exception);
+  activeCount_ += active_[exception] ? 0U : 1U;
   active_.set(exception);
   ++entries_[exception];
 }
 
 void Nvic::deactivate(unsigned exception) {
+  activeCount_ -= active_[exception] ? 1U : 0U;
   active_.reset(exception);
   if (level_[exception]) {
     pending_.set(exception);
@@ -67,7 +70,8 @@ unsigned Nvic::entriesOfHighLine(unsigned exception) const {
   return level_[exception] ? entries_[exception] : 0;
 }
 
-unsigned Nvic::first() const {
+// Few exceptions are ready at a time.
+unsigned Nvic::search() const {
   const Bits ready = pending_ & enabled_;
   unsigned best = 0;
   int bestPriority = kThreadPriority;
@@ -81,16 +85,11 @@ unsigned Nvic::first() const {
   return best;
 }
 
-int Nvic::priority(unsigned exception) const {
-  return exception < 4 ? static_cast<int>(exception) - 4 : priorities_[exception];
-}
-
-int Nvic::group(int priority) const {
-  return priority < 0 ? priority : priority & ~((2 << priorityGroup_) - 1);
-}
-
 int Nvic::activePriority() const {
   int highest = kThreadPriority;
+  if (activeCount_ == 0) {
+    return highest;
+  }
   for (std::size_t i = active_._Find_first(); i < active_.size(); i = active_._Find_next(i)) {
     const int own = group(priority(static_cast<unsigned>(i)));
     highest = own < highest ? own : highest;

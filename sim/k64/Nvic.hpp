@@ -24,7 +24,8 @@ class Nvic {
   void unpend(unsigned exception);
   [[nodiscard]] bool isPending(unsigned exception) const { return pending_[exception]; }
   [[nodiscard]] bool isActive(unsigned exception) const { return active_[exception]; }
-  [[nodiscard]] std::size_t activeCount() const { return active_.count(); }
+  /// @brief Tells how many exceptions are active.
+  [[nodiscard]] unsigned activeCount() const { return activeCount_; }
 
   /// @brief A pending exception becomes active.
   void activate(unsigned exception);
@@ -40,13 +41,17 @@ class Nvic {
   [[nodiscard]] unsigned entriesOfHighLine(unsigned exception) const;
 
   /// @brief The pending and enabled exception that comes first; 0 without one.
-  [[nodiscard]] unsigned first() const;
+  [[nodiscard]] unsigned first() const { return (pending_ & enabled_).any() ? search() : 0; }
 
   /// @brief The priority of an exception, -3 to 255.
-  [[nodiscard]] int priority(unsigned exception) const;
+  [[nodiscard]] int priority(unsigned exception) const {
+    return exception < 4 ? static_cast<int>(exception) - 4 : priorities_[exception];
+  }
 
   /// @brief The part of a priority that decides on preemption.
-  [[nodiscard]] int group(int priority) const;
+  [[nodiscard]] int group(int priority) const {
+    return priority < 0 ? priority : priority & ~((2 << priorityGroup_) - 1);
+  }
 
   /// @brief The priority that the active exceptions give to what runs.
   [[nodiscard]] int activePriority() const;
@@ -75,6 +80,7 @@ class Nvic {
  private:
   using Bits = std::bitset<256>;
 
+  [[nodiscard]] unsigned search() const;
   [[nodiscard]] std::uint32_t wordOf(const Bits& bits, std::uint32_t offset) const;
   template <typename Call>
   void forEachLine(std::uint32_t offset, std::uint32_t value, Call call);
@@ -85,6 +91,7 @@ class Nvic {
   Bits enabled_;
   Bits pending_;
   Bits active_;
+  unsigned activeCount_ = 0;
   Bits level_;
   std::array<std::uint8_t, 256> priorities_{};
   std::array<unsigned, 256> entries_{};

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/robot/WholePart.hpp"
+
 namespace wr::sim {
 
 void DriveTrain::advance(double seconds, double ground, double grip) {
@@ -50,7 +52,7 @@ void DriveTrain::advanceShaft(double seconds) {
 // The magnets' torque over the position, as a triangle.
 double DriveTrain::cogging() const {
   const double position = turns_ * kCoggingPeriods;
-  const double part = position - std::floor(position);
+  const double part = position - static_cast<double>(wholePart(position));
   return kCogging * (1.0 - 4.0 * std::abs(part - 0.5));
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/robot/WholePart.hpp"
+
 namespace wr::sim {
 
 namespace {
@@ -13,17 +15,19 @@ constexpr double kStart = 0.5;
 // Sensor a is high from edge 1 of four to edge 3, sensor b from edge 2 to edge 4: with edge 1 +
 // sensor at position 0, high is 0 to 2, low 2 to 4, and so on.
 bool levelAt(double position) {
-  const double half = std::floor(position / 2.0);
-  return half == 2.0 * std::floor(half / 2.0);
+  return (wholePart(position) & 2) == 0;
 }
 
 }  // namespace
 
 std::optional<double> HallSensors::turn(std::size_t sensor, double from, double to) {
+  if (from == to) {
+    return std::nullopt;
+  }
   const double shift = kStart + misplaced_.at(sensor) - 1.0 - static_cast<double>(sensor);
   const double position = to * kEdgesPerTurn + shift;
   const bool level = levelAt(position - kHysteresis);
-  if (from == to || level == levels_.at(sensor) || level != levelAt(position + kHysteresis)) {
+  if (level == levels_.at(sensor) || level != levelAt(position + kHysteresis)) {
     return std::nullopt;
   }
   levels_.at(sensor) = level;

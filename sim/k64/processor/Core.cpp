@@ -59,34 +59,66 @@ Trap Core::run() {
   return std::exchange(trap_, Trap::None);
 }
 
+// Where the program is and how far it has come are kept here, and only written to their members:
+// an instruction need not wait for what the one before it has written. For the same reason the way
+// to the next instruction is chosen, not reckoned: the host guesses a choice.
 template <bool kSlowFlash, bool kLooks>
 void Core::runInstructions() {
-  while (cycles_ < stopAt_) {
-    const std::uint32_t address = next;
+  std::uint32_t address = next;
+  const Instruction* place = placeOf(address);
+  std::uint64_t begun = instructions_;
+  while (begun + otherCycles_ < stopAt_) {
     registers.r[Registers::kPc] = address + 4;
-    const Instruction* instruction = fetch(address);
-    if (instruction == nullptr) [[unlikely]] {
-      return;
+    if (!place->isDecoded(registers.it != 0)) [[unlikely]] {
+      place = decodeAt(address);
+      if (place == nullptr) {
+        return;
+      }
     }
+    const Instruction& instruction = *place;
     if constexpr (kSlowFlash) {
-      fetchSlowly(address, instruction->bytes());
+      fetchSlowly(address, instruction.bytes());
     }
-    ++cycles_;
+    instructions_ = ++begun;
     if constexpr (kLooks) {
       note(address);
     }
-    next = address + instruction->bytes();
-    if (registers.it == 0) [[likely]] {
-      instruction->run(*this, *instruction);
-      continue;
+    if (instruction.isWide()) {
+      address += 4;
+      place += 2;
+      next = address;
+      execute(instruction);
+    } else {
+      address += 2;
+      place += 1;
+      next = address;
+      execute(instruction);
     }
-    const std::uint8_t block = registers.it;
-    registers.advanceIt();
-    if (registers.passes(block >> 4U)) {
-      instruction->run(*this, *instruction);
-      if (trap_ >= Trap::Breakpoint) {
-        registers.it = block;
+    if (branched_) {
+      if constexpr (!kLooks) {
+        branched_ = false;
       }
+      address = next;
+      place = placeOf(address);
+    }
+  }
+}
+
+inline void Core::execute(const Instruction& instruction) {
+  if (registers.it == 0) [[likely]] {
+    instruction.run(*this, instruction);
+  } else {
+    executeInBlock(instruction);
+  }
+}
+
+void Core::executeInBlock(const Instruction& instruction) {
+  const std::uint8_t block = registers.it;
+  registers.advanceIt();
+  if (registers.passes(block >> 4U)) {
+    instruction.run(*this, instruction);
+    if (trap_ >= Trap::Breakpoint) {
+      registers.it = block;
     }
   }
 }
@@ -103,21 +135,10 @@ void Core::note(std::uint32_t address) {
   }
 }
 
-inline const Instruction* Core::fetch(std::uint32_t address) {
-  if (address - codeAddress_ >= codeSize_) [[unlikely]] {
-    const Memory::Area* area = memory.find(address);
-    if (area == nullptr || area->instructions == nullptr) {
-      return decodeAt(address, single_);
-    }
-    codeAddress_ = area->address;
-    codeSize_ = area->size;
-    code_ = area->instructions.get();
-  }
-  Instruction& slot = code_[(address - codeAddress_) / 2];
-  if ((slot.form & Instruction::kPlace) == Instruction::place(registers.it != 0)) [[likely]] {
-    return &slot;
-  }
-  return decodeAt(address, slot);
+// Where the decoded instruction of an address is, or will be.
+inline const Instruction* Core::placeOf(std::uint32_t address) const {
+  const std::uint32_t offset = address - codeAddress_;
+  return offset < codeSize_ ? code_ + offset / 2 : &single_[1];
 }
 
 bool Core::fetchHalf(std::uint32_t address, std::uint32_t& half) {
@@ -134,8 +155,19 @@ bool Core::fetchHalf(std::uint32_t address, std::uint32_t& half) {
   return true;
 }
 
-const Instruction* Core::decodeAt(std::uint32_t address, Instruction& slot) {
+const Instruction* Core::decodeAt(std::uint32_t address) {
+  const Memory::Area* area = memory.find(address);
+  Instruction* place = single_.data();
+  if (area != nullptr && area->instructions != nullptr) {
+    codeAddress_ = area->address;
+    codeSize_ = area->size;
+    code_ = area->instructions.get();
+    place = code_ + (address - codeAddress_) / 2;
+  }
   const bool inBlock = registers.it != 0;
+  if (place != single_.data() && place->isDecoded(inBlock)) {
+    return place;
+  }
   std::uint32_t first = 0;
   if (!fetchHalf(address, first)) {
     return nullptr;
@@ -148,9 +180,9 @@ const Instruction* Core::decodeAt(std::uint32_t address, Instruction& slot) {
     }
     bits = first << 16 | second;
   }
-  slot = decode({.bits = bits, .inBlock = inBlock}, isWide(first));
-  slot.form = static_cast<std::uint8_t>(Instruction::place(inBlock) | (isWide(first) ? 4U : 2U));
-  return &slot;
+  *place = decode({.bits = bits, .inBlock = inBlock}, isWide(first));
+  place->form = static_cast<std::uint8_t>(Instruction::place(inBlock) | (isWide(first) ? 4U : 2U));
+  return place;
 }
 
 void Core::fetchSlowly(std::uint32_t address, std::uint32_t size) {
@@ -187,11 +219,9 @@ bool Core::storeAligned(std::uint32_t address, std::uint32_t value) {
 }
 
 bool Core::loadWords(std::uint32_t address, std::span<std::uint32_t> words) {
-  const Memory::Area& area = memory.near(address);
-  const std::uint32_t offset = address - area.address;
-  if (offset < area.direct && area.direct - offset >= words.size_bytes() && (address & 3U) == 0)
-      [[likely]] {
-    std::memcpy(words.data(), area.bytes.get() + offset, words.size_bytes());
+  const auto size = static_cast<std::uint32_t>(words.size_bytes());
+  if (const std::uint8_t* bytes = memory.loadable(address, size); bytes != nullptr) {
+    std::memcpy(words.data(), bytes, size);
     return true;
   }
   return std::ranges::all_of(words, [this, &address](std::uint32_t& word) {
@@ -200,11 +230,9 @@ bool Core::loadWords(std::uint32_t address, std::span<std::uint32_t> words) {
 }
 
 bool Core::storeWords(std::uint32_t address, std::span<const std::uint32_t> words) {
-  const Memory::Area& area = memory.near(address);
-  const std::uint32_t offset = address - area.address;
-  if (offset < area.writable && area.writable - offset >= words.size_bytes() && (address & 3U) == 0)
-      [[likely]] {
-    std::memcpy(area.bytes.get() + offset, words.data(), words.size_bytes());
+  const auto size = static_cast<std::uint32_t>(words.size_bytes());
+  if (std::uint8_t* bytes = memory.storable(address, size); bytes != nullptr) {
+    std::memcpy(bytes, words.data(), size);
     return true;
   }
   return std::ranges::all_of(words, [this, &address](std::uint32_t word) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <functional>
@@ -71,14 +72,11 @@ class Core {
   void setStop(std::uint64_t cycle) { stopAt_ = cycle; }
   [[nodiscard]] std::uint64_t stop() const { return stopAt_; }
 
-  [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
-  [[nodiscard]] std::uint64_t instructions() const { return cycles_ - otherCycles_; }
+  [[nodiscard]] std::uint64_t cycles() const { return instructions_ + otherCycles_; }
+  [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
 
   /// @brief Lets cycles pass besides the first one of each instruction.
-  void spend(std::uint64_t cycles) {
-    cycles_ += cycles;
-    otherCycles_ += cycles;
-  }
+  void spend(std::uint64_t cycles) { otherCycles_ += cycles; }
 
   /// @brief Address of the instruction that runs, or ran last.
   [[nodiscard]] std::uint32_t at() const { return registers.r[Registers::kPc] - 4; }
@@ -111,16 +109,26 @@ class Core {
   /// @brief The same where EXC_RETURN means nothing: BLXWritePC.
   void branchOnly(std::uint32_t address);
 
-  /// @brief Loads a number, with its sign where its type has one.
+  /// @brief Loads a number, with its sign where its type has one, where that needs no call.
+  /// @return false where it does
+  template <typename Value>
+  [[nodiscard]] bool loadDirectly(std::uint32_t address, std::uint32_t& value) const {
+    const Memory::Direct& direct = memory.direct(address);
+    const std::uint32_t offset = address - direct.address;
+    if (offset >= direct.loads || (address & (sizeof(Value) - 1)) != 0) [[unlikely]] {
+      return false;
+    }
+    Value loaded{};
+    std::memcpy(&loaded, direct.bytes + offset, sizeof loaded);
+    value = static_cast<std::uint32_t>(std::int32_t{0} + loaded);
+    return true;
+  }
+
+  /// @brief Loads a number from anywhere.
   /// @return false when there is a trap instead
   template <typename Value>
   [[nodiscard]] bool load(std::uint32_t address, std::uint32_t& value) {
-    const Memory::Area& area = memory.near(address);
-    const std::uint32_t offset = address - area.address;
-    if (offset < area.direct && (address & (sizeof(Value) - 1)) == 0) [[likely]] {
-      Value loaded{};
-      std::memcpy(&loaded, area.bytes.get() + offset, sizeof loaded);
-      value = static_cast<std::uint32_t>(std::int32_t{0} + loaded);
+    if (loadDirectly<Value>(address, value)) [[likely]] {
       return true;
     }
     if (!loadElsewhere(address, sizeof(Value), value)) {
@@ -130,18 +138,25 @@ class Core {
     return true;
   }
 
-  /// @brief Stores a number.
+  /// @brief Stores a number where that needs no call.
+  /// @return false where it does
+  template <typename Value>
+  [[nodiscard]] bool storeDirectly(std::uint32_t address, std::uint32_t value) const {
+    const Memory::Direct& direct = memory.direct(address);
+    const std::uint32_t offset = address - direct.address;
+    if (offset >= direct.stores || (address & (sizeof(Value) - 1)) != 0) [[unlikely]] {
+      return false;
+    }
+    const auto stored = static_cast<Value>(value);
+    std::memcpy(direct.bytes + offset, &stored, sizeof stored);
+    return true;
+  }
+
+  /// @brief Stores a number anywhere.
   /// @return false when there is a trap instead
   template <typename Value>
   [[nodiscard]] bool store(std::uint32_t address, std::uint32_t value) {
-    const Memory::Area& area = memory.near(address);
-    const std::uint32_t offset = address - area.address;
-    if (offset < area.writable && (address & (sizeof(Value) - 1)) == 0) [[likely]] {
-      const auto stored = static_cast<Value>(value);
-      std::memcpy(area.bytes.get() + offset, &stored, sizeof stored);
-      return true;
-    }
-    return storeElsewhere(address, sizeof(Value), value);
+    return storeDirectly<Value>(address, value) || storeElsewhere(address, sizeof(Value), value);
   }
 
   /// @brief A word at an address that must be aligned: of LDRD and the like.
@@ -170,8 +185,10 @@ class Core {
  private:
   template <bool kSlowFlash, bool kLooks>
   void runInstructions();
-  [[nodiscard]] const Instruction* fetch(std::uint32_t address);
-  [[nodiscard]] const Instruction* decodeAt(std::uint32_t address, Instruction& slot);
+  void execute(const Instruction& instruction);
+  void executeInBlock(const Instruction& instruction);
+  [[nodiscard]] const Instruction* placeOf(std::uint32_t address) const;
+  [[nodiscard]] const Instruction* decodeAt(std::uint32_t address);
   [[nodiscard]] bool fetchHalf(std::uint32_t address, std::uint32_t& half);
   void fetchSlowly(std::uint32_t address, std::uint32_t size);
   void note(std::uint32_t address);
@@ -180,7 +197,7 @@ class Core {
   [[nodiscard]] bool unalignedIsFine(const Memory::Area* area, std::uint32_t address,
                                      std::uint32_t size);
 
-  std::uint64_t cycles_ = 0;
+  std::uint64_t instructions_ = 0;
   std::uint64_t otherCycles_ = 0;
   std::uint64_t stopAt_ = 0;
   std::uint32_t codeAddress_ = 0;  ///< flash that is executed
@@ -191,7 +208,8 @@ class Core {
   Trap trap_ = Trap::None;
   bool slowFlash_;
   bool branched_ = false;
-  Instruction single_;  ///< from memory that may change
+  /// One from memory that may change; behind it there is none, so that the next one is decoded too.
+  std::array<Instruction, 3> single_{};
   ExecutedCode* executed_ = nullptr;
   std::uint32_t* lowestStack_ = nullptr;
   std::function<void(std::uint32_t)> blockCall_;

@@ -1,5 +1,6 @@
 #include <array>
 #include <bit>
+#include <cstring>
 #include <span>
 
 #include "sim/k64/processor/Core.hpp"
@@ -41,15 +42,28 @@ void keep(Registers& x, const Instruction& in, std::uint32_t address) {
 }
 
 template <typename Value, Place kPlace>
+[[gnu::noinline]] void loadElsewhere(Core& core, const Instruction& in) {
+  const Addresses address = addresses<kPlace>(core.registers, in);
+  std::uint32_t value = 0;
+  if (core.load<Value>(address.accessed, value)) {
+    keep<kPlace>(core.registers, in, address.kept);
+    core.registers.r[in.d] = value;
+  }
+}
+
+// Where no call is needed, none is made ready.
+template <typename Value, Place kPlace>
 void load(Core& core, const Instruction& in) {
   Registers& x = core.registers;
   const Addresses address = addresses<kPlace>(x, in);
   core.spend(kAccessCycles);
   std::uint32_t value = 0;
-  if (core.load<Value>(address.accessed, value)) {
+  if (core.loadDirectly<Value>(address.accessed, value)) [[likely]] {
     keep<kPlace>(x, in, address.kept);
     x.r[in.d] = value;
+    return;
   }
+  loadElsewhere<Value, kPlace>(core, in);
 }
 
 template <Place kPlace>
@@ -71,13 +85,24 @@ void loadPc(Core& core, const Instruction& in) {
 }
 
 template <typename Value, Place kPlace>
+[[gnu::noinline]] void storeElsewhere(Core& core, const Instruction& in) {
+  Registers& x = core.registers;
+  const Addresses address = addresses<kPlace>(x, in);
+  if (core.store<Value>(address.accessed, x.r[in.d])) {
+    keep<kPlace>(x, in, address.kept);
+  }
+}
+
+template <typename Value, Place kPlace>
 void store(Core& core, const Instruction& in) {
   Registers& x = core.registers;
   const Addresses address = addresses<kPlace>(x, in);
   core.spend(kAccessCycles);
-  if (core.store<Value>(address.accessed, x.r[in.d])) {
+  if (core.storeDirectly<Value>(address.accessed, x.r[in.d])) [[likely]] {
     keep<kPlace>(x, in, address.kept);
+    return;
   }
+  storeElsewhere<Value, kPlace>(core, in);
 }
 
 // PLD and PLI: there is no cache.
@@ -306,20 +331,29 @@ void loadMultiple(Core& core, const Instruction& in) {
   Registers& x = core.registers;
   const std::uint32_t base = x.r[in.n];
   const std::uint32_t size = 4U * in.d;
+  const std::uint32_t first = kDown ? base - size : base;
   core.spend(in.d);
-  std::array<std::uint32_t, 16> loaded;  // NOLINT(cppcoreguidelines-pro-type-member-init): loaded
-  if (!core.loadWords(kDown ? base - size : base, std::span(loaded).first(in.d))) {
-    return;
+  std::array<std::uint8_t, 64> loaded;  // NOLINT(cppcoreguidelines-pro-type-member-init): loaded
+  const std::uint8_t* next = core.memory.loadable(first, size);
+  if (next == nullptr) [[unlikely]] {
+    std::array<std::uint32_t, 16> words{};
+    if (!core.loadWords(first, std::span(words).first(in.d))) {
+      return;
+    }
+    loaded = std::bit_cast<decltype(loaded)>(words);
+    next = loaded.data();
   }
   if ((in.value & kKeeps) != 0) {
-    x.r[in.n] = kDown ? base - size : base + size;
+    x.r[in.n] = kDown ? first : base + size;
   }
-  const std::uint32_t* next = loaded.data();
   for (std::uint32_t list = in.value & 0x7FFFU; list != 0; list &= list - 1) {
-    x.r[static_cast<std::size_t>(std::countr_zero(list))] = *next++;
+    std::memcpy(&x.r[static_cast<std::size_t>(std::countr_zero(list))], next, 4);
+    next += 4;
   }
   if ((in.value & 1U << Registers::kPc) != 0) {
-    core.branchAndExchange(*next);
+    std::uint32_t target = 0;
+    std::memcpy(&target, next, sizeof target);
+    core.branchAndExchange(target);
   }
 }
 
@@ -328,15 +362,23 @@ void storeMultiple(Core& core, const Instruction& in) {
   Registers& x = core.registers;
   const std::uint32_t base = x.r[in.n];
   const std::uint32_t size = 4U * in.d;
+  const std::uint32_t first = kDown ? base - size : base;
   core.spend(in.d);
-  std::array<std::uint32_t, 16> stored;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled
-  std::uint32_t* next = stored.data();
+  std::array<std::uint8_t, 64> stored;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled
+  std::uint8_t* const direct = core.memory.storable(first, size);
+  std::uint8_t* next = direct != nullptr ? direct : stored.data();
   for (std::uint32_t list = in.value & kList; list != 0; list &= list - 1) {
-    *next++ = x.r[static_cast<std::size_t>(std::countr_zero(list))];
+    std::memcpy(next, &x.r[static_cast<std::size_t>(std::countr_zero(list))], 4);
+    next += 4;
   }
-  if (core.storeWords(kDown ? base - size : base, std::span(stored).first(in.d)) &&
-      (in.value & kKeeps) != 0) {
-    x.r[in.n] = kDown ? base - size : base + size;
+  if (direct == nullptr) [[unlikely]] {
+    const auto words = std::bit_cast<std::array<std::uint32_t, 16>>(stored);
+    if (!core.storeWords(first, std::span(words).first(in.d))) {
+      return;
+    }
+  }
+  if ((in.value & kKeeps) != 0) {
+    x.r[in.n] = kDown ? first : base + size;
   }
 }
 

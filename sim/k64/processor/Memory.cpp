@@ -22,39 +22,41 @@ std::unique_ptr<Item, Memory::Release> zeros(std::size_t count) {
 
 }  // namespace
 
-Memory::Area& Memory::add(std::uint32_t address, std::uint32_t size) {
-  Area& area = all_.emplace_back();
-  area.address = address;
-  area.size = size;
-  for (std::uint32_t i = address / kMegabyte; i <= (address + (size - 1)) / kMegabyte; ++i) {
-    if (areas_[i] == &nothing_) {
-      areas_[i] = &area;
+void Memory::add(Area area) {
+  const Area& added = all_.emplace_back(std::move(area));
+  const bool loads = added.bytes != nullptr && (added.mayWrite || readsFlashDirectly_);
+  const Direct direct{.bytes = added.bytes.get(),
+                      .address = added.address,
+                      .loads = loads ? added.size : 0,
+                      .stores = added.mayWrite ? added.size : 0};
+  const std::uint32_t last = added.address + (added.size - 1);
+  for (std::uint32_t i = added.address / kMegabyte; i <= last / kMegabyte; ++i) {
+    if (areas_[i] == nullptr) {
+      areas_[i] = &added;
+      directs_[i] = direct;
     }
   }
-  return area;
 }
 
 void Memory::map(std::uint32_t address, std::uint32_t size, Access access) {
-  Area& area = add(address, size);
-  area.mayWrite = access != Access::ReadExecute;
-  area.mayExecute = access != Access::ReadWrite;
-  area.direct = area.mayWrite || readsFlashDirectly_ ? size : 0;
-  area.writable = area.mayWrite ? size : 0;
-  area.bytes = zeros<std::uint8_t>(size);
+  Area area{.address = address,
+            .size = size,
+            .mayWrite = access != Access::ReadExecute,
+            .mayExecute = access != Access::ReadWrite,
+            .bytes = zeros<std::uint8_t>(size)};
   if (area.isFlash()) {
-    area.instructions = zeros<Instruction>(size / 2);
+    area.instructions = zeros<Instruction>(size / 2 + 2);  // behind the last one there is none
   }
+  add(std::move(area));
 }
 
 void Memory::map(std::uint32_t address, std::uint32_t size, Read read, Write write) {
-  Area& area = add(address, size);
-  area.read = std::move(read);
-  area.write = std::move(write);
+  add({.address = address, .size = size, .read = std::move(read), .write = std::move(write)});
 }
 
 const Memory::Area* Memory::find(std::uint32_t address) const {
-  if (near(address).holds(address)) {
-    return &near(address);
+  if (const Area* area = areas_[address / kMegabyte]; area != nullptr && area->holds(address)) {
+    return area;
   }
   const auto found =
       std::ranges::find_if(all_, [address](const Area& area) { return area.holds(address); });

@@ -34,11 +34,9 @@ class Memory {
   struct Area {
     std::uint32_t address = 0;
     std::uint32_t size = 0;
-    std::uint32_t direct = 0;    ///< bytes from which aligned loads need no call
-    std::uint32_t writable = 0;  ///< bytes to which aligned stores need no call
     bool mayWrite = false;
     bool mayExecute = false;
-    std::unique_ptr<std::uint8_t, Release> bytes;          ///< none of a window
+    std::unique_ptr<std::uint8_t, Release> bytes{};        ///< none of a window
     std::unique_ptr<Instruction, Release> instructions{};  ///< one for each half-word, as decoded
     Read read{};
     Write write{};
@@ -54,11 +52,23 @@ class Memory {
     [[nodiscard]] bool isFlash() const { return bytes != nullptr && !mayWrite; }
   };
 
+  /// @brief What can be loaded and stored without a call, when it is aligned.
+  struct Direct {
+    std::uint8_t* bytes = nullptr;
+    std::uint32_t address = 0;  ///< of the first byte
+    std::uint32_t loads = 0;    ///< how many bytes can be loaded
+    std::uint32_t stores = 0;   ///< how many can be stored
+
+    /// @brief Tells whether words are among the first ones of so many bytes.
+    [[nodiscard]] bool holds(std::uint32_t count, std::uint32_t place, std::uint32_t wanted) const {
+      const std::uint32_t offset = place - address;
+      return offset < count && count - offset >= wanted && (place & 3U) == 0;
+    }
+  };
+
   /// @brief Makes an empty memory.
   /// @param readsFlashDirectly false: each load from flash is a call
-  explicit Memory(bool readsFlashDirectly) : readsFlashDirectly_(readsFlashDirectly) {
-    areas_.fill(&nothing_);
-  }
+  explicit Memory(bool readsFlashDirectly) : readsFlashDirectly_(readsFlashDirectly) {}
 
   /// @brief Adds memory.
   void map(std::uint32_t address, std::uint32_t size, Access access);
@@ -66,9 +76,22 @@ class Memory {
   /// @brief Adds a window.
   void map(std::uint32_t address, std::uint32_t size, Read read, Write write);
 
-  /// @brief The first area of the megabyte of an address: mostly the one that has the address.
-  [[nodiscard]] const Area& near(std::uint32_t address) const {
-    return *areas_[address / kMegabyte];
+  /// @brief What of the first area of an address's megabyte needs no call; mostly the area has the
+  /// address.
+  [[nodiscard]] const Direct& direct(std::uint32_t address) const {
+    return directs_[address / kMegabyte];
+  }
+
+  /// @brief Words that can be loaded without a call; none where not all of them can.
+  [[nodiscard]] const std::uint8_t* loadable(std::uint32_t address, std::uint32_t size) const {
+    const Direct& near = direct(address);
+    return near.holds(near.loads, address, size) ? near.bytes + (address - near.address) : nullptr;
+  }
+
+  /// @brief Words that can be stored without a call; none where not all of them can.
+  [[nodiscard]] std::uint8_t* storable(std::uint32_t address, std::uint32_t size) const {
+    const Direct& near = direct(address);
+    return near.holds(near.stores, address, size) ? near.bytes + (address - near.address) : nullptr;
   }
 
   /// @brief The area of an address; none where nothing is.
@@ -94,12 +117,14 @@ class Memory {
  private:
   static constexpr std::uint32_t kMegabyte = 0x100000;
 
-  Area& add(std::uint32_t address, std::uint32_t size);
+  static constexpr std::size_t kMegabytes = 4096;
+
+  void add(Area area);
 
   bool readsFlashDirectly_;
-  Area nothing_{};
   std::deque<Area> all_;
-  std::array<Area*, 4096> areas_{};
+  std::array<const Area*, kMegabytes> areas_{};  ///< the first one of each
+  std::array<Direct, kMegabytes> directs_{};
 };
 
 }  // namespace wr::k64
