@@ -32,6 +32,7 @@ class SecondTimer final {
   /// @errors One command too many ends the program with the assertion TimerFull.
   /// @isr{no}
   /// @satisfies FR-100
+  /// @satisfies FR-176
   void add(Command& command);
 
   /// @brief Starts the beat, one in each tick period.

@@ -53,6 +53,7 @@ class ControlData {
   /// @brief Puts set-points in force, with the source that was noted last.
   /// @param setPoints what the control systems shall reach
   /// @satisfies FR-19
+  /// @satisfies FR-175
   /// @isr{no}
   void saveSetPoints(const SetPoints& setPoints);
 

@@ -23,6 +23,7 @@ class ControlThread {
   /// @errors Assertion ThreadStartedTwice when the thread has a body.
   /// @isr{no}
   /// @satisfies FR-172
+  /// @satisfies FR-176
   void start(Command& body);
 
   /// @brief Asks for one activation of the body. When the activation before has not ended, an

@@ -54,6 +54,7 @@ class DirSystem final : public ControlSystem {
  private:
   /// @brief Takes the newest status of the steering.
   /// @satisfies FR-116
+  /// @satisfies FR-127
   void measure() override;
 
   /// @brief Notes the ordered angle.

@@ -126,7 +126,9 @@ class SteeringDevice final {
 
  private:
   /// @brief Brings the rate nearer to the demand; towards an end stop that is reached it is 0.
+  /// Sets the direction when a turn begins.
   /// @satisfies FR-103
+  /// @satisfies FR-104
   /// @satisfies FR-105
   void changeRate();
 

@@ -73,12 +73,14 @@ class WheelController final {
   /// @brief Tells the measured velocity.
   /// @return velocity [0.1 rpm]; nothing when it is older than the lifetime of a measurement
   /// @satisfies FR-90
+  /// @satisfies FR-127
   /// @isr{no}
   [[nodiscard]] std::optional<Velocity> velocity() const;
 
   /// @brief Tells the measured current.
   /// @return current [mA]; nothing when it is older than the lifetime of a measurement
   /// @satisfies FR-90
+  /// @satisfies FR-127
   /// @isr{no}
   [[nodiscard]] std::optional<Current> current() const;
 

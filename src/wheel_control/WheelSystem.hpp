@@ -52,7 +52,8 @@ class WheelSystem final : public ControlSystem {
   /// @brief Tells whether the orders of a cycle were executed.
   /// @param cycle number of the control cycle, from 1
   /// @return true if the last orders that were executed are those of that cycle
-  /// @satisfies FR-92
+  /// @satisfies FR-5
+  /// @satisfies FR-74
   /// @isr{no}
   [[nodiscard]] bool completed(std::uint32_t cycle) const override;
 

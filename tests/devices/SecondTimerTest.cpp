@@ -68,6 +68,7 @@ TEST_F(SecondTimerTest, FR100_BeatWithoutCommands) {
 
 /// @brief The timer takes as many commands as it says; one more ends the program.
 /// @verifies FR-100
+/// @verifies FR-176
 TEST_F(SecondTimerTest, FR100_OneCommandTooMany) {
   LoggingCommand command("command");
   for (std::size_t i = 0; i < SecondTimer::kCapacity; ++i) {

@@ -43,7 +43,7 @@ TEST_F(K64UartOnBoard, FR171_FullLineLosesNoByte) {
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
-/// @brief For ten seconds the line is never idle, in both directions, and none is lost.
+/// @brief For ten seconds the line to the robot is never idle, and no byte is lost.
 /// @verifies FR-171
 TEST_F(K64UartOnBoard, FR171_LineThatIsNeverIdleLosesNoByte) {
   robot.connect();

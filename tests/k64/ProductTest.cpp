@@ -77,6 +77,7 @@ TEST_P(Product, RunsWithoutFinding) {
     EXPECT_EQ(robot.report().cycle, first + cycle);
     EXPECT_EQ(robot.report().source, kPc);
     EXPECT_EQ(robot.report().orderId, 5);
+    EXPECT_EQ(robot.report().steering, 100);
     EXPECT_EQ(robot.report().overruns, 0);
   }
 }

@@ -38,6 +38,7 @@ TEST_F(ControlDataTest, FR19_SourceTakesForceWithTheSetPoints) {
 
 /// @brief The report holds everything that was saved in the cycle.
 /// @verifies FR-61
+/// @verifies FR-174
 /// @verifies FR-175
 TEST_F(ControlDataTest, FR61_ReportHoldsTheCycle) {
   data.beginCycle(Instant(123'456));

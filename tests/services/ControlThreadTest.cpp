@@ -127,7 +127,7 @@ TEST(ControlThreadDeathTest, HasOneBody) {
   TestThread thread;
   Body body(thread);
   thread.start(body);
-  EXPECT_DEATH(thread.start(body), "");
+  EXPECT_DEATH(thread.start(body), "assertion 3 failed");
 }
 
 /// @brief Posts that come at any moment of an activation neither lose the last one nor leave the

@@ -98,6 +98,7 @@ TEST_F(OrdersOfRobot, FR21_StopActsInEveryState) {
   robot.order({.id = 40, .stop = true});
   robot.cycle();
   EXPECT_EQ(robot.report().state, kWorking);
+  EXPECT_TRUE(robot.report().orderRead());
   for (int i = 0; i < kN + 2; ++i) {
     EXPECT_TRUE(robot.report().stop());
     EXPECT_TRUE(robot.report().held());
@@ -135,6 +136,7 @@ TEST_F(OrdersOfRobot, FR22_RobotIsHeldBeforeTheFirstOrder) {
   for (int i = 0; i < kN + 3; ++i) {
     EXPECT_TRUE(robot.report().held());
     EXPECT_EQ(robot.report().source, kNobody);
+    EXPECT_FALSE(robot.report().orderRead());
     robot.keepAlive();
     robot.cycle();
   }

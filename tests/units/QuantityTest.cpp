@@ -12,7 +12,7 @@
 namespace wr {
 namespace {
 
-/// @brief Quantities of one unit can be computed with.
+/// @brief Quantities of one unit can be computed with; what comes out has that unit and no other.
 /// @verifies NFR-11
 TEST(Quantity, Computes) {
   EXPECT_EQ(Velocity(30) + Velocity(12), Velocity(42));
@@ -21,6 +21,8 @@ TEST(Quantity, Computes) {
   EXPECT_EQ(Velocity(30) * 2, Velocity(60));
   EXPECT_EQ(Velocity(-7) / 2, Velocity(-3));
   EXPECT_LT(Velocity(-1), Velocity());
+  EXPECT_TRUE((std::same_as<decltype(Velocity(1) + Velocity(1)), Velocity>));
+  EXPECT_TRUE((std::same_as<decltype(Velocity(1) * 2), Velocity>));
 }
 
 template <class A, class B>
@@ -37,7 +39,7 @@ TEST(Quantity, DoesNotMixUnits) {
   EXPECT_FALSE((std::convertible_to<std::int32_t, Velocity>));
 }
 
-/// @brief Instants and durations are computed with in microseconds.
+/// @brief Instants and durations are computed with in microseconds; one is not taken for the other.
 /// @verifies NFR-11
 TEST(Instant, Computes) {
   const Instant start(1000);
@@ -45,6 +47,9 @@ TEST(Instant, Computes) {
   EXPECT_EQ(start + Microseconds(-1), Instant(999));
   EXPECT_EQ(Instant(999) - start, Microseconds(-1));
   EXPECT_GT(Instant(1001), start);
+  EXPECT_FALSE((std::equality_comparable_with<Instant, Microseconds>));
+  EXPECT_FALSE((std::assignable_from<Instant&, Microseconds>));
+  EXPECT_FALSE((std::assignable_from<Microseconds&, Instant>));
 }
 
 /// @brief Set-points are the same only when each of their values is the same.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "wheel_control/ControlledWheel.hpp"
@@ -18,13 +19,14 @@ class WheelControllerTest : public testing::Test, protected ControlledWheel {
   }
 };
 
-/// @brief A tension order stands at the output in the cycle that reads it, within 0.5 %.
+/// @brief A tension order stands at the output in the cycle that reads it, within 0.5 % or 6 mV.
 /// @verifies FR-80
 TEST_F(WheelControllerTest, FR80_TensionStandsAtTheOutputAtOnce) {
-  for (const std::int16_t tension : {std::int16_t{12000}, std::int16_t{7001}, std::int16_t{999}}) {
+  for (const std::int16_t tension :
+       {std::int16_t{12000}, std::int16_t{7001}, std::int16_t{999}, std::int16_t{1}}) {
     control(tensionOf(tension));
     EXPECT_EQ(controller.applied(), Tension(tension));
-    EXPECT_NEAR(output().count(), tension, tension * 0.005);
+    EXPECT_NEAR(output().count(), tension, std::max(tension * 0.005, 6.0));
   }
 }
 
@@ -76,6 +78,7 @@ TEST_F(WheelControllerTest, FR86_DemandStaysWithinTheSupply) {
 
 /// @brief A measured value can be used for 150 ms.
 /// @verifies FR-90
+/// @verifies FR-127
 TEST_F(WheelControllerTest, FR90_MeasuredValuesGrowOld) {
   EXPECT_EQ(controller.velocity(), std::nullopt);
   EXPECT_EQ(controller.current(), std::nullopt);

@@ -86,6 +86,20 @@ TEST_F(WheelSystemTest, FR92_WorkIsDoneWhenTheMainThreadGoesOn) {
   EXPECT_TRUE(order.done);
 }
 
+/// @brief The thread of one wheel cannot be that of another one too.
+/// @verifies FR-92
+TEST_F(WheelSystemTest, FR92_ThreadIsNotShared) {
+  WheelSystem other{{.wheel = 0,
+                     .thread = thread,
+                     .registerPosition = registerPosition,
+                     .readVelocity = readVelocity,
+                     .readCurrent = readCurrent,
+                     .applyControl = applyControl,
+                     .haltWheel = haltWheel}};
+  system.start();
+  EXPECT_DEATH(other.start(), "assertion 3 failed");
+}
+
 /// @brief What was measured and applied is collected at the place of the wheel; other places stay.
 /// @verifies FR-93
 /// @verifies FR-94

@@ -19,12 +19,14 @@ class WheelTest : public testing::Test {
   Wheel wheel{pwm, orientation, enable};
 };
 
-/// @brief A new wheel leaves its driver off, oriented forwards.
+/// @brief A new wheel leaves its driver off, oriented forwards, until it is stopped or gets a tension.
 /// @verifies FR-88
 TEST_F(WheelTest, FR88_NewWheelIsOff) {
   EXPECT_FALSE(enable.isOn());
   EXPECT_FALSE(orientation.isOn());
   EXPECT_FALSE(wheel.isCutOff());
+  wheel.stop();
+  EXPECT_TRUE(enable.isOn());
 }
 
 /// @brief A tension becomes its share of the supply, rounded to the nearest 0.01 %.

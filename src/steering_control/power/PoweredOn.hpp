@@ -17,7 +17,7 @@ class PoweredOn final : public SteeringPower {
   /// @brief Does nothing: the motor is on.
   /// @param device device whose motor it is
   /// @isr{yes}
-  /// @satisfies FR-106
+  /// @satisfies FR-107
   void enable(SteeringDevice& device) override;
 
   /// @brief Switches the motor off.

@@ -57,7 +57,8 @@ TEST(FrameEncoder, FR40_AgreesWithTheReference) {
 TEST(FrameEncoderDeathTest, RefusesAPayloadThatIsTooLarge) {
   FrameEncoder encoder;
   const Bytes payload(kMaxPayload + 1, 1);
-  EXPECT_DEATH(static_cast<void>(encoder.encode({FrameType::Report, 0, payload})), "");
+  EXPECT_DEATH(static_cast<void>(encoder.encode({FrameType::Report, 0, payload})),
+               "assertion 4 failed");
 }
 
 }  // namespace

@@ -326,9 +326,15 @@ TEST(ReportMessage, ValuesAreLimitedToTheirFields) {
   ReportData data;
   data.measurements.wheels[0].velocity = Velocity(40000);
   data.measurements.wheels[0].current = Current(-40000);
+  data.measurements.steering = Angle(-32769);
+  data.setPoints.steering = Angle(32768);
+  data.outputs.tensions[0] = Tension(32769);
   const Bytes bytes = written(data);
   EXPECT_EQ(u16(bytes, 30), 0x7FFFU);
   EXPECT_EQ(u16(bytes, 32), 0x8000U);
+  EXPECT_EQ(u16(bytes, 28), 0x8000U);
+  EXPECT_EQ(u16(bytes, 14), 0x7FFFU);
+  EXPECT_EQ(u16(bytes, 64), 0x7FFFU);
 }
 
 /// @brief Any report is read back as it was written.

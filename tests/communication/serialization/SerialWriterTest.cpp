@@ -22,13 +22,15 @@ TEST(SerialWriter, FR170_NumbersAreLittleEndian) {
                                           0xFD, 0xFF, 0xFF, 0xFF));
 }
 
-/// @brief A cleared writer begins anew.
+/// @brief A cleared writer begins anew: the next field is the first one.
 /// @verifies FR-170
 TEST(SerialWriter, BeginsAnew) {
   SerialWriter writer;
   writer.writeU8({FieldName::Stop}, 1);
   writer.clear();
   EXPECT_TRUE(writer.bytes().empty());
+  writer.writeU16({FieldName::OrderId}, 0x1234);
+  EXPECT_THAT(writer.bytes(), ElementsAre(0x34, 0x12));
 }
 
 /// @brief A field that does not fit is not written in part, and is told at the finish.

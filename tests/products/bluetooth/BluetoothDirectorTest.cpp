@@ -122,8 +122,9 @@ TEST_F(BluetoothRobot, FR151_StopOfTheDeviceActsInItsMode) {
   EXPECT_EQ(spy.calls, kHeld);
 }
 
-/// @brief What the device sends beside orders changes nothing, and the PC goes on.
+/// @brief What the device sends beside orders changes nothing, and the PC goes on. Nothing is answered.
 /// @verifies FR-151
+/// @verifies FR-179
 TEST_F(BluetoothRobot, FR151_NoiseOfTheDeviceChangesNothing) {
   for (std::uint16_t order = 1; order < 20; ++order) {
     devicePort.arrive(Bytes(1000, static_cast<std::uint8_t>(order * 13)));

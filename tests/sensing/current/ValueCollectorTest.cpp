@@ -315,13 +315,19 @@ TEST_F(CurrentTest, FR128_OnlyTheVeryEnd) {
   }
 }
 
-/// @brief A cycle at an end of the range has no current: the value of a broken sensor is not
-/// reported.
+/// @brief A cycle with a mean beyond 16 A has no current, up to the end of the range: the value of a
+/// broken sensor is not reported.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_EndOfTheRangeIsNoMeasurement) {
   ticks(64, 2048);
-  ticks(100, 0);
+  ticks(104, 0);
   EXPECT_FALSE(measured());
+  ticks(104, 2048 - 1987);
+  EXPECT_FALSE(measured());
+  ticks(104, 2048 + 1987);
+  EXPECT_FALSE(measured());
+  ticks(104, 2048 + 1986);
+  EXPECT_EQ(measured()->value, Current(16000));
 }
 
 class FakePwm final : public PwmOutput {

@@ -147,6 +147,7 @@ TEST(HallInterrupt, FR121_EdgeOfEitherSensorIsCollected) {
   wheel.turn(0, milliseconds(5));
   wheel.edge(1);
   EXPECT_EQ(wheel.collector.record().instants.count, 2);
+  EXPECT_EQ(wheel.collector.record().rejected, 0);
   EXPECT_FALSE(wheel.a.pending);
   EXPECT_FALSE(wheel.b.pending);
 }

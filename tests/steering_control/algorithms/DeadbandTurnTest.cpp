@@ -53,8 +53,7 @@ TEST_F(DeadbandTurnTest, FR102_ItTurnsBackBeyondTheDeadBandOnly) {
 
 /// @brief It brakes as soon as half of the acceleration would only just stop it at the target.
 /// @verifies FR-101
-/// @verifies FR-103
-TEST_F(DeadbandTurnTest, FR103_ItBrakesInTime) {
+TEST_F(DeadbandTurnTest, FR101_ItBrakesInTime) {
   EXPECT_EQ(turn(1250, kLeft), kLeft);
   EXPECT_EQ(turn(1249, kLeft), kRest);
   EXPECT_EQ(turn(50, StepRate(100)), kLeft);

@@ -33,8 +33,8 @@ TEST_F(SteeringCommandTest, FR106_TheMotorIsSwitchedOnAndOff) {
 }
 
 /// @brief The third command sets the rate of the motor.
-/// @verifies FR-103
-TEST_F(SteeringCommandTest, FR103_TheTurnIsSet) {
+/// @verifies FR-101
+TEST_F(SteeringCommandTest, FR101_TheTurnIsSet) {
   motor.settle();
   execute(setTurn, StepRate(-3));
   motor.run(5);

@@ -41,10 +41,11 @@ TEST_F(SteeringPowerTest, FR107_TheMotorIsReadyAfter50Milliseconds) {
 }
 
 /// @brief To switch a motor on that is on changes nothing: it need not settle again.
-/// @verifies FR-106
-TEST_F(SteeringPowerTest, FR106_AMotorThatIsOnStaysOn) {
+/// @verifies FR-107
+TEST_F(SteeringPowerTest, FR107_AMotorThatIsOnStaysReady) {
   motor.settle();
   device.enable();
+  EXPECT_TRUE(motor.enable.on);
   EXPECT_TRUE(device.ready());
 }
 

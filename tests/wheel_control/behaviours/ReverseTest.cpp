@@ -34,6 +34,7 @@ TEST_F(ReverseTest, FR87_DemandInTheOrientationPasses) {
 }
 
 /// @brief A slight demand the other way, which noise can make, is taken as 0 and turns nothing.
+/// @verifies FR-80
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_SlightDemandTurnsNothing) {
   apply(5000, 0);

@@ -69,8 +69,9 @@ TEST_F(WheelOrderTest, FR80_FR94_AppliesAndTells) {
   EXPECT_FALSE(work.measured.blind);
 }
 
-/// @brief Without a position the wheel counts as one that does not turn.
+/// @brief Without a position the wheel counts as one that does not turn, and is told to be blind.
 /// @verifies FR-91
+/// @verifies FR-94
 TEST_F(WheelOrderTest, FR91_MissingPositionIsNoTurn) {
   for (int cycle = 0; cycle < 12; ++cycle) {
     pass(true, kMiddle);
