@@ -20,6 +20,9 @@ class K64Port final : public EdgeInput {
   /// @isr{no}
   /// @satisfies FR-144
   void start() override;
+
+  /// @satisfies FR-144
+  /// @isr{yes}
   [[nodiscard]] bool level() const override;
 
   /// @satisfies FR-144
