@@ -9,17 +9,16 @@ namespace {
 
 constexpr std::uint32_t kSeed = 1;
 constexpr Microseconds kStep(std::chrono::microseconds(sim::Robot::kStep).count());
-constexpr Microseconds kFirstStep(std::chrono::microseconds(sim::Robot::kFirstStep).count());
 
 // From power-on to the begin of the periods of the timers, as the image takes it on the virtual
 // K64: clock, calibration of the converters, construction.
-constexpr Microseconds kStartUp(5361);
+constexpr Microseconds kStartUp(5364);
 
 // From a beat to the first turn of a wheel's thread in the cycle that begins with it, and from one
 // such turn to the next, as the image takes them on the virtual K64. All else on the host takes no
 // time, so the clock pulse comes when the first thread has its turn.
-constexpr Microseconds kToWheels(23);
-constexpr Microseconds kOfWheel(62);
+constexpr Microseconds kToWheels(9);
+constexpr Microseconds kOfWheel(51);
 
 // The microsecond that an edge is in; the firmware's clock has no finer time.
 Instant at(Instant begin, std::chrono::nanoseconds offset) {
@@ -45,7 +44,7 @@ HostWorld::HostWorld(SerialPort& pcPort, HostEquipment equipment)
 void HostWorld::start() {
   robot.start();
   const Instant begin = time.now() + kStartUp;
-  nextStep_ = time.now() + kFirstStep;
+  nextStep_ = time.now() + kStep;
   nextBeat_ = begin + robot.beatPeriod();
   nextPulse_ = begin + robot.period() + kToWheels;
 }

@@ -58,10 +58,6 @@ class Robot {
   static constexpr double kAngleRange = 80.0;  ///< degrees over the whole scale
   static constexpr std::chrono::milliseconds kStep{1};
 
-  /// @brief When the first step begins, since power-on. The firmware acts around the begin of a ms of
-  /// its own, a little sooner or later on each binding; half a ms away, all of it falls in the same
-  /// step.
-  static constexpr std::chrono::microseconds kFirstStep{500};
 
   /// @brief Puts the robot on the ground, at rest.
   /// @param seed chooses the noise and how far the Hall sensors are misplaced

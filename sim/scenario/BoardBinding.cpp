@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 namespace wr {
 
@@ -65,13 +64,7 @@ BoardBinding::BoardBinding(k64::VirtualBoard& board) : physics(kSeed), board_(bo
     board_.drive(pin.port, pin.number, false);
   }
   measure();
-  // Calls come at multiples of the time to the first step, which is half a step.
-  static_assert(2 * sim::Robot::kFirstStep == sim::Robot::kStep);
-  board_.onTime(sim::Robot::kFirstStep, [this] {
-    if (std::exchange(stepIsDue_, !stepIsDue_)) {
-      beat();
-    }
-  });
+  board_.onTime(sim::Robot::kStep, [this] { beat(); });
 }
 
 void BoardBinding::take(const k64::Event& event) {

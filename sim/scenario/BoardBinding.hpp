@@ -28,7 +28,6 @@ class BoardBinding {
   void measure();
 
   k64::VirtualBoard& board_;
-  bool stepIsDue_ = true;
 };
 
 }  // namespace wr
