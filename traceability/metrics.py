@@ -14,7 +14,7 @@ from traceability.model.bench import bench_metrics, read_bench
 from traceability.model.results import read_json, read_recording_factor
 from traceability.model.schema import Finding, Model, Module
 from traceability.model.traces import nodes_of
-from traceability.products import PRODUCTS
+from traceability.products import HAS, PRODUCTS, intruders
 from traceability.products import RESULTS as HELD
 
 METRICS = Path("build/metrics.json")
@@ -57,11 +57,15 @@ def image(root: Path) -> dict[str, Any]:
 
 
 def forbidden(root: Path) -> dict[str, Any]:
-    """How many kinds of what no image may hold are in one."""
+    """How many kinds of what no image may hold are in one, and modules that a product has not."""
     products = read_products(root)
     if products is None:
         return {}
-    return {"firmware.forbidden_parts": sum(len(one["forbidden"]) for one in products.values())}
+    found = {name: intruders(one["modules"], HAS[name]) for name, one in products.items()}
+    return {
+        "firmware.forbidden_parts": sum(len(one["forbidden"]) for one in products.values()),
+        "firmware.needless_modules": sum(len(one) for one in found.values()),
+    }
 
 
 def bench(root: Path) -> dict[str, Any]:
@@ -121,6 +125,7 @@ def metrics(model: Model) -> dict[str, Any]:
         "firmware.ram_bytes": None,
         "firmware.stack_bytes": model.stack.total if model.stack and model.stack.proven else None,
         "firmware.forbidden_parts": None,
+        "firmware.needless_modules": None,
         "bench.scenarios": None,
         "mutation.tried": len(model.mutation.tried) if model.mutation else None,
         "mutation.found": model.mutation.found if model.mutation else None,

@@ -17,10 +17,27 @@ PRODUCTS = {
     "weeding_robot_pc_bluetooth": "the PC and a Bluetooth device",
     "weeding_robot_warning": "the PC and the remote control; warns before it stops",
 }
+REMOTE_CONTROL = {
+    *("RC", "RcPin", "ReadRcPin", "RcBuffer", "VelocityBuffer", "DirectionBuffer"),
+    *("RcVelocity", "RcDirection", "BufferReader", "WidthCollector"),
+}
+# Each product: what it has of the modules in which products differ. All have the rest.
+HAS = {
+    DEFAULT: REMOTE_CONTROL | {"RobotDirector"},
+    "weeding_robot_pc": {"RobotDirector"},
+    "weeding_robot_pc_bluetooth": {"Bluetooth", "BluetoothLink", "BluetoothDirector"},
+    "weeding_robot_warning": REMOTE_CONTROL | {"WaitingK", "WarningDirector"},
+}
+DIFFERENT = set().union(*HAS.values())
 RESULTS = Path("build/results/products.json")  # what each image holds
 
 # A symbol of a class of the project: a method, an object that it owns, or its table of methods.
 SYMBOL = re.compile(r"[0-9a-f ]+ \w (?:[a-z-]+(?: [a-z]+)? (?:for|to) )?wr::(\w+)")
+
+
+def intruders(held: Iterable[str], has: set[str]) -> set[str]:
+    """The modules in an image that its product should not have."""
+    return (set(held) & DIFFERENT) - has
 
 
 def image_of(product: str, suffix: str) -> Path:

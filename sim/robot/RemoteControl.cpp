@@ -19,7 +19,8 @@ constexpr std::array<milliseconds, 2> kBegin{milliseconds(0), milliseconds(3)};
 microseconds widthOf(double deflection) {
   const double share = std::clamp(deflection, -1.0, 1.0);
   return RemoteControl::kMiddle +
-         microseconds(std::llround(share * static_cast<double>(RemoteControl::kDeflection.count())));
+         microseconds(
+             std::llround(share * static_cast<double>(RemoteControl::kDeflection.count())));
 }
 
 }  // namespace

@@ -58,7 +58,6 @@ class Robot {
   static constexpr double kAngleRange = 80.0;  ///< degrees over the whole scale
   static constexpr std::chrono::milliseconds kStep{1};
 
-
   /// @brief Puts the robot on the ground, at rest.
   /// @param seed chooses the noise and how far the Hall sensors are misplaced
   /// @param surroundings the ground

@@ -31,6 +31,7 @@ class SerialPort {
   /// @param bytes bytes to send
   /// @return false when there is no room for all bytes: none is sent
   /// @isr{no}
+  /// @satisfies FR-64
   virtual bool write(std::span<const std::uint8_t> bytes) = 0;
 
   /// @brief Tells how many bytes were received and could not be stored.

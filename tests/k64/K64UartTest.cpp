@@ -66,7 +66,7 @@ TEST_F(K64UartOnBoard, FR171_LineThatIsNeverIdleLosesNoByte) {
 /// @verifies FR-171
 TEST_F(K64UartOnBoard, FR37_FullControlLoadLosesNoByte) {
   constexpr int kCycles = 40;
-  constexpr int kFrames = 110;  // of 7 bytes, beside an order: 70 ms of 100 on the line
+  constexpr int kFrames = 145;  // of 7 bytes, beside an order: 92 ms of 100 on the line
   PcOrder order{.id = 1, .steering = 3000};
   order.wheels.fill({.quantity = 0, .value = 3000});
   robot.commandByPc(order);

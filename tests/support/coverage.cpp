@@ -16,9 +16,9 @@
 #include <string>
 #include <vector>
 
-// The header of the compiler is one of C. The counters of all units are between two symbols that the
-// linker makes. The runtime of the compiler learns of a unit by __gcov_init; without it, no counter
-// can be set back.
+// The header of the compiler is one of C. The counters of all units are between two symbols that
+// the linker makes. The runtime of the compiler learns of a unit by __gcov_init; without it, no
+// counter can be set back.
 extern "C" {
 #include <gcov.h>
 extern const gcov_info* const __start_wr_counters[];  // NOLINT

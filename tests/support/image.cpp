@@ -31,8 +31,8 @@ k64::ExecutedCode& executed() {
 
 void writeBits(const std::filesystem::path& path) {
   const auto bits = executed().bits();
-  const auto last = std::ranges::find_if(bits.rbegin(), bits.rend(),
-                                         [](std::uint8_t byte) { return byte != 0; });
+  const auto last =
+      std::ranges::find_if(bits.rbegin(), bits.rend(), [](std::uint8_t byte) { return byte != 0; });
   std::ofstream file(path, std::ios::binary);
   for (const std::uint8_t byte : std::ranges::subrange(bits.begin(), last.base())) {
     file.put(static_cast<char>(byte));

@@ -17,10 +17,15 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 def _calls(proof: StackProof) -> list[Finding]:
     mend = f"call an object that a builder gives, or declare the call in {DECLARED}"
-    return [
+    found = [
         Finding(place, "stack-call", f"nobody knows what {function} calls here", mend)
         for function, place in proof.unresolved
     ]
+    if proof.untold:
+        text = f"the compiler told nothing of {len(proof.untold)} functions, as {proof.untold[0]}"
+        mend = "remove build/k64 and build again, without a cache of compilations"
+        found.append(Finding(SCRIPT, "stack-call", text, mend))
+    return found
 
 
 def _cycles(proof: StackProof, facts: Facts) -> list[Finding]:

@@ -24,8 +24,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "portal",
         help="build the firmware, test it, check it, build its portal and serve it",
         description="Builds the firmware for this machine and for the K64, runs its tests with "
-        "traces and coverage, and with the image on the virtual K64, measures the image, checks the "
-        "documents against the code, builds the portal and serves it on this machine. Findings and failed tests do "
+        "traces and coverage, and with the image on the virtual K64, measures the image, checks "
+        "the documents against the code, builds the portal and serves it on this machine. Findings "
+        "and failed tests do "
         "not stop the portal from being built.",
     )
     add_port(parser)

@@ -220,10 +220,13 @@ class Watcher:
         return known or method.rpartition("::")[0] in self.code.holders
 
     def watch(self, calls: Iterator[tuple[str, bool]]) -> list[Seen]:
-        """``calls`` are methods, each with whether it is entered or left."""
+        """``calls`` are methods, each with whether it is entered or left; "" stands for calls that
+        were left out."""
         run = _Run(self)
         for method, entered in calls:
-            if entered:
+            if not method:
+                run.miss()
+            elif entered:
                 run.enter(method)
             else:
                 run.leave()
@@ -244,6 +247,10 @@ class _Run:
     def _forget(self) -> None:
         self.present = set(self.watcher.code.runs)
         self.pending: Seen | None = None
+
+    def miss(self) -> None:
+        """Calls are missing: the state may be another now."""
+        self._forget()
 
     def enter(self, method: str) -> None:
         holders = self.watcher.code.holders
@@ -338,9 +345,9 @@ def _watch(model: Model, facts: Facts, codes: dict[str, MachineCode], traces: Tr
                 if changers[name].isdisjoint(occurring):
                     continue
                 calls = (
-                    (names[name][event & ~EXIT], not event & EXIT)
+                    (names[name].get(event & ~EXIT, ""), not event & EXIT)
                     for event in events
-                    if event & ~EXIT in names[name]
+                    if event == EXIT or event & ~EXIT in names[name]
                 )
                 _note(model.machines[name], codes[name], watcher.watch(calls), test.id)
 

@@ -503,10 +503,11 @@ class StackProof:
     unresolved: list[tuple[str, Place]] = field(default_factory=list)  # calls: function, place
     cycles: list[list[str]] = field(default_factory=list)
     dynamic: list[str] = field(default_factory=list)  # functions whose frame has no bound
+    untold: list[str] = field(default_factory=list)  # of ours, of which the compiler told nothing
 
     @property
     def proven(self) -> bool:
-        return not (self.unresolved or self.cycles or self.dynamic)
+        return not (self.unresolved or self.cycles or self.dynamic or self.untold)
 
     @property
     def levels(self) -> list[StackContext]:

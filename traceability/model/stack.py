@@ -115,6 +115,9 @@ class Prover:
         for handler in self.declared.faults:
             for symbol in self.symbols.get(handler, []):
                 self._add("faults", "faults", "fault", -1, self.deepest(symbol))
+        self.proof.untold = sorted(
+            one.name for one in self.graph.values() if one.measured and one.name.startswith("wr::")
+        )
         self.proof.dynamic = sorted(one.name for one in self.graph.values() if one.dynamic)
         return self.proof
 

@@ -347,6 +347,7 @@ TEST(ReportMessage, ValuesAreLimitedToTheirFields) {
 /// @verifies FR-68
 /// @verifies FR-69
 /// @verifies FR-160
+/// @verifies FR-170
 TEST(ReportMessage, IsReadAsItWasWritten) {
   std::mt19937 random(test::seed());
   for (int i = 0; i < 1000; ++i) {

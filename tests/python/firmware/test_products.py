@@ -14,34 +14,18 @@ from traceability.commands.sizes import write_products
 from traceability.image import lock_problems
 from traceability.products import (
     DEFAULT,
+    DIFFERENT,
+    HAS,
     PRODUCTS,
     RESULTS,
     image_of,
+    intruders,
     module_names,
     modules_in,
     modules_of,
 )
 
 ROOT = Path(__file__).parents[3]
-PC, BLUETOOTH, WARNING = (
-    "weeding_robot_pc",
-    "weeding_robot_pc_bluetooth",
-    "weeding_robot_warning",
-)
-REMOTE_CONTROL = {
-    *("RC", "RcPin", "ReadRcPin", "RcBuffer", "VelocityBuffer", "DirectionBuffer"),
-    *("RcVelocity", "RcDirection", "BufferReader", "WidthCollector"),
-}
-OF_BLUETOOTH = {"Bluetooth", "BluetoothLink", "BluetoothDirector"}
-OF_WARNING = {"WaitingK", "WarningDirector"}
-# Each product: what it has of the parts in which products differ. All have the rest.
-HAS = {
-    DEFAULT: REMOTE_CONTROL | {"RobotDirector"},
-    PC: {"RobotDirector"},
-    BLUETOOTH: OF_BLUETOOTH,
-    WARNING: REMOTE_CONTROL | OF_WARNING,
-}
-DIFFERENT = set().union(*HAS.values())
 # A template: the methods that only the remote control calls on their own are in no other image.
 INLINED = {"Pipe"}
 
@@ -51,11 +35,6 @@ def held(product: str) -> set[str]:
     if not elf.exists():
         pytest.fail(f"there is no image of {product}: build it with ./wr firmware")
     return set(modules_in(elf, module_names(ROOT)))
-
-
-def intruders(product: str, has: set[str]) -> set[str]:
-    """The modules in an image that its product should not have."""
-    return (held(product) & DIFFERENT) - has
 
 
 def test_the_products_are_those_that_are_built() -> None:
@@ -71,7 +50,7 @@ def test_the_modules_in_which_products_differ_exist() -> None:
 
 @pytest.mark.parametrize("product", PRODUCTS)
 def test_an_image_holds_nothing_that_its_product_does_not_need(product: str) -> None:
-    assert intruders(product, HAS[product]) == set()
+    assert intruders(held(product), HAS[product]) == set()
 
 
 @pytest.mark.parametrize("product", PRODUCTS)
@@ -90,7 +69,7 @@ def test_all_else_is_the_same_in_all_products(product: str) -> None:
 def test_an_intruder_is_found(product: str) -> None:
     """Whatever a product has, it would be found in one that should not have it."""
     for module in HAS[product]:
-        assert intruders(product, HAS[product] - {module}) == {module}
+        assert intruders(held(product), HAS[product] - {module}) == {module}
 
 
 @pytest.mark.parametrize("product", PRODUCTS)

@@ -26,6 +26,7 @@ TEST(Calls, Repeated) {
   top(2);
 }
 TEST(Calls, Again) { top(2); }
+TEST(Calls, Short) { for (int i = 0; i < 3; ++i) top(2); }
 TEST(Calls, TooMany) { top(20000); }
 """
 EXIT = 1 << 63
@@ -58,8 +59,14 @@ def shape(folder: Path, test: str) -> str:
     return found
 
 
-def test_an_outermost_call_that_does_the_same_again_is_recorded_once(recorded: Path) -> None:
-    assert shape(recorded, "Repeated") == "a(b()b())c(b())a(b())"
+def test_a_long_recording_leaves_out_calls_that_do_the_same_again(recorded: Path) -> None:
+    whole = shape(recorded, "Repeated")
+    assert whole.startswith("a(b()b())" * 1667)  # 10000 events
+    assert whole.removeprefix("a(b()b())" * 1667) == ")d(b())a(b()))"
+
+
+def test_a_short_recording_is_whole(recorded: Path) -> None:
+    assert shape(recorded, "Short") == "a(b()b())" * 3
 
 
 def test_each_test_has_a_recording_of_its_own(recorded: Path) -> None:
