@@ -34,9 +34,8 @@ void writeBits(const std::filesystem::path& path) {
   const auto last =
       std::ranges::find_if(bits.rbegin(), bits.rend(), [](std::uint8_t byte) { return byte != 0; });
   std::ofstream file(path, std::ios::binary);
-  for (const std::uint8_t byte : std::ranges::subrange(bits.begin(), last.base())) {
-    file.put(static_cast<char>(byte));
-  }
+  std::for_each(bits.begin(), last.base(),
+                [&file](std::uint8_t byte) { file.put(static_cast<char>(byte)); });
 }
 
 class Recording final : public testing::EmptyTestEventListener {
