@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -104,12 +105,12 @@ wr::Exit runBench(wr::BoardLine& robot, const std::string& scenario, const std::
   if (end < measured) {
     throw std::invalid_argument(scenario + " is shorter than what is measured");
   }
-  wr::CycleMeter meter(robot, end - measured, profiled);
+  const auto meter = std::make_unique<wr::CycleMeter>(robot, end - measured, profiled);
   const wr::Exit exit = wr::playScenario(scenario, std::nullopt, robot);
   std::ofstream output;
   output.exceptions(std::ios::failbit | std::ios::badbit);
   output.open(file);
-  meter.write(output);
+  meter->write(output);
   return exit;
 }
 

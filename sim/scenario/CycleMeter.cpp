@@ -189,7 +189,7 @@ void CycleMeter::write(std::ostream& output) const {
   output << "\"exceptions\": {";
   const char* comma = "\n";
   for (const auto& [number, one] : exceptions_) {
-    output << comma << '"' << number << "\": {\"priority\": " << one.priority
+    output << comma << '"' << number << R"(": {"priority": )" << one.priority
            << ", \"entries\": " << one.entries << ", \"requests\": " << one.requests
            << ", \"worst_latency\": " << one.worstLatency << ", \"cycles\": " << one.whole.cycles
            << ", \"instructions\": " << one.whole.instructions

@@ -74,7 +74,7 @@ class Float {
   [[nodiscard]] std::uint32_t round(const Number& number, Rounding rounding,
                                     Format format = kSingle);
   [[nodiscard]] std::uint32_t overflow(bool negative, Rounding rounding, Format format);
-  [[nodiscard]] std::uint32_t sum(const Number& a, Number b, bool subtracts);
+  [[nodiscard]] std::uint32_t sum(const Number& x, Number y, bool subtracts);
   [[nodiscard]] std::uint32_t sum(const Number& a, const Number& b);
 
   std::uint32_t& fpscr_;

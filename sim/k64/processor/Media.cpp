@@ -256,10 +256,9 @@ void parallel(Core& core, const Instruction& in) {
       result = kSigned ? saturated(exact, kBits) : saturatedUnsigned(exact, kBits);
     } else if constexpr (kResult == Result::Halves) {
       result = exact >> 1;
-    } else {
-      const bool greater = kSigned || subtracts ? exact >= 0 : exact >> kBits != 0;
-      ge |= greater ? ones(kBits / 8) << shift / 8 : 0;
     }
+    const bool greater = kSigned || subtracts ? exact >= 0 : exact >> kBits != 0;
+    ge |= greater ? ones(kBits / 8) << shift / 8 : 0;
     word |= (static_cast<std::uint32_t>(result) & ones(kBits)) << shift;
   }
   if constexpr (kResult == Result::Wraps) {

@@ -69,7 +69,7 @@ void cps(Core& core, const Instruction& in) {
 std::uint32_t special(const Core& core, std::uint32_t number) {
   const Registers& x = core.registers;
   if (number < 8) {
-    return ((number & 4U) == 0 ? x.flags() & (0xF80F0000U) : 0) |
+    return ((number & 4U) == 0 ? x.flags() & 0xF80F0000U : 0) |
            ((number & 1U) != 0 ? x.exception : 0);  // EPSR reads as zero
   }
   if (!x.privileged() && number != kControl) {
