@@ -21,7 +21,12 @@ from weeding_robot_client.options import positive
 from weeding_robot_client.recording import Recording
 from weeding_robot_client.script import Wish
 
-from traceability.commands.builds import BOARD_PROGRAM, build_for_board
+from traceability.commands.builds import (
+    BOARD_PROGRAM,
+    build_for_board,
+    require_counts,
+    run_tests,
+)
 from traceability.commands.firmware import build_k64
 from traceability.commands.steps import FailureError, Steps
 from traceability.commands.usual_design import compare
@@ -43,6 +48,7 @@ from traceability.model.bench import (
     read_bench,
     spread,
 )
+from traceability.model.results import PLAIN
 
 SECONDS = 600  # for one run
 CORE_PER_MS = 120_000
@@ -55,9 +61,10 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="measure the control cycle in the paper's four scenarios",
         description="Builds the image for the K64 and plays the paper's four scenarios with it on "
         "the virtual K64 in the simulated robot, 1000 control cycles each: instructions, time from "
-        "the clock pulse to the report, load, latencies, and the speed of the simulator. With "
-        "--port, gives the same orders to a connected board and takes the processor cycles that "
-        "its reports tell. Lift the robot: its wheels will turn with up to 300 rpm. The orders are "
+        "the clock pulse to the report, load, latencies, and the speed of the simulator. Compares "
+        "the patterns with the usual design, and what it costs to record the calls of each test. "
+        "With --port, gives the same orders to a connected board and takes the cycles that its "
+        "reports tell. Lift the robot: its wheels will turn with up to 300 rpm. The orders are "
         "those of a PC: no remote control is needed, it may be off.",
     )
     parser.add_argument("--port", type=Path, help="serial port of a board that has the image")
@@ -72,7 +79,7 @@ def bench(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
         parser.error(f"--seconds {options.seconds} needs --port")
     if options.port:
         return on_board(root, options.port, options.seconds)
-    steps = Steps(root, 3 + len(SCENARIOS))
+    steps = Steps(root, 5 + len(SCENARIOS))
     build_k64(root, steps)
     steps.run("virtual K64", lambda log: build_for_board(root, log, BOARD_PROGRAM))
     if steps.failed:
@@ -83,7 +90,14 @@ def bench(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
     steps.run("the usual design beside the patterns", partial(compare, root))
     if len(record["scenarios"]) == len(SCENARIOS):
         keep(root, record)
+    for name in ("trace", PLAIN):
+        steps.run(f"tests ({name})", partial(run_counted, root, name))
     return 1 if steps.failed else 0
+
+
+def run_counted(root: Path, name: str, log: TextIO) -> str:
+    """Runs the tests of a preset: what the records of the one cost beside the other is a figure."""
+    return require_counts(*run_tests(root, name, log))
 
 
 def add_bench(root: Path, steps: Steps) -> None:

@@ -20,10 +20,9 @@ from traceability.commands.check import make_documents, report, seed_faults
 from traceability.commands.firmware import build_firmware
 from traceability.commands.portal import board_tests, closed_loop, traced_tests
 from traceability.commands.steps import FailureError, Steps, run
-from traceability.model.results import PLAIN
 from traceability.sources import DESIGN, files_below, hash_of
 
-OTHER_STEPS = 12
+OTHER_STEPS = 11
 # What tests of Python read: some run on a copy of the whole project.
 READ_BY_TESTS = (
     *(*DESIGN, "sim", "tests", "client", "docs", "design", "requirements"),
@@ -37,7 +36,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "test",
         help="run every test and every check",
-        description="Runs the tests of the firmware (with traces and coverage, plain, with "
+        description="Runs the tests of the firmware (with traces and coverage, with "
         "sanitizers, and with the image on the virtual K64), those of the tools, every check, and "
         "those of the portal's pages in a browser. The last line counts the tests of the firmware "
         "(once for this machine, once for the virtual K64), of the tools and of the pages.",
@@ -49,7 +48,6 @@ def test(root: Path) -> int:
     steps = Steps(root, DOCUMENT_STEPS + OTHER_STEPS)
     build_firmware(root, steps)
     counts = traced_tests(root, steps)
-    steps.run("tests (plain)", lambda log: require_counts(*run_tests(root, PLAIN, log)))
     steps.run("tests (sanitize)", lambda log: require_counts(*run_tests(root, "sanitize", log)))
     counts += board_tests(root, steps)
     closed_loop(root, steps)
