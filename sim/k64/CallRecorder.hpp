@@ -18,7 +18,7 @@ class CallRecorder {
   /// @brief Reads the addresses of the functions.
   /// @param elf file of the image with its symbols
   /// @param most events after which nothing more is recorded
-  explicit CallRecorder(const std::filesystem::path& elf, std::size_t most = 20000);
+  explicit CallRecorder(const std::filesystem::path& elf, std::size_t most = 30000);
 
   /// @brief A block of instructions begins.
   void block(std::uint32_t address, std::uint32_t stack, std::uint32_t link);

@@ -21,8 +21,8 @@
 
 namespace {
 
-constexpr std::size_t kWhole = 10000;
-constexpr std::size_t kMost = 20000;
+constexpr std::size_t kWhole = 20000;
+constexpr std::size_t kMost = 30000;
 constexpr std::uint64_t kExit = std::uint64_t{1} << 63U;
 
 std::array<std::uint64_t, kMost> events;

@@ -22,7 +22,7 @@ def _calls(proof: StackProof) -> list[Finding]:
         for function, place in proof.unresolved
     ]
     if proof.untold:
-        text = f"the compiler told nothing of {len(proof.untold)} functions, as {proof.untold[0]}"
+        text = f"the compiler told nothing of {len(proof.untold)} functions, as {min(proof.untold)}"
         mend = "remove build/k64 and build again, without a cache of compilations"
         found.append(Finding(SCRIPT, "stack-call", text, mend))
     return found

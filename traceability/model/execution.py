@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from traceability.model.syntax import BodyFact, FieldFact
 
 PIPE = "Pipe"
+READS = ("read", "newest")
 START = "start"
 THREAD = "thread"
 INTERRUPT = "interrupt"
@@ -134,7 +135,7 @@ def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
             continue
         for call in body.calls:
             owner, _, operation = call.target.rpartition("::")
-            if owner != PIPE or operation not in ("write", "read"):
+            if owner != PIPE or operation not in ("write", *READS):
                 continue
             for one in facts.references.objects(call.on, PIPE):
                 users = found[one.name].writers if operation == "write" else found[one.name].readers

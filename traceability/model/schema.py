@@ -503,7 +503,9 @@ class StackProof:
     unresolved: list[tuple[str, Place]] = field(default_factory=list)  # calls: function, place
     cycles: list[list[str]] = field(default_factory=list)
     dynamic: list[str] = field(default_factory=list)  # functions whose frame has no bound
-    untold: list[str] = field(default_factory=list)  # of ours, of which the compiler told nothing
+    untold: set[str] = field(
+        default_factory=set
+    )  # functions of ours, of which the compiler told nothing
 
     @property
     def proven(self) -> bool:

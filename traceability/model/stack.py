@@ -59,7 +59,7 @@ def prove(root: Path, model: Model, facts: Facts) -> StackProof | None:
     fresh = isinstance(record, dict) and record.get("sources") == sources_of_image(root)
     if not fresh or not elf.exists() or not model.contexts:
         return None
-    graph = read_graph(root, root / BUILD, elf)
+    graph = read_graph(elf.resolve().parents[2], root / BUILD, elf)
     frame = FRAME_WITH_FLOATS if uses_floats(elf) else FRAME
     proof = Prover(graph, facts, model, read_declared(root)).prove(frame)
     proof.limit = symbol_value(elf, "stackSize")
@@ -115,9 +115,6 @@ class Prover:
         for handler in self.declared.faults:
             for symbol in self.symbols.get(handler, []):
                 self._add("faults", "faults", "fault", -1, self.deepest(symbol))
-        self.proof.untold = sorted(
-            one.name for one in self.graph.values() if one.measured and one.name.startswith("wr::")
-        )
         self.proof.dynamic = sorted(one.name for one in self.graph.values() if one.dynamic)
         return self.proof
 
@@ -141,6 +138,8 @@ class Prover:
         known: dict[tuple[str, tuple[tuple[str, int], ...]], list[StackCall]],
     ) -> list[StackCall]:
         function = self.graph[symbol]
+        if function.measured and function.name.startswith("wr::"):
+            self.proof.untold.add(function.name)
         method = short_name(function.name)
         if method in self.most:
             entered = {**entered, method: entered.get(method, 0) + 1}

@@ -80,7 +80,7 @@ void enableInterrupts() {
                                   kSecondConverterLine, kCycleTimerLine, kTickTimerLine}) {
     K64Thread::enable(line, kInterruptPriority);
   }
-  K64Thread::enable(kRemoteControlLine, kEdgePriority);
+  K64Thread::enable(kRemoteControlLine, kPulsePriority);
   K64Thread::enable(kHallSensorLine, kEdgePriority);
   for (std::uint8_t wheel = 0; wheel < kWheelCount; ++wheel) {
     K64Thread::enable(kFirstWheelThreadLine + wheel, kWheelThreadPriority);

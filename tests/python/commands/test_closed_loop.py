@@ -49,7 +49,7 @@ def test_each_scenario_is_played_on_both_bindings(root: Path) -> None:
     assert closed_loop.play_all(root, sys.stdout) == "1 scenarios"
     assert (root / "build/results/closed_loop/one-host.csv").read_text() == "host\n"
     assert (root / "build/results/closed_loop/one-k64.csv").read_text() == "board\n"
-    passed = {"passed": True, "said": ""}
+    passed = {"passed": True, "said": "", "stack": None}
     assert outcomes(root) == {"one": {HOST: passed, VIRTUAL_K64: passed}}
 
 
@@ -69,4 +69,5 @@ def test_an_expectation_that_fails_is_told_and_kept(root: Path) -> None:
     for _ in range(2):
         with pytest.raises(FailureError, match=r"one \(host\), one \(virtual K64\)"):
             closed_loop.play_all(root, sys.stdout)
-        assert outcomes(root)["one"][HOST] == {"passed": False, "said": "here: it fails"}
+        told = {"passed": False, "said": "here: it fails", "stack": None}
+        assert outcomes(root)["one"][HOST] == told

@@ -474,9 +474,9 @@ def test_products_are_compared_when_they_were_built(tmp_path: Path) -> None:
     assert "not built from these sources" in page()
     results = tmp_path / "build" / "results"
     results.mkdir(parents=True)
-    every = {"flash": 40000, "ram": 9000, "modules": ["MainController"]}
+    every = {"flash": 40000, "ram": 9000, "modules": ["MainController"], "forbidden": []}
     held = {name: dict(every) for name in PRODUCTS} | {
-        DEFAULT: {"flash": 41234, "ram": 9000, "modules": ["MainController", "RC"]}
+        DEFAULT: every | {"flash": 41234, "modules": ["MainController", "RC"]}
     }
     (results / "products.json").write_text(json.dumps(held))
     totals = {"flash": 41234, "ram": 9000, "sources": sources_of_image(tmp_path)}

@@ -148,7 +148,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
     ),
     "edge of an input not acknowledged": (
         "interrupt-storm",
-        (Change("K64Port.cpp", "    flags.write(own);\n", ""),),
+        (Change("K64Port.cpp", "    flags.write(port::ISFR.bit(number_));\n", ""),),
     ),
     "vector of the Hall sensors missing": (
         "reset-request",

@@ -27,7 +27,7 @@ TEST(Calls, Repeated) {
 }
 TEST(Calls, Again) { top(2); }
 TEST(Calls, Short) { for (int i = 0; i < 3; ++i) top(2); }
-TEST(Calls, TooMany) { top(20000); }
+TEST(Calls, TooMany) { top(30000); }
 """
 EXIT = 1 << 63
 
@@ -61,8 +61,8 @@ def shape(folder: Path, test: str) -> str:
 
 def test_a_long_recording_leaves_out_calls_that_do_the_same_again(recorded: Path) -> None:
     whole = shape(recorded, "Repeated")
-    assert whole.startswith("a(b()b())" * 1667)  # 10000 events
-    assert whole.removeprefix("a(b()b())" * 1667) == ")d(b())a(b()))"
+    assert whole.startswith("a(b()b())" * 3334)  # 20000 events
+    assert whole.removeprefix("a(b()b())" * 3334) == ")d(b())a(b()))"
 
 
 def test_a_short_recording_is_whole(recorded: Path) -> None:

@@ -15,7 +15,7 @@ from traceability.model.bench import BENCH, FOLDER, SCENARIOS, frames_of, profil
 ROOT = Path(__file__).parents[3]
 BUILD = ROOT / "build" / "k64"
 ALGORITHM = ROOT / "src/wheel_control/algorithms/VelocityAlgorithm.cpp"
-BUSY = "  for (volatile int i = 0; i < 1000; i = i + 1) {\n  }\n"
+BUSY = "  for (volatile int i = 0; i < 1000;) {\n    const int next = i + 1;\n    i = next;\n  }\n"
 FEW = "at 50 connect\nfrom 250 to 101050 every 100 order velocity 500\nat 101150 end\n"
 
 

@@ -63,7 +63,9 @@ class QuietHandler(SimpleHTTPRequestHandler):
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Path]]:
     root = tmp_path_factory.mktemp("project")
     checks = [
-        CheckText("tree-static", "Calls are possible", "Each edge is one.", "runs.", "call it.")
+        CheckText(
+            "tree-static", "Calls are possible", "It is.", "Each edge is one.", "runs.", "call it."
+        )
     ]
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(build, "check_texts", lambda: checks)
