@@ -116,8 +116,8 @@ TEST(CyclesOfTheImage, ACycleBeginsReportsAndSleeps) {
 TEST(CyclesOfTheImage, InterruptsHaveLatencies) {
   const Drive drive(60);
   const auto& exceptions = drive.meter->exceptions();
-  EXPECT_EQ(exceptions.at(kHallEdges).priority, 1U);
-  EXPECT_EQ(exceptions.at(kPulse).priority, 2U);
+  EXPECT_EQ(exceptions.at(kHallEdges).priority, 2U);
+  EXPECT_EQ(exceptions.at(kPulse).priority, 3U);
   EXPECT_EQ(exceptions.at(kMainThread).priority, 12U);
   EXPECT_GE(exceptions.at(kPulse).worstLatency, 12U);
   EXPECT_GE(exceptions.at(kHallEdges).worstLatency, 12U);
