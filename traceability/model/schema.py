@@ -503,9 +503,7 @@ class StackProof:
     unresolved: list[tuple[str, Place]] = field(default_factory=list)  # calls: function, place
     cycles: list[list[str]] = field(default_factory=list)
     dynamic: list[str] = field(default_factory=list)  # functions whose frame has no bound
-    untold: set[str] = field(
-        default_factory=set
-    )  # functions of ours, of which the compiler told nothing
+    untold: list[str] = field(default_factory=list)  # of ours: the compiler told nothing of them
 
     @property
     def proven(self) -> bool:

@@ -139,7 +139,7 @@ class Prover:
     ) -> list[StackCall]:
         function = self.graph[symbol]
         if function.measured and function.name.startswith("wr::"):
-            self.proof.untold.add(function.name)
+            self.proof.untold += {function.name}.difference(self.proof.untold)
         method = short_name(function.name)
         if method in self.most:
             entered = {**entered, method: entered.get(method, 0) + 1}
