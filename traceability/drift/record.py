@@ -21,7 +21,7 @@ SOURCES = (
         "docs",
         "traceability/doxygen",
     ),
-    *("README.md", "CMakeLists.txt", "CMakePresets.json"),
+    *("README.md", "CMakeLists.txt", "CMakePresets.json", "setup/k64-toolchain.cmake"),
 )
 # What decides whether a fault is found: the sources, the checks, and the faults.
 READ = (*SOURCES, "traceability")

@@ -139,7 +139,7 @@ class Copy:
         return [_outcome(*pair, new, error) for pair in zip(faults, lines, strict=True)]
 
     def _cached(self) -> list[Path]:
-        return sorted((self.tree / "build" / "model" / "cache").glob("*.json"))
+        return sorted((self.tree / "build" / "model").rglob("*.json"))
 
     def _stamps(self) -> dict[Path, int]:
         return {path: path.stat().st_mtime_ns for path in self._cached()}
