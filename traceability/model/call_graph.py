@@ -23,6 +23,7 @@ EDGE = re.compile(
 FRAME = re.compile(r"(?P<bytes>\d+) bytes \((?P<kind>[a-z,]+)\)")
 FUNCTION = re.compile(r"^[0-9a-f]+ <(?P<name>[^>]+)>:$")
 CALL = re.compile(r"\t(?:bl|b\.w|b\.n|b|cbz|cbnz|b[a-z]{2}\.[nw])\t.*<(?P<name>[^>+]+)>$")
+INDIRECT_CALL = re.compile(r"\tb(?:lx\t|x\t(?!lr))")
 PUSH = re.compile(r"\t(?:push|stmdb\tsp!,|v?push)\s*\{(?P<names>[^}]+)\}")
 BELOW = re.compile(r"\tsub(?:\.w|w)?\tsp, (?:sp, )?#(?P<bytes>\d+)")
 STORE = re.compile(r"\t(?:str|strd)(?:\.w)?\t.*\[sp, #-(?P<bytes>\d+)\]!")
@@ -39,6 +40,7 @@ class Function:
     frame: int
     dynamic: bool = False
     measured: bool = False  # from the instructions, not from the compiler
+    blind: bool = False  # its instructions call what only the compiler could tell
     calls: list[str] = field(default_factory=list)  # symbols
     indirect: list[Place] = field(default_factory=list)
 
@@ -50,7 +52,10 @@ def read_graph(root: Path, folder: Path, elf: Path) -> dict[str, Function]:
         _read_unit(root, file.read_text(encoding="utf-8"), told)
     listing = _run("arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(elf))
     held = _read_listing(listing)
-    found = {symbol: told.get(symbol, function) for symbol, function in held.items()}
+    found = {
+        symbol: told.get(symbol) or told.get(_alias(symbol, told), function)
+        for symbol, function in held.items()
+    }
     for function, name in zip(found.values(), _readable(list(found)), strict=True):
         function.name = name
         function.calls = [_alias(symbol, found) for symbol in function.calls]
@@ -115,6 +120,7 @@ def _read_listing(listing: str) -> dict[str, Function]:
         elif function is not None:
             if (call := CALL.search(line)) and call["name"] != function.symbol:
                 function.calls.append(call["name"])
+            function.blind |= INDIRECT_CALL.search(line) is not None
             function.frame += _pushed(line)
     return found
 

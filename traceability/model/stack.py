@@ -138,7 +138,7 @@ class Prover:
         known: dict[tuple[str, tuple[tuple[str, int], ...]], list[StackCall]],
     ) -> list[StackCall]:
         function = self.graph[symbol]
-        if function.measured and function.name.startswith("wr::"):
+        if function.measured and function.blind and function.name.startswith("wr::"):
             self.proof.untold += {function.name}.difference(self.proof.untold)
         method = short_name(function.name)
         if method in self.most:

@@ -9,7 +9,7 @@ import pytest
 
 from tests.python.site.content import SITE, content
 
-MODEL = SITE.parents[1] / "build" / "model" / "model.json"
+MODEL = SITE / "model.json"
 # Not the data dictionary: some of its enumerators have the name of the module they stand for.
 SAMPLE = [
     "index", "structure", "guide", "interfaces", "inheritances", "secrets", "changes",

@@ -9,7 +9,7 @@ import pytest
 
 from tests.python.site.content import SITE, clicks, content
 
-MODEL = SITE.parents[1] / "build" / "model" / "model.json"
+MODEL = SITE / "model.json"
 NEAR = 3  # clicks
 
 
