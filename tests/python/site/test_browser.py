@@ -140,8 +140,8 @@ def test_a_letter_on_a_name_opens_that_view(server: tuple[str, Path]) -> None:
         "new view.KeyboardEvent('keydown', {key: k, bubbles: true, cancelable: true}));"
         "return [key('t'), key('x')];"
     )
-    seen, _ = look(server, ["structure"], probe)
-    assert seen["structure"] == [False, True]
+    seen, _ = look(server, ["patterns/reading-modes"], probe)
+    assert seen["patterns/reading-modes"] == [False, True]
 
 
 def test_a_card_shows_the_secret(server: tuple[str, Path]) -> None:
@@ -151,8 +151,8 @@ def test_a_card_shows_the_secret(server: tuple[str, Path]) -> None:
         "name.dispatchEvent(new view.FocusEvent('focusin', {bubbles: true}));"
         "const card = doc.querySelector('.card'); return card && card.textContent;"
     )
-    seen, _ = look(server, ["structure"], probe)
-    assert "The secret of RC" in (seen["structure"] or "")
+    seen, _ = look(server, ["patterns/reading-modes"], probe)
+    assert "The secret of RC" in (seen["patterns/reading-modes"] or "")
 
 
 def test_pages_ask_no_other_server(server: tuple[str, Path]) -> None:
