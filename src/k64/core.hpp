@@ -8,7 +8,8 @@ namespace wr {
 using Priority = std::uint8_t;
 
 /// @brief Priority of the interrupt that takes the time of an edge of the remote control. A microsecond
-/// of its pulse is 0.06 degrees: no other interrupt makes it late, and none of the firmware is higher.
+/// of its pulse is 0.06 degrees: no other interrupt makes it late, and none of the firmware is
+/// higher.
 inline constexpr Priority kPulsePriority = 1;
 
 /// @brief Priority of the interrupt that takes the time of a Hall edge: short as well, so that the
