@@ -4,9 +4,10 @@
 // Each test gives one file in the folder WR_TRACE_DIR, named <suite>.<test>.bin, with one
 // little-endian number of 64 bits for each event: the address of the function, with bit 63 set when
 // the function is left. Once there are kWhole events, a call that the test or the simulated
-// platform makes is left out when it makes the same calls as one before: timers would fill the
-// file. An exit from no function stands in its place. After kMost events nothing more is recorded,
-// and a file <suite>.<test>.truncated says so.
+// platform makes is not written again when it makes the same calls as one before: timers would fill
+// the file. In its place stands the number of the event with which that one begins, with bit 62
+// set, once for those that follow each other. After kMost events nothing more is recorded, and a
+// file <suite>.<test>.truncated says so.
 
 #include <gtest/gtest.h>
 
@@ -15,23 +16,25 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace {
 
 constexpr std::size_t kWhole = 20000;
-constexpr std::size_t kMost = 30000;
+constexpr std::size_t kMost = 60000;
 constexpr std::uint64_t kExit = std::uint64_t{1} << 63U;
+constexpr std::uint64_t kRepeat = std::uint64_t{1} << 62U;
 
 std::array<std::uint64_t, kMost> events;
 std::size_t count = 0;
 bool truncated = false;
 std::size_t depth = 0;
-std::size_t begin = 0;                        // of the outermost call
-std::set<std::vector<std::uint64_t>> before;  // outermost calls, with all that they called
-thread_local bool recording = false;          // only the thread that runs the tests records
+std::size_t begin = 0;  // of the outermost call
+// Outermost calls with all that they called, and where they begin.
+std::map<std::vector<std::uint64_t>, std::size_t> before;
+thread_local bool recording = false;  // only the thread that runs the tests records
 
 void note(std::uint64_t event) {
   if (count == kMost) {
@@ -43,13 +46,16 @@ void note(std::uint64_t event) {
 }
 
 void forgetRepeated() {
-  if (truncated || before.emplace(events.data() + begin, events.data() + count).second ||
-      begin < kWhole) {
+  if (truncated) {
     return;
   }
-  count = begin;
-  if (events[count - 1] != kExit) {
-    note(kExit);
+  const auto [first, isNew] =
+      before.try_emplace({events.data() + begin, events.data() + count}, begin);
+  if (!isNew && begin >= kWhole) {
+    count = begin;
+    if (events[count - 1] != (kRepeat | first->second)) {
+      note(kRepeat | first->second);
+    }
   }
 }
 

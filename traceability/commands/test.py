@@ -11,6 +11,7 @@ from typing import TextIO
 from traceability.commands.bench import add_bench
 from traceability.commands.builds import (
     Counts,
+    jobs,
     junit_counts,
     require_counts,
     run_tests,
@@ -82,6 +83,7 @@ def run_pytest(root: Path, steps: Steps, name: str, paths: list[Path | str]) -> 
         results.unlink(missing_ok=True)
         stamp.unlink(missing_ok=True)
         words: list[str | Path] = [root / ".venv/bin/python", "-m", "pytest", "-q", "-ra"]
+        words += ["-n", jobs(), "--dist", "loadfile"]
         words += [f"--rootdir={root}", "-c", root / "pyproject.toml", f"--junitxml={results}"]
         try:
             run(log, [*words, *paths])

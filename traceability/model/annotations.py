@@ -259,7 +259,8 @@ def _place(element: ElementTree.Element) -> Place:
 
 
 def _text(element: ElementTree.Element) -> Text:
-    text = Text(brief=_flow(element.find("briefdescription")))
+    # Doxygen puts a full stop after a mark that ends a brief text.
+    text = Text(brief=_flow(element.find("briefdescription")).removesuffix(" ."))
     for part in (element.find("briefdescription"), element.find("detaileddescription")):
         for role in part.iter("wr-role") if part is not None else ():
             binding = (role.get("application", "").strip(), role.get("role", "").strip())

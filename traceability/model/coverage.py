@@ -79,8 +79,7 @@ def read_coverage(root: Path, cache: Path) -> dict[str, Coverage]:
 
 def _key(root: Path, binding: str) -> str:
     """Names the run of the tests, and how it is read."""
-    results = root / RESULTS / f"{RUNS[binding]}.json"
-    run = str(results.stat().st_mtime_ns) if results.exists() else ""
+    run = file_hash(root / RESULTS / f"{RUNS[binding]}.json")
     here = Path(__file__).parent
     parts = (__file__, here / "arcs.py", here / "board_coverage.py")
     return " ".join([run, *(file_hash(Path(part)) for part in parts)])

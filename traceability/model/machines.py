@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from traceability.model.schema import HOST, Model, Place, StateMachine, Transition
-from traceability.model.traces import EXIT, Traces
+from traceability.model.traces import Traces
 
 if TYPE_CHECKING:
     from traceability.model.facts import Facts
@@ -220,13 +220,10 @@ class Watcher:
         return known or method.rpartition("::")[0] in self.code.holders
 
     def watch(self, calls: Iterator[tuple[str, bool]]) -> list[Seen]:
-        """``calls`` are methods, each with whether it is entered or left; "" stands for calls that
-        were left out."""
+        """``calls`` are methods, each with whether it is entered or left."""
         run = _Run(self)
         for method, entered in calls:
-            if not method:
-                run.miss()
-            elif entered:
+            if entered:
                 run.enter(method)
             else:
                 run.leave()
@@ -247,10 +244,6 @@ class _Run:
     def _forget(self) -> None:
         self.present = set(self.watcher.code.runs)
         self.pending: Seen | None = None
-
-    def miss(self) -> None:
-        """Calls are missing: the state may be another now."""
-        self._forget()
 
     def enter(self, method: str) -> None:
         holders = self.watcher.code.holders
@@ -339,17 +332,11 @@ def _watch(model: Model, facts: Facts, codes: dict[str, MachineCode], traces: Tr
         if result is None or result.result != "passed":
             continue
         for recording in traces.tests.intersection(result.recordings):
-            events = traces.events(recording)
-            occurring = set(events)
+            occurring = set(traces.events(recording))
             for name, watcher in watchers.items():
-                if changers[name].isdisjoint(occurring):
-                    continue
-                calls = (
-                    (names[name].get(event & ~EXIT, ""), not event & EXIT)
-                    for event in events
-                    if event == EXIT or event & ~EXIT in names[name]
-                )
-                _note(model.machines[name], codes[name], watcher.watch(calls), test.id)
+                if not changers[name].isdisjoint(occurring):
+                    calls = traces.calls(recording, names[name])
+                    _note(model.machines[name], codes[name], watcher.watch(calls), test.id)
 
 
 def _family(name: str, model: Model, facts: Facts) -> set[str]:

@@ -7,7 +7,7 @@ import json
 import re
 import subprocess
 from array import array
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -31,6 +31,7 @@ SOURCES = {
     ),
 }
 EXIT = 1 << 63
+REPEAT = 1 << 62  # with the number of the event with which the same calls begin
 SHOWN = 60
 
 
@@ -66,6 +67,18 @@ class Traces:
         events.frombytes(data[: len(data) - len(data) % 8])
         return events
 
+    def calls(self, test: str, names: dict[int, str]) -> Iterator[tuple[str, bool]]:
+        """The calls of the named functions in order, each with whether it is entered or left."""
+        events = self.events(test)
+        repeated: dict[int, list[tuple[str, bool]]] = {}
+        for event in events:
+            if event & REPEAT:
+                if event not in repeated:
+                    repeated[event] = list(_named(_outermost(events, event & ~REPEAT), names))
+                yield from repeated[event]
+            else:
+                yield from _named((event,), names)
+
     def methods(self, test: str) -> set[str]:
         """The methods that ran in a test."""
         found = (self.symbols.get(address, "") for address in set(self.events(test)))
@@ -78,6 +91,8 @@ class Traces:
         open_calls: list[tuple[int, int]] = []
         depth, parent, activation, entries = 0, -1, 0, 0
         for event in self.events(test):
+            if event & REPEAT:
+                continue  # the same rows are there already
             if event & EXIT:
                 row, activation = open_calls.pop() if open_calls else (-1, activation)
                 if row >= 0:
@@ -100,6 +115,22 @@ class Traces:
             if row >= 0:
                 rows[row].end = len(rows)
         return rows
+
+
+def _outermost(events: array[int], begin: int) -> Iterator[int]:
+    """The events of a call and of all that it calls."""
+    depth = 0
+    for event in events[begin:]:
+        yield event
+        depth += -1 if event & EXIT else 1
+        if depth == 0:
+            return
+
+
+def _named(events: Iterable[int], names: dict[int, str]) -> Iterator[tuple[str, bool]]:
+    for event in events:
+        if event & ~EXIT in names:
+            yield names[event & ~EXIT], not event & EXIT
 
 
 def read_traces(root: Path, cache: Path) -> dict[str, Traces]:

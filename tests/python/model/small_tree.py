@@ -198,12 +198,11 @@ void RC::changeMode(MainController& mCtrl) { mCtrl.changeMode(other_); }
 namespace wr {
 
 /// @brief Orders from the RC.
+/// @role{reading-modes, Concrete State}
 ///
 /// @function Reads orders from the RC.
 ///
 /// @secret How the RC shows a new order.
-///
-/// @role{reading-modes, Concrete State}
 class RC final : public Mode {
  public:
   /// @brief Makes the mode.

@@ -132,19 +132,17 @@ def test_transitions_must_be_seen_when_results_are_fresh(tmp_path: Path) -> None
 
 
 def watched(code: MachineCode, calls: str) -> list[Seen]:
-    """Each word is a call that is entered; ``/`` leaves the last one; ``?`` are calls left out."""
+    """Each word is a call that is entered; ``/`` leaves the last one."""
     events: list[tuple[str, bool]] = []
     stack: list[str] = []
     for word in calls.split():
         if word == "/":
             events.append((stack.pop(), False))
-        elif word == "?":
-            events.append(("", False))
         else:
             stack.append(word)
             events.append((word, True))
     watcher = Watcher(code, {"press", "wait"}, {"LampState", "Off", "On", "Blinking"})
-    assert all(watcher.concerns(method) for method, _ in events if method)
+    assert all(watcher.concerns(method) for method, _ in events)
     return watcher.watch(iter(events))
 
 
@@ -155,11 +153,6 @@ def test_a_change_is_seen_when_the_next_call_tells_the_state(code: MachineCode) 
     assert watched(code, ON) == []
     then = watched(code, f"{ON} Lamp::tick On::wait / /")
     assert then == [Seen("Off", "press", "On"), Seen("On", "wait", "On")]
-
-
-def test_calls_that_were_left_out_end_what_is_known(code: MachineCode) -> None:
-    seen = watched(code, f"{ON} ? Lamp::tick On::wait / /")
-    assert seen == [Seen("On", "wait", "On")]
 
 
 def test_the_way_to_a_change_is_kept(code: MachineCode) -> None:

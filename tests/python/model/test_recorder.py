@@ -24,12 +24,13 @@ TEST(Calls, Repeated) {
   other();
   top(1);
   top(2);
+  other();
 }
 TEST(Calls, Again) { top(2); }
 TEST(Calls, Short) { for (int i = 0; i < 3; ++i) top(2); }
 TEST(Calls, TooMany) { top(30000); }
 """
-EXIT = 1 << 63
+EXIT, REPEAT = 1 << 63, 1 << 62
 
 
 @pytest.fixture(scope="module")
@@ -48,21 +49,28 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def shape(folder: Path, test: str) -> str:
-    """Brackets of the calls, with a letter for each function in the order in which they came."""
+    """Brackets of the calls, with a letter for each function in the order in which they came.
+
+    A call that is written as the same as one before is the number of the event where that begins.
+    """
     events: array[int] = array("Q")
     events.frombytes((folder / f"Calls.{test}.bin").read_bytes())
     letters: dict[int, str] = {}
     found = ""
     for event in events:
+        if event & REPEAT:
+            found += f" {event & ~REPEAT} "
+            continue
         letter = letters.setdefault(event & ~EXIT, chr(ord("a") + len(letters)))
         found += ")" if event & EXIT else f"{letter}("
     return found
 
 
-def test_a_long_recording_leaves_out_calls_that_do_the_same_again(recorded: Path) -> None:
+def test_a_long_recording_names_the_calls_that_do_the_same_again(recorded: Path) -> None:
     whole = shape(recorded, "Repeated")
-    assert whole.startswith("a(b()b())" * 3334)  # 20000 events
-    assert whole.removeprefix("a(b()b())" * 3334) == ")d(b())a(b()))"
+    first = "a(b()b())" * 3334  # 20004 events, and then the number of the first
+    assert whole.startswith(first)
+    assert whole.removeprefix(first) == " 0 c(b())a(b()) 0  20005 "
 
 
 def test_a_short_recording_is_whole(recorded: Path) -> None:

@@ -10,7 +10,16 @@ from pathlib import Path
 import pytest
 
 from traceability.model.schema import HOST, VIRTUAL_K64, Place, TreeNode
-from traceability.model.traces import EXIT, Row, Traces, embed, excerpt, method_of, read_traces
+from traceability.model.traces import (
+    EXIT,
+    REPEAT,
+    Row,
+    Traces,
+    embed,
+    excerpt,
+    method_of,
+    read_traces,
+)
 
 
 @pytest.mark.parametrize(
@@ -74,6 +83,18 @@ def recorded(tmp_path: Path, calls: str, vectors: Set[str] = frozenset()) -> lis
     file = traces.file("S.T")
     file.write_bytes(struct.pack(f"<{len(events)}Q", *events))
     return traces.rows("S.T", lambda method: method[:3] == "M::" and method != "M::x")
+
+
+def test_calls_that_are_written_as_a_repetition_are_told_again(tmp_path: Path) -> None:
+    traces = Traces(tmp_path)
+    events = [8, 9, 9 | EXIT, 8 | EXIT, 10, 10 | EXIT, REPEAT | 0, REPEAT | 4]
+    traces.file("S.T").write_bytes(struct.pack(f"<{len(events)}Q", *events))
+    calls = list(traces.calls("S.T", {9: "M::inner", 10: "M::other"}))
+    inner, other = (
+        [("M::inner", True), ("M::inner", False)],
+        [("M::other", True), ("M::other", False)],
+    )
+    assert calls == [*inner, *other, *inner, *other]
 
 
 def test_what_an_interrupt_calls_is_no_call_of_what_it_interrupted(tmp_path: Path) -> None:
