@@ -11,7 +11,6 @@ from urllib.parse import unquote
 
 from traceability.model.schema import Finding, Model, Place
 
-TAG = re.compile(r"<[A-Za-z](?:[^>\"']|\"[^\"]*\"|'[^']*')*>")
 ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|'[^']*')""")
 
 
@@ -24,13 +23,15 @@ class _Page:
 
 def _read(path: Path) -> _Page:
     page = _Page(path.read_text(encoding="utf-8", errors="replace"), {"", "top"}, {})
-    for tag in TAG.finditer(page.text):
-        for attribute in ATTRIBUTE.finditer(tag[0]):
-            name, value = attribute[1], html.unescape(attribute[2][1:-1])
-            if name == "id" or (name == "name" and tag[0].startswith("<a ")):
-                page.anchors.add(value)
-            elif name != "name" and value:
-                page.links.setdefault(value, tag.start())
+    for attribute in ATTRIBUTE.finditer(page.text):
+        start = page.text.rfind("<", 0, attribute.start())
+        if start < page.text.rfind(">", 0, attribute.start()):
+            continue  # words of the text, not of a tag
+        name, value = attribute[1], html.unescape(attribute[2][1:-1])
+        if name == "id" or (name == "name" and page.text.startswith("<a ", start)):
+            page.anchors.add(value)
+        elif name != "name" and value:
+            page.links.setdefault(value, start)
     return page
 
 

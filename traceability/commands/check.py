@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 import argparse
-import json
 import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
 from traceability.commands.steps import FailureError, Steps
-from traceability.model.results import read_json
-from traceability.sources import DESIGN, file_hash, files_below
 
 if TYPE_CHECKING:
     from traceability.model.schema import Finding, Model
 
 STEPS = 4
-DOCUMENTED = (*DESIGN, "sim", "tests", "requirements", "design", "docs", "site", "traceability")
+PARTS = ("model", "checks", "site", "links")
 # Changed files -> the figure that the time for model, checks, site and links is then.
 MEASURED = {None: "build.cold_s", 1: "build.edit_s"}
 
@@ -72,14 +69,38 @@ def make_documents(
 ) -> list[Finding]:
     """Model, checks, site and links: four steps. A failed step leaves out those that need it.
 
-    ``figures`` tells, at the end, what the command itself measured.
+    Where nothing has changed since they were made, they stay. ``figures`` tells, at the end, what
+    the command itself measured.
     """
+    from traceability.made import files_read, is_whole, read_made, write_made
+
+    start, files, made = time.monotonic(), files_read(root), read_made(root)
+    if made is not None and made.files == files and is_whole(root, made):
+        for title in PARTS:
+            steps.run(title, lambda _log: "unchanged")
+        return made.findings
+    changed = count_changes(made.files, files) if made else None
+    findings, complete = make_anew(root, steps, lambda: measured(start, changed) | figures())
+    if complete:
+        write_made(root, files, findings)
+    return findings
+
+
+def measured(start: float, changed: int | None) -> dict[str, float]:
+    """The time since the start, if it stands for a figure."""
+    name = MEASURED.get(changed)
+    return {name: round(time.monotonic() - start, 1)} if name else {}
+
+
+def make_anew(
+    root: Path, steps: Steps, figures: Callable[[], dict[str, float]]
+) -> tuple[list[Finding], bool]:
+    """The findings, and whether no step failed."""
     from traceability.checks import run_checks, run_link_checks
     from traceability.documents.build import build_site
     from traceability.metrics import site_figures, write_metrics
     from traceability.pipeline import build_model
 
-    start, changed = time.monotonic(), changed_files(root)
     model: Model | None = None
     findings: list[Finding] = []
 
@@ -104,35 +125,21 @@ def make_documents(
         site = root / "build" / "site"
         found = run_link_checks(model, site)
         findings.extend(found)
-        took = {measured: seconds_since(start)} if (measured := MEASURED.get(changed)) else {}
-        write_metrics(root, model, {**site_figures(site, findings), **took, **figures()})
+        write_metrics(root, model, site_figures(site, findings) | figures())
         return counted(found)
 
     if not steps.run("model", make_model):
-        for title in ("checks", "site", "links"):
+        for title in PARTS[1:]:
             steps.skip(title, "there is no model")
-        return findings
-    steps.run("checks", run_all)
-    if steps.run("site", make_site):
-        steps.run("links", check_links)
-    else:
+        return findings, False
+    whole = steps.run("checks", run_all)
+    if not steps.run("site", make_site):
         steps.skip("links", "the site was not built")
-    return findings
+        return findings, False
+    return findings, steps.run("links", check_links) and whole
 
 
-def seconds_since(start: float) -> float:
-    return round(time.monotonic() - start, 1)
-
-
-def changed_files(root: Path) -> int | None:
-    """How many files changed since the documents were made; ``None`` when there are none yet."""
-    record = root / "build" / "model" / "files.json"
-    before = read_json(record) if (root / "build" / "site").is_dir() else None
-    now = {str(path.relative_to(root)): file_hash(path) for path in files_below(root, DOCUMENTED)}
-    record.parent.mkdir(parents=True, exist_ok=True)
-    record.write_text(json.dumps(now), encoding="utf-8")
-    if not isinstance(before, dict):
-        return None
+def count_changes(before: dict[str, str], now: dict[str, str]) -> int:
     return len([file for file in before | now if before.get(file) != now.get(file)])
 
 

@@ -8,6 +8,7 @@ import re
 import shutil
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from multiprocessing import get_context
 from pathlib import Path
 
 from sphinx.application import Sphinx
@@ -41,8 +42,8 @@ def build_site(root: Path, model: Model, findings: list[Finding]) -> SiteResult:
     """Brings ``build/site`` up to date with the model."""
     root = root.resolve()
     pages = root / "build" / "pages"
-    portal = Portal(root, model, findings, check_texts())
     try:
+        portal = Portal(root, model, findings, check_texts())
         kept = write_sources(portal, pages)
     except DiagramError as error:
         mend = "correct what the diagram is made from, see the message of PlantUML"
@@ -66,11 +67,7 @@ def check_texts() -> list[CheckText]:
 
 def write_sources(portal: Portal, pages: Path) -> set[str]:
     """Writes generated and hand-written pages below the source folder; returns their names."""
-    kept: set[str] = set()
-    for page in all_pages(portal):
-        kept.add(page.name)
-        write_changed(pages / f"{page.name}.page", source_of(page))
-    kept |= copy_docs(portal.root / "docs", pages)
+    kept = write_pages(portal, pages) | copy_docs(portal.root / "docs", pages)
     write_included(portal.root, pages / "_generated")
     copy_doxygen(portal, pages / "_doxygen")
     write_changed(pages / "links.json", json.dumps(search.targets(portal), sort_keys=True))
@@ -78,6 +75,30 @@ def write_sources(portal: Portal, pages: Path) -> set[str]:
     for path in pages.rglob("*.page"):
         if str(path.relative_to(pages).with_suffix("")) not in kept:
             path.unlink()
+    return kept
+
+
+def write_pages(portal: Portal, pages: Path) -> set[str]:
+    """Each core writes a part of the generated pages."""
+    parts = os.cpu_count() or 1
+    with get_context("fork").Pool(parts, _share, (portal, pages, parts)) as pool:
+        return set().union(*pool.imap_unordered(_write_part, range(parts)))
+
+
+# What a process is forked with: too large to be sent to it.
+_shared: list[tuple[Portal, Path, int]] = []
+
+
+def _share(portal: Portal, pages: Path, parts: int) -> None:
+    _shared.append((portal, pages, parts))
+
+
+def _write_part(part: int) -> set[str]:
+    portal, pages, parts = _shared[-1]
+    kept = set()
+    for page in all_pages(portal, part, parts):
+        kept.add(page.name)
+        write_changed(pages / f"{page.name}.page", source_of(page))
     return kept
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 from collections.abc import Iterator
 from html import escape
 from pathlib import Path
@@ -85,5 +86,7 @@ class Highlighter:
             loaded: list[str] = json.loads(stored.read_text(encoding="utf-8"))
             return loaded
         lines = highlighted_lines(path, text)
-        stored.write_text(json.dumps(lines), encoding="utf-8")
+        written = stored.with_suffix(f".{os.getpid()}")  # another process may read it meanwhile
+        written.write_text(json.dumps(lines), encoding="utf-8")
+        written.replace(stored)
         return lines

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 import re
+from collections.abc import Callable
 from html import unescape
 
 from markupsafe import Markup, escape
@@ -37,13 +39,11 @@ RESULTS = {
 
 def anchor(address: str | None, text: Markup | str, kind: str = "", **data: str) -> Markup:
     """A link, or plain text in the same dress when there is nowhere to go."""
-    classes = Markup(' class="{}"').format(kind) if kind else Markup("")
+    classes = f' class="{escape(kind)}"' if kind else ""
     if address is None:
-        return Markup("<span{}>{}</span>").format(classes, text)
-    extra = Markup("").join(
-        Markup(' data-{}="{}"').format(key, value) for key, value in data.items()
-    )
-    return Markup('<a{}{} href="{}">{}</a>').format(classes, extra, address, text)
+        return Markup(f"<span{classes}>{escape(text)}</span>")
+    extra = "".join(f' data-{key}="{escape(value)}"' for key, value in data.items())
+    return Markup(f'<a{classes}{extra} href="{escape(address)}">{escape(text)}</a>')
 
 
 def breakable(name: str) -> Markup:
@@ -66,12 +66,26 @@ def views_of(module: Module, called: set[str]) -> set[str]:
     return letters
 
 
+def kept(make: Callable[[Names, str], Markup]) -> Callable[[Names, str], Markup]:
+    """A name is the same link wherever it stands: it is made once."""
+
+    @functools.wraps(make)
+    def found(self: Names, name: str) -> Markup:
+        key = make.__name__, name
+        if key not in self.made:
+            self.made[key] = make(self, name)
+        return self.made[key]
+
+    return found
+
+
 class Names:
     """Makes names of elements into links. The templates call these."""
 
     def __init__(self, model: Model, links: Links) -> None:
         self.model = model
         self.links = links
+        self.made: dict[tuple[str, str], Markup] = {}
         self.called = {
             target.partition("::")[0]
             for module in model.modules.values()
@@ -80,6 +94,7 @@ class Names:
             for target in [call.target, *call.targets]
         }
 
+    @kept
     def mod(self, name: str) -> Markup:
         module = self.model.modules.get(name)
         if module is None:
@@ -87,6 +102,7 @@ class Names:
         kind = "mod d" if module.datatype else f"mod {'a' if module.abstract else 'c'}"
         return anchor(self.links.module(name), name, kind, m=name)
 
+    @kept
     def meth(self, identifier: str) -> Markup:
         name, _, method = identifier.partition("::")
         link = anchor(self.links.method(identifier), breakable(method), "meth")
@@ -94,24 +110,30 @@ class Names:
             self.mod(name), link
         )
 
+    @kept
     def logic(self, identifier: str) -> Markup:
         module = self.model.logic_modules.get(identifier)
         text = module.name if module else identifier
         return anchor(self.links.logic(identifier), text, "logic")
 
+    @kept
     def req(self, identifier: str) -> Markup:
         return anchor(self.links.requirement(identifier), identifier, "id")
 
+    @kept
     def pat(self, identifier: str) -> Markup:
         return anchor(self.links.pattern(identifier), identifier, "id")
 
+    @kept
     def change(self, identifier: str) -> Markup:
         return anchor(self.links.change(identifier), identifier, "id")
 
+    @kept
     def test(self, identifier: str) -> Markup:
         text = Markup("<code>{}</code>").format(breakable(identifier))
         return anchor(self.links.test(identifier), text)
 
+    @kept
     def check(self, identifier: str) -> Markup:
         text = Markup("<code>{}</code>").format(identifier)
         return anchor(self.links.check(identifier), text, "id")
@@ -132,6 +154,7 @@ class Names:
             role_family(role)
         )
 
+    @kept
     def keys(self, name: str) -> Markup:
         """The seven view keys of a module; the place of a view without content stays empty."""
         module = self.model.modules.get(name)
@@ -203,6 +226,7 @@ def file_name(path: str) -> str:
     return path.rpartition("/")[2]
 
 
+@functools.cache
 def glyph(kind: str, word: str) -> Markup:
     """A verdict is a mark and a word, never a colour alone."""
     return Markup('<span class="v {}">{}</span>').format(kind, word)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from functools import partial
+from itertools import islice
 from pathlib import Path
 
 from traceability.documents import calls, plots, verification
@@ -40,43 +42,81 @@ LEAST_DIFFERENCE = 20  # instructions in a cycle: functions that differ by less 
 EXAMPLE = "FR-15"  # the requirement that the first page follows
 
 
-def all_pages(portal: Portal) -> Iterator[Page]:
-    """Those of sources come first: they have no diagrams, which are still being drawn."""
-    for path in portal.model.files:
-        yield source_page(portal, path)
-    yield from overview_pages(portal)
+def all_pages(portal: Portal, part: int = 0, parts: int = 1) -> Iterator[Page]:
+    """All pages, or one part of them: each process makes its own."""
+    for make in islice(_makers(portal), part, None, parts):
+        yield make()
+
+
+def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
+    model = portal.model
+    for path in model.files:
+        yield partial(source_page, portal, path)
+    yield from overviews(portal)
     yield from paper_views(portal)
     for module in portal.designs:
-        yield module_page(portal, module)
-    for application in portal.model.patterns.values():
-        yield pattern_page(portal, application)
-    for requirement in portal.model.requirements.values():
-        yield requirement_page(portal, requirement)
+        yield partial(module_page, portal, module)
+    for application in model.patterns.values():
+        yield partial(pattern_page, portal, application)
+    for requirement in model.requirements.values():
+        yield partial(requirement_page, portal, requirement)
     for check in portal.checks.values():
-        yield portal.page(f"checks/{check.id}", check.id, "checks", "check", check=check)
+        yield partial(portal.page, f"checks/{check.id}", check.id, "checks", "check", check=check)
 
 
-def overview_pages(portal: Portal) -> Iterator[Page]:
-    yield home_page(portal)
+def overviews(portal: Portal) -> Iterator[Callable[[], Page]]:
+    page = partial(partial, portal.page)
+    by_logic = [m for m in portal.model.logic_modules.values() if m.modules]
+    yield partial(home_page, portal)
+    yield partial(structure_page, portal)
+    yield page("guide", "Module guide", "guide", "guide", groups=by_logic)
+    yield page("interfaces", "Interfaces", "interfaces", "interfaces", groups=by_logic)
+    yield page("datatypes", "Data dictionary", "datatypes", "datatypes")
+    yield page("patterns/index", "Pattern applications", "patterns", "patterns")
+    yield partial(products_page, portal)
+    yield page("machines", "State machines", "machines", "machines")
+    yield partial(uses_page, portal)
+    yield partial(execution_page, portal)
+    yield partial(exports_page, portal)
+    yield page("architecture", "Architecture", "architecture", "architecture", wide=True)
+    yield partial(requirements_page, portal)
+    yield page("trees", "Invocation trees", "trees", "trees")
+    yield partial(tests_page, portal)
+    yield partial(virtual_k64_page, portal)
+    yield partial(mutation_page, portal)
+    yield partial(reverse_page, portal)
+    yield partial(closed_loop_page, portal)
+    yield partial(usual_design_page, portal)
+    yield partial(bench_page, portal)
+    yield page("checks/index", "Checks", "checks", "checks")
+    yield page("checks/drift", "Drift test", "drift", "drift")
+    yield partial(sources_page, portal)
+
+
+# ---- views of one list -------------------------------------------------------
+
+
+def structure_page(portal: Portal) -> Page:
     tops = [m for m in portal.model.logic_modules.values() if m.parent is None]
-    yield portal.page(
+    return portal.page(
         "structure", "Module structure", "structure", "structure", tops=tops, anchor=logic_anchor
     )
-    by_logic = [m for m in portal.model.logic_modules.values() if m.modules]
-    yield portal.page("guide", "Module guide", "guide", "guide", groups=by_logic)
-    yield portal.page("interfaces", "Interfaces", "interfaces", "interfaces", groups=by_logic)
-    yield portal.page("datatypes", "Data dictionary", "datatypes", "datatypes")
-    yield portal.page("patterns/index", "Pattern applications", "patterns", "patterns")
-    yield products_page(portal)
-    yield portal.page("machines", "State machines", "machines", "machines")
-    yield portal.page("uses", "Uses", "uses", "uses", rows=use_rows(portal))
-    yield execution_page(portal)
-    yield portal.page("exports", "Exports", "exports", "exports", sources=diagram_sources(portal))
-    yield portal.page("architecture", "Architecture", "architecture", "architecture", wide=True)
-    yield requirements_page(portal)
-    yield portal.page("trees", "Invocation trees", "trees", "trees")
-    yield portal.page("tests", "Tests", "tests", "tests", suites=suites(portal))
-    yield portal.page(
+
+
+def uses_page(portal: Portal) -> Page:
+    return portal.page("uses", "Uses", "uses", "uses", rows=use_rows(portal))
+
+
+def exports_page(portal: Portal) -> Page:
+    return portal.page("exports", "Exports", "exports", "exports", sources=diagram_sources(portal))
+
+
+def tests_page(portal: Portal) -> Page:
+    return portal.page("tests", "Tests", "tests", "tests", suites=suites(portal))
+
+
+def virtual_k64_page(portal: Portal) -> Page:
+    return portal.page(
         "virtual_k64",
         "Findings of the virtual K64",
         "virtual_k64",
@@ -84,16 +124,15 @@ def overview_pages(portal: Portal) -> Iterator[Page]:
         drivers=driver_coverage(portal),
         torture=[t for t in portal.model.tests.values() if t.place.file.startswith(TORTURE)],
     )
-    yield mutation_page(portal)
-    yield portal.page(
-        "reverse", "Reverse direction", "reverse", "reverse", rows=reverse_rows(portal)
-    )
-    yield closed_loop_page(portal)
-    yield usual_design_page(portal)
-    yield bench_page(portal)
-    yield portal.page("checks/index", "Checks", "checks", "checks")
-    yield portal.page("checks/drift", "Drift test", "drift", "drift")
-    yield portal.page("source/index", "Source", "source", "sources", folders=folders(portal))
+
+
+def reverse_page(portal: Portal) -> Page:
+    rows = reverse_rows(portal)
+    return portal.page("reverse", "Reverse direction", "reverse", "reverse", rows=rows)
+
+
+def sources_page(portal: Portal) -> Page:
+    return portal.page("source/index", "Source", "source", "sources", folders=folders(portal))
 
 
 # ---- first page --------------------------------------------------------------

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 
 from markupsafe import Markup
 
@@ -23,16 +24,20 @@ CONSTANT = re.compile(r"k[A-Z]\w*")
 COMMON_CHECKS = ("module-secret", "module-spec", "uses-allowed", "req-verified", "tree-static")
 
 
-def paper_views(portal: Portal) -> Iterator[Page]:
-    yield portal.page("changes", "Likely changes", "changes", "changes")
+def paper_views(portal: Portal) -> Iterator[Callable[[], Page]]:
+    yield partial(portal.page, "changes", "Likely changes", "changes", "changes")
     for change in portal.model.changes.values():
-        yield change_page(portal, change)
-    yield secrets_page(portal)
-    yield portal.page(
+        yield partial(change_page, portal, change)
+    yield partial(secrets_page, portal)
+    yield partial(inheritances_page, portal)
+    yield partial(concordance_page, portal)
+
+
+def inheritances_page(portal: Portal) -> Page:
+    return portal.page(
         "inheritances", "Interface inheritances", "inheritances", "inheritances",
         families=families(portal),
     )  # fmt: skip
-    yield concordance_page(portal)
 
 
 # ---- likely changes ----------------------------------------------------------

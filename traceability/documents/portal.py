@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import functools
 import re
 from collections.abc import Iterable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from jinja2 import Environment, FileSystemBytecodeCache, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 from traceability.documents import diagrams, names
@@ -94,16 +92,9 @@ class Portal:
         self.designs = [m for m in model.modules.values() if not m.datatype]
         self.datatypes = [m for m in model.modules.values() if m.datatype]
         self.diagrams = self._diagrams()
-        # PlantUML draws on the other core while pages without diagrams are written.
-        self.drawing = ThreadPoolExecutor(1).submit(
-            diagrams.draw, self.diagrams, root / "build" / "diagrams"
-        )
+        finished = diagrams.draw(self.diagrams, root / "build" / "diagrams")
+        self.drawn = {name: Markup(svg) for name, svg in finished.items()}
         self.templates = self._environment()
-
-    @functools.cached_property
-    def drawn(self) -> dict[str, Markup]:
-        """The finished diagrams, by their ids; waits for PlantUML."""
-        return {name: Markup(svg) for name, svg in self.drawing.result().items()}
 
     def _diagrams(self) -> list[diagrams.Diagram]:
         return [
@@ -119,9 +110,11 @@ class Portal:
         ]
 
     def _environment(self) -> Environment:
-        loader = FileSystemLoader(SITE / "templates")
+        compiled = self.root / "build" / "pages-cache" / "templates"
+        compiled.mkdir(parents=True, exist_ok=True)
         environment = Environment(
-            loader=loader,
+            loader=FileSystemLoader(SITE / "templates"),
+            bytecode_cache=FileSystemBytecodeCache(str(compiled)),
             autoescape=True,
             undefined=StrictUndefined,
             trim_blocks=True,

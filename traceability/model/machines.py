@@ -215,6 +215,10 @@ class Watcher:
         self.changers = set(code.holders.values())
         self.constructors = {f"{name}::{name}" for name in code.holders}
 
+    def turns(self, method: str) -> bool:
+        """Whether its call may change what is known of the state."""
+        return method in self.changers | self.constructors | self.foreign
+
     def concerns(self, method: str) -> bool:
         known = method in self.runners or method in self.foreign or method in self.helpers
         return known or method.rpartition("::")[0] in self.code.holders
@@ -323,8 +327,12 @@ def _watch(model: Model, facts: Facts, codes: dict[str, MachineCode], traces: Tr
         name: {a: m for a, m in traces.symbols.items() if watcher.concerns(m)}
         for name, watcher in watchers.items()
     }
-    changers = {
+    runners = {
         name: {a for a, m in known.items() if m in watchers[name].runners}
+        for name, known in names.items()
+    }
+    turning = {
+        name: {a for a, m in known.items() if watchers[name].turns(m)}
         for name, known in names.items()
     }
     for test in model.tests.values():
@@ -334,8 +342,8 @@ def _watch(model: Model, facts: Facts, codes: dict[str, MachineCode], traces: Tr
         for recording in traces.tests.intersection(result.recordings):
             occurring = set(traces.events(recording))
             for name, watcher in watchers.items():
-                if not changers[name].isdisjoint(occurring):
-                    calls = traces.calls(recording, names[name])
+                if not runners[name].isdisjoint(occurring):
+                    calls = traces.calls(recording, names[name], turning[name])
                     _note(model.machines[name], codes[name], watcher.watch(calls), test.id)
 
 

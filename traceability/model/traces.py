@@ -7,7 +7,7 @@ import json
 import re
 import subprocess
 from array import array
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator, Set
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -35,7 +35,7 @@ REPEAT = 1 << 62  # with the number of the event with which the same calls begin
 SHOWN = 60
 
 
-@dataclass
+@dataclass(slots=True)
 class Row:
     """A call: it holds the rows up to, and without, ``end``, but for those of an interrupt.
 
@@ -67,48 +67,65 @@ class Traces:
         events.frombytes(data[: len(data) - len(data) % 8])
         return events
 
-    def calls(self, test: str, names: dict[int, str]) -> Iterator[tuple[str, bool]]:
-        """The calls of the named functions in order, each with whether it is entered or left."""
+    def calls(
+        self, test: str, names: dict[int, str], turning: Set[int] = frozenset()
+    ) -> Iterator[tuple[str, bool]]:
+        """The calls of the named functions in order, each with whether it is entered or left.
+
+        The same calls without one of those of ``turning`` are told again after such a one only.
+        """
         events = self.events(test)
-        repeated: dict[int, list[tuple[str, bool]]] = {}
-        for event in events:
+        told = {address: [(name, True)] for address, name in names.items()}
+        told |= {address | EXIT: [(name, False)] for address, name in names.items()}
+        quiet = set()
+        for event in set(events):
             if event & REPEAT:
-                if event not in repeated:
-                    repeated[event] = list(_named(_outermost(events, event & ~REPEAT), names))
-                yield from repeated[event]
-            else:
-                yield from _named((event,), names)
+                again = list(_outermost(events, event & ~REPEAT))
+                told[event] = [call for one in again if one in told for call in told[one]]
+                if not told[event]:
+                    del told[event]
+                elif turning.isdisjoint(again):
+                    quiet.add(event)
+        since: set[int] = set()
+        for event in [event for event in events if event in told]:
+            if event in quiet:
+                if event in since:
+                    continue
+                since.add(event)
+            elif event & REPEAT or event in turning:
+                since.clear()
+            yield from told[event]
 
     def methods(self, test: str) -> set[str]:
         """The methods that ran in a test."""
         found = (self.symbols.get(address, "") for address in set(self.events(test)))
         return {method for method in found if "::" in method}
 
-    def rows(self, test: str, wanted: Callable[[str], bool]) -> list[Row]:
-        """The calls of wanted methods, in order."""
+    def addresses(self, methods: Set[str]) -> set[int]:
+        return {address for address, name in self.symbols.items() if name in methods}
+
+    def rows(self, test: str, shown: Set[int]) -> list[Row]:
+        """The calls of the methods at these addresses, in order."""
         rows: list[Row] = []
-        # Index of the row, or -1 for a call that is not shown; and the activation before it.
+        known = shown | self.addresses(self.vectors)
+        known |= {at | EXIT for at in known}
+        # Index of the row, or -1 for a handler that is not shown; and the activation before it.
         open_calls: list[tuple[int, int]] = []
         depth, parent, activation, entries = 0, -1, 0, 0
-        for event in self.events(test):
-            if event & REPEAT:
-                continue  # the same rows are there already
+        for event in [event for event in self.events(test) if event in known]:
             if event & EXIT:
                 row, activation = open_calls.pop() if open_calls else (-1, activation)
                 if row >= 0:
                     rows[row].end = len(rows)
                     depth -= 1
                     parent = rows[row].parent
-                continue
-            method = self.symbols.get(event, "")
-            if wanted(method):
-                rows.append(Row(depth, method, parent, activation=activation))
+            elif event in shown:
+                rows.append(Row(depth, self.symbols[event], parent, activation=activation))
                 parent = len(rows) - 1
                 open_calls.append((parent, activation))
                 depth += 1
-                continue
-            open_calls.append((-1, activation))
-            if method in self.vectors:
+            else:
+                open_calls.append((-1, activation))
                 entries += 1
                 activation = entries
         for row, _ in open_calls:
@@ -125,12 +142,6 @@ def _outermost(events: array[int], begin: int) -> Iterator[int]:
         depth += -1 if event & EXIT else 1
         if depth == 0:
             return
-
-
-def _named(events: Iterable[int], names: dict[int, str]) -> Iterator[tuple[str, bool]]:
-    for event in events:
-        if event & ~EXIT in names:
-            yield names[event & ~EXIT], not event & EXIT
 
 
 def read_traces(root: Path, cache: Path) -> dict[str, Traces]:

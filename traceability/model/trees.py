@@ -30,7 +30,10 @@ def add_trees(model: Model, facts: Facts, recordings: dict[str, Traces]) -> None
         _resolve(tree, facts)
         _reach(tree, facts)
     edges = declared_edges(model, facts)
-    runs = [Run(binding, traces, facts, known, edges) for binding, traces in recordings.items()]
+    runs = [
+        Run(binding, traces, facts, traces.addresses(known), edges)
+        for binding, traces in recordings.items()
+    ]
     for requirement in model.requirements.values():
         for run in runs:
             _execute(model, requirement, run)
@@ -121,13 +124,13 @@ class Run:
     binding: str
     traces: Traces
     facts: Facts
-    known: set[str]  # methods of design modules
+    shown: set[int]  # where the methods of design modules begin
     edges: Edges
     read: dict[str, list[Row]] = field(default_factory=dict)
 
     def rows(self, recording: str) -> list[Row]:
         if recording not in self.read:
-            self.read[recording] = self.traces.rows(recording, self.known.__contains__)
+            self.read[recording] = self.traces.rows(recording, self.shown)
         return self.read[recording]
 
     def accepts(self, node: TreeNode) -> set[str]:

@@ -82,7 +82,8 @@ def recorded(tmp_path: Path, calls: str, vectors: Set[str] = frozenset()) -> lis
     traces.vectors = set(vectors)
     file = traces.file("S.T")
     file.write_bytes(struct.pack(f"<{len(events)}Q", *events))
-    return traces.rows("S.T", lambda method: method[:3] == "M::" and method != "M::x")
+    methods = {f"M::{name}" for name in addresses} - {"M::x"}
+    return traces.rows("S.T", traces.addresses(methods))
 
 
 def test_calls_that_are_written_as_a_repetition_are_told_again(tmp_path: Path) -> None:
@@ -95,6 +96,18 @@ def test_calls_that_are_written_as_a_repetition_are_told_again(tmp_path: Path) -
         [("M::other", True), ("M::other", False)],
     )
     assert calls == [*inner, *other, *inner, *other]
+
+
+def test_the_same_calls_are_told_again_only_after_one_that_may_change_something(
+    tmp_path: Path,
+) -> None:
+    traces = Traces(tmp_path)
+    tick, change = REPEAT | 0, REPEAT | 2
+    events = [8, 8 | EXIT, 9, 9 | EXIT, tick, tick, change, tick, tick]
+    traces.file("S.T").write_bytes(struct.pack(f"<{len(events)}Q", *events))
+    calls = traces.calls("S.T", {8: "tick", 9: "change"}, turning={9})
+    entered = [name for name, enters in calls if enters]
+    assert entered == ["tick", "change", "tick", "change", "tick"]
 
 
 def test_what_an_interrupt_calls_is_no_call_of_what_it_interrupted(tmp_path: Path) -> None:
