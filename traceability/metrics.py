@@ -12,7 +12,7 @@ from traceability.drift.record import read_record
 from traceability.image import TOTALS, sources_of_image
 from traceability.model.bench import bench_metrics, read_bench
 from traceability.model.results import read_json, read_recording_factor, read_totals
-from traceability.model.schema import Finding, Model
+from traceability.model.schema import HOST, Finding, Model
 from traceability.model.traces import nodes_of
 from traceability.products import HAS, PRODUCTS, intruders
 from traceability.products import RESULTS as HELD
@@ -34,7 +34,7 @@ def write_metrics(root: Path, model: Model, measured: dict[str, Any] | None = No
 def figures(root: Path, model: Model) -> dict[str, Any]:
     """What this run measured of the present sources."""
     tests = {"tests.recording_factor": read_recording_factor(root, model.sources_hash)}
-    if not model.results_stale:
+    if not model.stale_on(HOST):
         tests |= coverage(root)
     return metrics(model) | drift(root) | image(root) | bench(root) | forbidden(root) | tests
 
