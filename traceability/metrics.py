@@ -11,8 +11,8 @@ from typing import Any
 from traceability.drift.record import read_record
 from traceability.image import TOTALS, sources_of_image
 from traceability.model.bench import bench_metrics, read_bench
-from traceability.model.results import read_json, read_recording_factor
-from traceability.model.schema import Finding, Model, Module
+from traceability.model.results import read_json, read_recording_factor, read_totals
+from traceability.model.schema import HOST, Finding, Model
 from traceability.model.traces import nodes_of
 from traceability.products import HAS, PRODUCTS, intruders
 from traceability.products import RESULTS as HELD
@@ -33,8 +33,18 @@ def write_metrics(root: Path, model: Model, measured: dict[str, Any] | None = No
 
 def figures(root: Path, model: Model) -> dict[str, Any]:
     """What this run measured of the present sources."""
-    factor = {"tests.recording_factor": read_recording_factor(root, model.sources_hash)}
-    return metrics(model) | drift(root) | image(root) | bench(root) | forbidden(root) | factor
+    tests = {"tests.recording_factor": read_recording_factor(root, model.sources_hash)}
+    if not model.stale_on(HOST):
+        tests |= coverage(root)
+    return metrics(model) | drift(root) | image(root) | bench(root) | forbidden(root) | tests
+
+
+def coverage(root: Path) -> dict[str, Any]:
+    """What the last run of the tests on this machine executed, when gcovr counted it."""
+    totals = read_totals(root)
+    if totals is None:
+        return {}
+    return {"coverage.line": totals["line_percent"], "coverage.branch": totals["branch_percent"]}
 
 
 def drift(root: Path) -> dict[str, Any]:
@@ -118,8 +128,8 @@ def metrics(model: Model) -> dict[str, Any]:
         "trees.executed": (sum(bool(item.runs) for item in requirements) if fresh else None),
         "tests.total": len(runs) if fresh else None,
         "tests.passed": sum(run.result == "passed" for run in runs) if fresh else None,
-        "coverage.line": _share(written, "lines_covered", "lines_total") if fresh else None,
-        "coverage.branch": _share(written, "branches_covered", "branches_total") if fresh else None,
+        "coverage.line": None,
+        "coverage.branch": None,
         "coverage.drivers_on_board": _executed(model.board_lines),
         "firmware.flash_bytes": None,
         "firmware.ram_bytes": None,
@@ -138,18 +148,7 @@ def metrics(model: Model) -> dict[str, Any]:
     }
 
 
-def _sum(modules: list[Module], name: str) -> int | None:
-    values = [value for module in modules if (value := getattr(module, name)) is not None]
-    return sum(values) if values else None
-
-
 def _executed(files: dict[str, dict[int, bool]] | None) -> float | None:
     """In per cent, with one digit."""
     hits = [hit for lines in (files or {}).values() for hit in lines.values()]
     return round(100 * sum(hits) / len(hits), 1) if hits else None
-
-
-def _share(modules: list[Module], part: str, whole: str) -> float | None:
-    """In per cent, with one digit."""
-    total = _sum(modules, whole)
-    return round(100 * (_sum(modules, part) or 0) / total, 1) if total else None

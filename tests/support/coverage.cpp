@@ -4,6 +4,8 @@
 // Each test gives one file in the folder WR_TRACE_DIR, named <suite>.<test>.arcs. A line with a
 // name says which file of counters the lines below it belong to; each of those has the number of a
 // function that ran, and its counters.
+//
+// The counters of the whole run go into the files that gcc itself writes, for other readers.
 
 #include <gtest/gtest.h>
 
@@ -13,12 +15,13 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
 // The header of the compiler is one of C. The counters of all units are between two symbols that
 // the linker makes. The runtime of the compiler learns of a unit by __gcov_init; without it, no
-// counter can be set back.
+// counter is set back or written to a file.
 extern "C" {
 #include <gcov.h>
 extern const gcov_info* const __start_wr_counters[];  // NOLINT
@@ -37,6 +40,9 @@ constexpr std::uint32_t kArcs = 0x01A10000;
 struct Unit {
   std::string name;
   std::vector<std::uint32_t> words;
+  std::vector<std::uint32_t> wordsBefore;
+  // What each function had counted when the test before ended.
+  std::map<std::uint32_t, std::vector<std::uint64_t>> before;
 };
 
 void keepName(const char* name, void* unit) {
@@ -54,7 +60,20 @@ void* allocate(unsigned bytes, void* /*unit*/) {
   return std::malloc(bytes);  // NOLINT: asked for by the runtime of the compiler
 }
 
-void writeFunctions(const Unit& unit, std::ostream& stream) {
+// How much the counters of a function grew.
+std::vector<std::uint64_t> grown(std::vector<std::uint64_t>& before, const std::uint32_t* words,
+                                 std::size_t count) {
+  std::vector<std::uint64_t> found(count);
+  before.resize(count);
+  for (std::size_t number = 0; number < count; ++number) {
+    const std::uint64_t now = words[2 * number] | std::uint64_t{words[2 * number + 1]} << 32U;
+    found[number] = now - before[number];
+    before[number] = now;
+  }
+  return found;
+}
+
+void writeFunctions(Unit& unit, std::ostream& stream) {
   const std::vector<std::uint32_t>& words = unit.words;
   bool named = false;
   std::uint32_t function = 0;
@@ -66,13 +85,17 @@ void writeFunctions(const Unit& unit, std::ostream& stream) {
     if (tag == kFunction && bytes > 0) {
       function = words[begin];
     } else if (tag == kArcs && bytes > 0) {
+      const auto counters = grown(unit.before[function], words.data() + begin, (at - begin) / 2);
+      if (std::ranges::all_of(counters, [](std::uint64_t counter) { return counter == 0; })) {
+        continue;
+      }
       if (!named) {
         stream << unit.name << '\n';
         named = true;
       }
       stream << function;
-      for (std::size_t word = begin; word < at; word += 2) {
-        stream << ' ' << (words[word] | std::uint64_t{words[word + 1]} << 32U);
+      for (const std::uint64_t counter : counters) {
+        stream << ' ' << counter;
       }
       stream << '\n';
     }
@@ -84,9 +107,8 @@ class Recorder final : public testing::EmptyTestEventListener {
     for (auto unit = __start_wr_counters; unit != __stop_wr_counters; ++unit) {
       __gcov_init(*unit);
     }
+    __gcov_reset();
   }
-
-  void OnTestStart(const testing::TestInfo& /*test*/) override { __gcov_reset(); }
 
   void OnTestEnd(const testing::TestInfo& test) override {
     std::string name = std::string(test.test_suite_name()) + "." + test.name();
@@ -95,11 +117,19 @@ class Recorder final : public testing::EmptyTestEventListener {
     std::filesystem::create_directories(folder);
     std::ofstream file(folder / (name + ".arcs"));
     for (auto unit = __start_wr_counters; unit != __stop_wr_counters; ++unit) {
-      Unit found;
+      Unit& found = units_[*unit];
+      found.words.swap(found.wordsBefore);
+      found.words.clear();
       __gcov_info_to_gcda(*unit, keepName, keepWords, allocate, &found);
-      writeFunctions(found, file);
+      if (found.words != found.wordsBefore) {
+        writeFunctions(found, file);
+      }
     }
   }
+
+  void OnTestProgramEnd(const testing::UnitTest& /*all*/) override { __gcov_dump(); }
+
+  std::map<const gcov_info*, Unit> units_;
 };
 
 const bool registered = [] {

@@ -134,6 +134,8 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> tuple[Counts, bool]:
     stamp.unlink(missing_ok=True)
     binaries = root / "build" / (BOARD_PRESET if on_board else run_name)
     shutil.rmtree(binaries / ("traces-board" if on_board else "traces"), ignore_errors=True)
+    for counters in binaries.rglob("*.gcda"):  # gcc would add those of this run
+        counters.unlink()
     program = binaries / "tests" / (BOARD_TESTS if on_board else "firmware_tests")
     ended = ""
     before = processor_seconds()

@@ -8,15 +8,19 @@ from pathlib import Path
 from typing import TextIO
 
 from traceability.commands.bench import add_bench
-from traceability.commands.builds import BOARD, Counts, require_counts, run_tests
+from traceability.commands.builds import BOARD, Counts, is_current, require_counts, run_tests
 from traceability.commands.check import STEPS as DOCUMENT_STEPS
 from traceability.commands.check import make_documents, report
 from traceability.commands.closed_loop import play_all
+from traceability.commands.coverage import count_coverage
 from traceability.commands.firmware import build_firmware
 from traceability.commands.serve import add_port, serve
 from traceability.commands.steps import Steps
+from traceability.model.results import RUNS
+from traceability.model.schema import HOST
 
-BUILD_STEPS = 7
+BUILD_STEPS = 8
+TRACE = RUNS[HOST]
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -56,7 +60,13 @@ def portal(root: Path, options: argparse.Namespace) -> int:
 
 
 def traced_tests(root: Path, steps: Steps) -> Counts:
-    return counted_tests(root, steps, "trace", "trace")
+    """The tests on this machine, and what they executed altogether."""
+    counts = counted_tests(root, steps, "trace", TRACE)
+    if is_current(root, TRACE):
+        steps.run("coverage", lambda log: count_coverage(root, log))
+    else:
+        steps.skip("coverage", "there are no results")
+    return counts
 
 
 def board_tests(root: Path, steps: Steps) -> Counts:

@@ -23,7 +23,7 @@ from traceability.commands.portal import board_tests, closed_loop, traced_tests
 from traceability.commands.steps import FailureError, Steps, run
 from traceability.sources import DESIGN, files_below, hash_of
 
-OTHER_STEPS = 11
+OTHER_STEPS = 12
 # What tests of Python read: some run on a copy of the whole project.
 READ_BY_TESTS = (
     *(*DESIGN, "sim", "tests", "client", "docs", "design", "requirements"),

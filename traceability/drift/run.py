@@ -19,7 +19,7 @@ from traceability.model.schema import Finding
 NEAR = 2  # lines between the expected place and the finding: a comment stands above what it says
 WORKERS = 2
 BUILT = ("build/model", "build/results")
-LINKED = ("build/trace", "build/host", "build/k64", "build/coverage")  # only read
+LINKED = ("build/trace", "build/host", "build/k64")  # only read
 PAGES = ("build/pages", "build/pages-cache", "build/site", "build/diagrams")
 
 

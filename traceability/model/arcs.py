@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import functools
 import struct
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -16,7 +16,24 @@ FUNCTION, BLOCKS, ARCS, LINES = 0x01000000, 0x01410000, 0x01430000, 0x01450000
 HEADER = 16  # bytes: kind of file, version, and two sums
 ON_TREE, FAKE = 1, 2
 
+Line = tuple[str, int]  # file, and number of the line
 Branch = tuple[int, int]  # line, and which of its branches
+
+
+@dataclass
+class Covered:
+    """Lines and branches of files."""
+
+    lines: dict[str, set[int]] = field(default_factory=dict)
+    branches: dict[str, set[Branch]] = field(default_factory=dict)
+
+    def add(self, file: str, lines: set[int], branches: set[Branch]) -> None:
+        self.lines.setdefault(file, set()).update(lines)
+        self.branches.setdefault(file, set()).update(branches)
+
+    def merge(self, other: Covered) -> None:
+        for file, lines in other.lines.items():
+            self.add(file, lines, other.branches.get(file, set()))
 
 
 @dataclass
@@ -29,12 +46,13 @@ class Arc:
 
 @dataclass
 class Graph:
-    """The flow graph of a function, with the lines of its file that each block was made from."""
+    """The flow graph of a function, with the lines that each block was made from.
 
-    file: str
+    A block of an inlined function has lines of another file.
+    """
+
     arcs: list[Arc] = field(default_factory=list)
-    lines: dict[int, list[int]] = field(default_factory=dict)  # block -> lines
-    foreign: set[int] = field(default_factory=set)  # blocks that end in an inlined function
+    lines: dict[int, list[Line]] = field(default_factory=dict)  # block -> lines
 
     def solve(self, counters: tuple[int, ...]) -> list[int]:
         """How often each arc was taken."""
@@ -66,21 +84,24 @@ class Graph:
         return leaving, entering
 
     @functools.cached_property
-    def branches(self) -> dict[int, Branch]:
-        """Arc -> branch. The arcs that leave a block belong to the last line before them."""
+    def branches(self) -> dict[int, tuple[str, Branch]]:
+        """Arc -> file and branch. The arcs that leave a block belong to its last line."""
         leaving, _ = self._sides()
-        found: dict[int, Branch] = {}
-        seen: dict[int, int] = {}
-        line = 0
-        for block in range(max(leaving, default=0) + 1):
-            line = 0 if block in self.foreign else (self.lines.get(block) or [line])[-1]
+        found: dict[int, tuple[str, Branch]] = {}
+        seen: dict[Line, int] = {}
+        for block, lines in sorted(self.lines.items()):
+            last = max(line for line in lines if line[0] == lines[-1][0])
             real = [number for number in leaving.get(block, []) if not self.arcs[number].fake]
-            for number in real if line and len(real) > 1 else []:
-                found[number] = (line, seen.get(line, 0))
-                seen[line] = seen.get(line, 0) + 1
+            for number in real if len(real) > 1 else []:
+                found[number] = (last[0], (last[1], seen.get(last, 0)))
+                seen[last] = seen.get(last, 0) + 1
         return found
 
-    def executed(self, counters: tuple[int, ...]) -> tuple[set[int], set[Branch]]:
+    def whole(self) -> Covered:
+        """What there is to execute."""
+        return self._covered(self.lines, self.branches)
+
+    def executed(self, counters: tuple[int, ...]) -> Covered:
         taken = self.solve(counters)
         blocks = {
             block
@@ -88,20 +109,29 @@ class Graph:
             for block in (arc.source, arc.target)
             if count
         }
-        lines = {line for block in blocks for line in self.lines.get(block, [])}
-        return lines, {branch for number, branch in self.branches.items() if taken[number]}
+        return self._covered(blocks, [number for number in self.branches if taken[number]])
+
+    def _covered(self, blocks: Iterable[int], arcs: Iterable[int]) -> Covered:
+        found = Covered()
+        for block in blocks:
+            for file, line in self.lines.get(block, []):
+                found.add(file, {line}, set())
+        for number in arcs:
+            file, branch = self.branches[number]
+            found.add(file, set(), {branch})
+        return found
 
 
 def read_graphs(path: Path) -> dict[int, Graph]:
     """Number of a function -> its graph, of one object."""
     found: dict[int, Graph] = {}
-    graph = Graph("")
+    graph, file = Graph(), ""
     for tag, words in records(path.read_bytes()):
         if tag == FUNCTION:
             number, _, _ = words.numbers(3)
             words.text()  # name
             artificial = words.number()
-            graph = Graph(words.text())
+            graph, file = Graph(), words.text()
             if not artificial:
                 found[number] = graph
         elif tag == ARCS:
@@ -111,10 +141,8 @@ def read_graphs(path: Path) -> dict[int, Graph]:
                 graph.arcs.append(Arc(source, target, not flags & ON_TREE, bool(flags & FAKE)))
         elif tag == LINES:
             block = words.number()
-            places = list(places_of(words, graph.file))
-            graph.lines[block] = [line for file, line in places if file == graph.file]
-            if places and places[-1][0] != graph.file:
-                graph.foreign.add(block)
+            if lines := list(lines_of(words, file)):
+                graph.lines[block] = lines
     return found
 
 
@@ -153,8 +181,8 @@ def records(data: bytes) -> Iterator[tuple[int, Words]]:
         at += 8 + length
 
 
-def places_of(words: Words, file: str) -> Iterator[tuple[str, int]]:
-    """File and line of what a block was made from."""
+def lines_of(words: Words, file: str) -> Iterator[Line]:
+    """What a block was made from."""
     while words.left():
         if line := words.number():
             yield file, line

@@ -6,34 +6,19 @@ bit for each half-word of the flash that it executed, see ``board_coverage``: li
 
 from __future__ import annotations
 
+import functools
 import json
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from traceability.model.arcs import Branch, Graph, read_graphs
+from traceability.model.arcs import Covered, Graph, read_graphs
 from traceability.model.board_coverage import ELF, lines_executed, read_stretches
-from traceability.model.results import RESULTS, RUNS, read_json
+from traceability.model.results import RUNS, read_json, run_hash
 from traceability.model.schema import HOST, VIRTUAL_K64
 from traceability.model.traces import SOURCES
 from traceability.sources import DESIGN, file_hash
 
 HOST_BUILD = SOURCES[HOST].executable.parents[1]
-
-
-@dataclass
-class Covered:
-    """Lines and branches of files; their paths are relative to the root."""
-
-    lines: dict[str, set[int]] = field(default_factory=dict)
-    branches: dict[str, set[Branch]] = field(default_factory=dict)
-
-    def add(self, file: str, lines: set[int], branches: set[Branch]) -> None:
-        self.lines.setdefault(file, set()).update(lines)
-        self.branches.setdefault(file, set()).update(branches)
-
-    def merge(self, other: Covered) -> None:
-        for file, lines in other.lines.items():
-            self.add(file, lines, other.branches.get(file, set()))
 
 
 @dataclass
@@ -79,7 +64,7 @@ def read_coverage(root: Path, cache: Path) -> dict[str, Coverage]:
 
 def _key(root: Path, binding: str) -> str:
     """Names the run of the tests, and how it is read."""
-    run = file_hash(root / RESULTS / f"{RUNS[binding]}.json")
+    run = run_hash(root, binding)
     here = Path(__file__).parent
     parts = (__file__, here / "arcs.py", here / "board_coverage.py")
     return " ".join([run, *(file_hash(Path(part)) for part in parts)])
@@ -121,11 +106,9 @@ def _read_host(root: Path) -> Coverage:
     }
     for graphs in units.values():
         for graph in graphs.values():
-            if file := design_file(root, graph.file):
-                lines = {line for block in graph.lines.values() for line in block}
-                coverage.whole.add(file, lines, set(graph.branches.values()))
+            coverage.whole.merge(_of_design(root, graph.whole()))
     # The same function often runs in the same way: it is solved once.
-    known: dict[tuple[Path, str], tuple[str, set[int], set[Branch]]] = {}
+    known: dict[tuple[Path, str], Covered] = {}
     for path in files:
         covered = coverage.recordings[path.name.removesuffix(".arcs")] = Covered()
         unit = Path()
@@ -135,20 +118,26 @@ def _read_host(root: Path) -> Coverage:
                 continue
             if (unit, line) not in known:
                 known[unit, line] = _executed(root, units.get(unit, {}), line)
-            covered.add(*known[unit, line])
-    for covered in [coverage.whole, *coverage.recordings.values()]:
-        covered.lines.pop("", None)
+            covered.merge(known[unit, line])
     return coverage
 
 
-def _executed(root: Path, graphs: dict[int, Graph], line: str) -> tuple[str, set[int], set[Branch]]:
+def _executed(root: Path, graphs: dict[int, Graph], line: str) -> Covered:
     number, *counters = map(int, line.split())
     graph = graphs.get(number)
-    if graph is None or not (file := design_file(root, graph.file)):
-        return "", set(), set()
-    return (file, *graph.executed(tuple(counters)))
+    return Covered() if graph is None else _of_design(root, graph.executed(tuple(counters)))
 
 
+def _of_design(root: Path, covered: Covered) -> Covered:
+    """Only the files of the design, their paths relative to the root."""
+    found = Covered()
+    for path, lines in covered.lines.items():
+        if file := design_file(root, path):
+            found.add(file, lines, covered.branches[path])
+    return found
+
+
+@functools.cache
 def design_file(root: Path, file: str) -> str:
     """The path below the root; empty for what is no file of the design."""
     path = Path(file)

@@ -9,10 +9,15 @@ from pathlib import Path
 from typing import Any
 
 from traceability.model.schema import HOST, VIRTUAL_K64, DriverFault
+from traceability.sources import file_hash
 
 RESULTS = Path("build/results")
 RUNS = {HOST: "trace", VIRTUAL_K64: "board"}  # the run of the tests that tells for a binding
 PLAIN = "plain"  # the run without records
+# What gcovr counted: the totals, the lines of each file, and the run that it counted.
+COVERAGE = RESULTS / "coverage.json"
+COVERAGE_LINES = RESULTS / "coverage_lines.json"
+COVERAGE_RUN = RESULTS / "coverage.hash"
 BOARD_ONLY = ("tests/sim/k64/", "tests/torture/", "tests/k64/", "tests/system/board/")
 HOST_ONLY = "tests/system/host/"
 BOTH = "tests/system/"
@@ -56,6 +61,20 @@ def read_recording_factor(root: Path, sources: str) -> float | None:
         return None
     recorded, plain = (float(cost["seconds"]) for cost in costs)
     return round(recorded / plain, 2)
+
+
+def run_hash(root: Path, binding: str) -> str:
+    """Names the last run of the tests: its results have its time."""
+    return file_hash(root / RESULTS / f"{RUNS[binding]}.json")
+
+
+def read_totals(root: Path) -> dict[str, float] | None:
+    """What gcovr counted of the last run on this machine."""
+    record, run = read_json(root / COVERAGE), root / COVERAGE_RUN
+    counted = run.is_file() and run.read_text(encoding="utf-8") == run_hash(root, HOST)
+    if not counted or not isinstance(record, dict) or not record["line_total"]:
+        return None
+    return {name: record[name] for name in ("line_percent", "branch_percent")}
 
 
 def read_results_hash(root: Path, binding: str) -> str | None:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from traceability.model.coverage import Coverage, Covered
+from traceability.model.arcs import Covered
+from traceability.model.coverage import Coverage
 from traceability.model.schema import HOST, LineGap, MethodCoverage, Model, Place, Requirement
 from traceability.model.syntax import BodyFact, is_board
 from traceability.model.traces import nodes_of

@@ -105,6 +105,14 @@ def test_traces_of_the_run_before_are_removed(root: Path) -> None:
     assert not old.exists()
 
 
+def test_counters_of_the_run_before_are_removed(root: Path) -> None:
+    old = root / "build/trace/src/RC.cpp.gcda"
+    old.parent.mkdir()
+    old.touch()
+    run_tests(root)
+    assert not old.exists()
+
+
 def test_counts_of_googletest(tmp_path: Path) -> None:
     results = tmp_path / "results.json"
     results.write_text(gtest_json(PASSED, FAILED, SKIPPED, DISABLED))

@@ -9,6 +9,12 @@ import pytest
 
 from traceability.model.arcs import Graph, read_graphs
 
+# Inlined always, so that its lines are in the graphs of others.
+HEADER = """\
+[[gnu::always_inline]] inline bool positive(int value) {
+  return value > 0;
+}
+"""
 # The lines of `choose`, from 1.
 SOURCE = """\
 int choose(int value) {
@@ -23,9 +29,14 @@ int choose(int value) {
   }
   return found;
 }
+#include "positive.hpp"
+int both(int value) {
+  return positive(value)
+      && value < 9;
+}
 extern "C" void __gcov_dump();
 int main(int count, char**) {
-  const int found = choose(count - 2);
+  const int found = choose(count - 2) + both(count - 2);
   __gcov_dump();
   return found;
 }
@@ -36,6 +47,7 @@ int main(int count, char**) {
 def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("flow")
     (folder / "choose.cpp").write_text(SOURCE)
+    (folder / "positive.hpp").write_text(HEADER)
     words = ["g++", "-O0", "--coverage", "-c", "choose.cpp", "-o", "choose.o"]
     subprocess.run(words, cwd=folder, check=True)
     subprocess.run(["g++", "--coverage", "choose.o", "-o", "choose"], cwd=folder, check=True)
@@ -61,9 +73,10 @@ def run(folder: Path, *words: str) -> dict[int, tuple[int, ...]]:
     return found
 
 
-def graph_of_choose(folder: Path) -> tuple[int, Graph]:
+def graph_of(folder: Path, line: int) -> tuple[int, Graph]:
+    """The function that has a line of the source."""
     graphs = read_graphs(folder / "choose.gcno")
-    return next((n, g) for n, g in graphs.items() if 4 in {x for b in g.lines.values() for x in b})
+    return next((n, g) for n, g in graphs.items() if line in g.whole().lines.get("choose.cpp", ()))
 
 
 @pytest.mark.parametrize(
@@ -76,14 +89,22 @@ def graph_of_choose(folder: Path) -> tuple[int, Graph]:
 def test_lines_and_branches_that_ran(
     program: Path, words: list[str], missed: set[int], taken: set[tuple[int, int]]
 ) -> None:
-    number, graph = graph_of_choose(program)
-    lines, branches = graph.executed(run(program, *words)[number])
-    everything = {line for block in graph.lines.values() for line in block}
-    assert everything - lines == missed
-    assert len(set(graph.branches.values())) == 4
+    number, graph = graph_of(program, 4)
+    whole, found = graph.whole(), graph.executed(run(program, *words)[number])
+    assert whole.lines["choose.cpp"] - found.lines["choose.cpp"] == missed
+    assert len(whole.branches["choose.cpp"]) == 4
+    branches = found.branches["choose.cpp"]
     assert len(branches) == len(taken)
     assert {line for line, _ in branches} == {line for line, _ in taken}
 
 
-def test_the_graph_names_its_file(program: Path) -> None:
-    assert graph_of_choose(program)[1].file.endswith("choose.cpp")
+def test_lines_of_an_inlined_function_are_those_of_its_file(program: Path) -> None:
+    number, graph = graph_of(program, 15)
+    assert graph.whole().lines == {"choose.cpp": {14, 15, 16}, "positive.hpp": {2}}
+    assert graph.executed(run(program, "a", "b", "c")[number]).lines["positive.hpp"] == {2}
+
+
+def test_branches_belong_to_the_last_line_of_what_they_decide(program: Path) -> None:
+    """As gcov has it: the last line, not the one that the compiler names last."""
+    _, graph = graph_of(program, 15)
+    assert {line for line, _ in graph.whole().branches["choose.cpp"]} == {16}

@@ -1,0 +1,90 @@
+"""Totals by gcovr: they are those of the last run of the tests, or missing."""
+
+import json
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from traceability.commands.coverage import count_coverage
+from traceability.commands.steps import FailureError
+from traceability.metrics import coverage
+from traceability.model.results import COVERAGE_LINES
+
+CHOOSE = """\
+int choose(int value) {
+  if (value > 0) {
+    return 1;
+  }
+  return 2;
+}
+template <int kNumber>
+int twice() {
+  return 2 * kNumber;
+}
+int main() { return choose(1) - 1 + twice<0>() + (choose(1) < 0 ? twice<1>() : 0); }
+"""
+RUN = "build/results/trace.json"
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    """A project of one file, whose program ran: 6 of 7 lines, 2 of 4 branches."""
+    for name in ("src", "build/results", "build/trace"):
+        (tmp_path / name).mkdir(parents=True)
+    (tmp_path / "src/choose.cpp").write_text(CHOOSE)
+    (tmp_path / RUN).write_text("{}")
+    run_program(tmp_path)
+    return tmp_path
+
+
+def run_program(root: Path, source: str = "src/choose.cpp") -> None:
+    build = root / "build/trace"
+    words = ["g++", "--coverage", "-fprofile-abs-path", root / source, "-o", "program"]
+    subprocess.run(words, cwd=build, check=True)
+    subprocess.run([build / "program"], check=True)
+
+
+def count(root: Path) -> str:
+    with (root / "log").open("a") as log:
+        return count_coverage(root, log)
+
+
+def test_a_line_of_several_functions_counts_once(root: Path) -> None:
+    assert count(root) == "85.7 % of the lines, 50.0 % of the branches"
+    assert coverage(root) == {"coverage.line": 85.7, "coverage.branch": 50.0}
+
+
+def test_the_lines_of_each_file_are_left_with_the_totals(root: Path) -> None:
+    count(root)
+    (file,) = json.loads((root / COVERAGE_LINES).read_text())["files"]
+    assert file["file"] == "src/choose.cpp"
+    assert {line["line_number"] for line in file["lines"] if not line["count"]} >= {5}
+
+
+def test_a_run_is_counted_once(root: Path) -> None:
+    count(root)
+    (root / "src/choose.cpp").unlink()  # gcovr would fail
+    assert count(root) == "85.7 % of the lines, 50.0 % of the branches (unchanged)"
+
+
+def test_the_totals_of_another_run_are_none(root: Path) -> None:
+    count(root)
+    (root / RUN).write_text("{ }")
+    assert coverage(root) == {}
+    assert not count(root).endswith("(unchanged)")
+    assert coverage(root) != {}
+
+
+def test_what_was_not_counted_has_no_totals(root: Path) -> None:
+    assert coverage(root) == {}
+
+
+def test_a_run_without_a_line_of_the_design_is_a_failure(root: Path) -> None:
+    (root / "src").rename(root / "other")
+    for path in (root / "build/trace").iterdir():
+        path.unlink()
+    run_program(root, "other/choose.cpp")
+    with pytest.raises(FailureError, match="no line of the design"):
+        count(root)
+    assert coverage(root) == {}

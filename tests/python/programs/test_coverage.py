@@ -1,0 +1,85 @@
+"""Two readers of what the tests executed agree: gcovr on the whole run, and the records by test."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from traceability.commands.builds import is_current
+from traceability.model.arcs import Covered
+from traceability.model.coverage import Coverage, read_coverage
+from traceability.model.results import COVERAGE_LINES, RUNS, read_totals
+from traceability.model.schema import HOST
+
+ROOT = Path(__file__).parents[3]
+
+Lines = dict[int, list[dict[str, Any]]]  # a line -> what gcovr says of it, once for each function
+
+
+@pytest.fixture(scope="module", autouse=True)
+def run() -> None:
+    if not is_current(ROOT, RUNS[HOST]) or read_totals(ROOT) is None:
+        pytest.skip("no tests with records ran on these sources")
+
+
+@pytest.fixture(scope="module")
+def counted() -> dict[str, Lines]:
+    """What gcovr says, by file."""
+    found: dict[str, Lines] = {}
+    for file in json.loads((ROOT / COVERAGE_LINES).read_text(encoding="utf-8"))["files"]:
+        lines = found.setdefault(file["file"], {})
+        for line in file["lines"]:
+            lines.setdefault(line["line_number"], []).append(line)
+    return found
+
+
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory: pytest.TempPathFactory) -> Coverage:
+    return read_coverage(ROOT, tmp_path_factory.mktemp("cache"))[HOST]
+
+
+def differences(counted: dict[str, set[int]], recorded: dict[str, set[int]]) -> list[str]:
+    return [
+        f"{file}:{line}: only {'gcovr' if line in counted.get(file, set()) else 'the records'}"
+        for file in sorted(counted | recorded)
+        for line in sorted(counted.get(file, set()) ^ recorded.get(file, set()))
+    ]
+
+
+def test_both_know_the_same_lines(counted: dict[str, Lines], recorded: Coverage) -> None:
+    lines = {file: set(lines) for file, lines in counted.items()}
+    assert lines
+    assert differences(lines, recorded.whole.lines) == []
+
+
+def test_both_saw_the_same_lines_executed(counted: dict[str, Lines], recorded: Coverage) -> None:
+    executed = {
+        file: {line for line, found in lines.items() if any(one["count"] for one in found)}
+        for file, lines in counted.items()
+    }
+    assert differences(executed, recorded.all().lines) == []
+
+
+def test_both_saw_the_same_branches_taken(counted: dict[str, Lines], recorded: Coverage) -> None:
+    """In sources. Functions of headers are in several objects, whose branches gcov tells apart.
+
+    Of a line that several functions share, gcov tells the branches of each, or of none.
+    """
+    taken = recorded.all()
+    compared = 0
+    for file, lines in counted.items():
+        for line, found in lines.items() if file.endswith(".cpp") else []:
+            branches = found[0]["branches"]
+            if len(found) == 1 and branches:
+                compared += len(branches)
+                hits = sum(bool(branch["count"]) for branch in branches)
+                whole = number_of_branches(recorded.whole, file, line)
+                assert (whole, number_of_branches(taken, file, line)) == (len(branches), hits), (
+                    f"{file}:{line}"
+                )
+    assert compared
+
+
+def number_of_branches(covered: Covered, file: str, line: int) -> int:
+    return sum(branch[0] == line for branch in covered.branches.get(file, set()))
