@@ -48,11 +48,12 @@ def build_site(root: Path, model: Model, findings: list[Finding]) -> SiteResult:
     except DiagramError as error:
         mend = "correct what the diagram is made from, see the message of PlantUML"
         return SiteResult(0, [Finding(Place("design", 0), "doc-diagram", str(error), mend)])
-    warnings = run_sphinx(portal, pages)
     site = root / "build" / "site"
+    with get_context("fork").Pool(1, _share, (portal, site, 1)) as pool:
+        exported = pool.apply_async(_write_exports)
+        warnings = run_sphinx(portal, pages)
+        exported.get()
     remove_others(site, {f"{name}.html" for name in kept})
-    write_exports(portal, site)
-    verification.write_exports(root, site, model)
     return SiteResult(len(kept), warnings)
 
 
@@ -178,6 +179,12 @@ def run_sphinx(portal: Portal, pages: Path) -> list[Finding]:
         )
         app.build()
     return collector.findings()
+
+
+def _write_exports() -> None:
+    portal, site, _ = _shared[-1]
+    write_exports(portal, site)
+    verification.write_exports(portal.root, site, portal.model)
 
 
 def write_exports(portal: Portal, site: Path) -> None:

@@ -8,9 +8,11 @@ time, in the recorded calls of the tests.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
+from traceability.model.kept import code_of, kept
 from traceability.model.schema import HOST, Model, Place, StateMachine, Transition
 from traceability.model.traces import Traces
 
@@ -186,7 +188,7 @@ class _Changes:
 # ---- what the tests showed ---------------------------------------------------
 
 
-@dataclass
+@dataclass(frozen=True)
 class Seen:
     """A change, or a stay, that a recorded test made."""
 
@@ -214,6 +216,12 @@ class Watcher:
         self.helpers = {method for change in code.changes for method in change.path}
         self.changers = set(code.holders.values())
         self.constructors = {f"{name}::{name}" for name in code.holders}
+
+    def known(self) -> list[object]:
+        """What decides on what is seen."""
+        runners = [(method, sorted(states)) for method, states in sorted(self.runners.items())]
+        others = (self.foreign, self.helpers, self.changers, self.constructors)
+        return [runners, self.code.runs, self.code.holders, *(sorted(one) for one in others)]
 
     def turns(self, method: str) -> bool:
         """Whether its call may change what is known of the state."""
@@ -276,8 +284,7 @@ class _Run:
             self._forget()
         self.present &= states
         if self.pending and len(self.present) == 1:
-            self.pending.target = next(iter(self.present))
-            self.found.append(self.pending)
+            self.found.append(replace(self.pending, target=next(iter(self.present))))
             self.pending = None
         self.running = len(self.stack) - 1
 
@@ -295,13 +302,16 @@ class _Run:
         self.running, self.changed = None, None
 
 
-def add_machines(model: Model, facts: Facts, recordings: dict[str, Traces]) -> None:
+def add_machines(model: Model, facts: Facts, recordings: dict[str, Traces], cache: Path) -> None:
     """Each transition with its places in the code and the passing tests that show it."""
     codes = {name: read_machine(m, facts) for name, m in model.machines.items()}
     for name, machine in model.machines.items():
         for step in machine.transitions:
             step.changes = [one.place for one in matching(machine, step, codes[name])]
-    _watch(model, facts, codes, recordings[HOST])
+    for name, code in codes.items():
+        events = set(model.machines[name].events.values())
+        watcher = Watcher(code, events, _family(name, model, facts))
+        _note_all(model, name, code, watch_all(watcher, recordings[HOST], cache / f"{name}.pickle"))
 
 
 def matching(machine: StateMachine, step: Transition, code: MachineCode) -> list[Change]:
@@ -318,33 +328,29 @@ def matching(machine: StateMachine, step: Transition, code: MachineCode) -> list
     return changes
 
 
-def _watch(model: Model, facts: Facts, codes: dict[str, MachineCode], traces: Traces) -> None:
-    watchers = {
-        name: Watcher(code, set(model.machines[name].events.values()), _family(name, model, facts))
-        for name, code in codes.items()
-    }
-    names = {
-        name: {a: m for a, m in traces.symbols.items() if watcher.concerns(m)}
-        for name, watcher in watchers.items()
-    }
-    runners = {
-        name: {a for a, m in known.items() if m in watchers[name].runners}
-        for name, known in names.items()
-    }
-    turning = {
-        name: {a for a, m in known.items() if watchers[name].turns(m)}
-        for name, known in names.items()
-    }
+def watch_all(watcher: Watcher, traces: Traces, cache: Path) -> dict[str, list[Seen]]:
+    """What each recording shows."""
+    names = {a: m for a, m in traces.symbols.items() if watcher.concerns(m)}
+    runners = traces.addresses(watcher.runners.keys())
+    turning = {a for a, m in names.items() if watcher.turns(m)}
+
+    def watch() -> dict[str, list[Seen]]:
+        return {
+            recording: list(dict.fromkeys(watcher.watch(traces.calls(recording, names, turning))))
+            for recording in sorted(traces.tests)
+            if not runners.isdisjoint(traces.events(recording))
+        }
+
+    parts = [traces.state, names, sorted(turning), watcher.known(), *code_of("machines", "traces")]
+    return kept(cache, parts, watch)
+
+
+def _note_all(model: Model, name: str, code: MachineCode, seen: dict[str, list[Seen]]) -> None:
+    """Only what a passing test shows counts."""
     for test in model.tests.values():
         result = test.results.get(HOST)
-        if result is None or result.result != "passed":
-            continue
-        for recording in traces.tests.intersection(result.recordings):
-            occurring = set(traces.events(recording))
-            for name, watcher in watchers.items():
-                if not runners[name].isdisjoint(occurring):
-                    calls = traces.calls(recording, names[name], turning[name])
-                    _note(model.machines[name], codes[name], watcher.watch(calls), test.id)
+        for recording in result.recordings if result and result.result == "passed" else []:
+            _note(model.machines[name], code, seen.get(recording, []), test.id)
 
 
 def _family(name: str, model: Model, facts: Facts) -> set[str]:
@@ -354,7 +360,7 @@ def _family(name: str, model: Model, facts: Facts) -> set[str]:
 
 
 def _note(machine: StateMachine, code: MachineCode, seen: list[Seen], test: str) -> None:
-    for one in {(s.source, s.operation, s.target, s.path): s for s in seen}.values():
+    for one in seen:
         shown = False
         for step in machine.transitions:
             if (step.source, step.target) != (one.source, one.target):

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import functools
+import hashlib
 import json
+import os
 import re
 import subprocess
 from array import array
@@ -54,6 +56,7 @@ class Traces:
     """The recordings of a binding."""
 
     folder: Path
+    state: str = ""  # names the run of the tests, and what ran
     symbols: dict[int, str] = field(default_factory=dict)  # address -> method or function
     vectors: set[str] = field(default_factory=set)  # functions that the hardware enters
     tests: set[str] = field(default_factory=set)
@@ -151,10 +154,20 @@ def read_traces(root: Path, cache: Path) -> dict[str, Traces]:
         tests = {path.name.removesuffix(".bin") for path in traces.folder.glob("*.bin")}
         if tests and (root / source.executable).exists():
             known = cache / f"symbols-{source.names}.json"
+            traces.state = _state(traces.folder, root / source.executable)
             traces.symbols = _symbols(root / source.executable, source.names, known)
             traces.tests = tests
         found[binding] = traces
     return found
+
+
+def _state(folder: Path, executable: Path) -> str:
+    """Names the recordings, and what ran."""
+    total = hashlib.sha256(file_hash(executable).encode())
+    for entry in sorted(os.scandir(folder), key=lambda one: one.name):
+        state = entry.stat()
+        total.update(f"{entry.name}\0{state.st_size} {state.st_mtime_ns}\n".encode())
+    return total.hexdigest()
 
 
 def _symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:

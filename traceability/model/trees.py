@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from itertools import product
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from traceability.model.fold import Edges, fold, starts
+from traceability.model.kept import code_of, kept
 from traceability.model.schema import BINDINGS, HOST, Model, Requirement, TreeNode, TreeRun
 from traceability.model.syntax import BodyFact, is_board
 from traceability.model.traces import Row, Traces, embed, excerpt, nodes_of, recorded_nodes
@@ -15,7 +17,7 @@ if TYPE_CHECKING:
     from traceability.model.facts import Facts
 
 
-def add_trees(model: Model, facts: Facts, recordings: dict[str, Traces]) -> None:
+def add_trees(model: Model, facts: Facts, recordings: dict[str, Traces], cache: Path) -> None:
     known = {
         method.id
         for fact in facts.syntax.classes
@@ -34,9 +36,22 @@ def add_trees(model: Model, facts: Facts, recordings: dict[str, Traces]) -> None
         Run(binding, traces, facts, traces.addresses(known), edges)
         for binding, traces in recordings.items()
     ]
-    for requirement in model.requirements.values():
-        for run in runs:
-            _execute(model, requirement, run)
+    searches = [
+        Search(requirement, requirement.tree, passing, run)
+        for requirement in model.requirements.values()
+        for run in runs
+        if requirement.tree and (passing := _passing(model, requirement, run))
+    ]
+    parts = [
+        [run.traces.state for run in runs],
+        sorted(known),
+        sorted(edges.items()),
+        [search.asked() for search in searches],
+        *code_of("trees", "traces", "fold"),
+    ]
+    found = kept(cache / "trees.pickle", parts, lambda: [search.find() for search in searches])
+    for search, result in zip(searches, found, strict=True):
+        search.note(*result)
 
 
 def _resolve(tree: TreeNode, facts: Facts) -> None:
@@ -137,36 +152,57 @@ class Run:
         return accepted_on(self.binding, node, self.facts)
 
 
-def _execute(model: Model, requirement: Requirement, run: Run) -> None:
-    """Looks for the tree in the recordings of passing tests, the shortest first."""
-    tree = requirement.tree
-    passing = {
+def _passing(model: Model, requirement: Requirement, run: Run) -> dict[str, str]:
+    """The recordings of the passing tests of a requirement, each with its test."""
+    return {
         recording: name
         for name in requirement.verified_by
         if run.binding in model.tests[name].gave("passed")
         for recording in model.tests[name].results[run.binding].recordings
         if recording in run.traces.tests
     }
-    if tree is None or not passing:
-        return
-    nodes = nodes_of(tree)
-    order = {id(node): number for number, node in enumerate(nodes)}
-    furthest = 0
-    for name in sorted(passing, key=lambda one: (run.traces.file(one).stat().st_size, one)):
-        rows = run.rows(name)
-        found = embed(tree, rows, run.accepts)
-        if found.failed is None:
-            shown, start, numbers = excerpt(rows, sorted(found.rows.values()))
-            places = [numbers.get(found.rows.get(id(node), -1)) for node in nodes]
-            requirement.runs[run.binding] = TreeRun(
-                passing[name],
-                shown,
-                start,
-                places,
-                fold(rows, starts(nodes, found.rows), run.edges),
-            )
-            furthest = len(nodes)
-            break
-        furthest = max(furthest, order[id(found.failed)])
-    for node in recorded_nodes(tree, run.binding):
-        node.executed[run.binding] = order[id(node)] < furthest
+
+
+@dataclass
+class Search:
+    """Looks for a tree in the recordings of the passing tests of its requirement."""
+
+    requirement: Requirement
+    tree: TreeNode
+    passing: dict[str, str]
+    run: Run
+
+    def asked(self) -> object:
+        """What decides on what is found."""
+        return self.requirement.id, self.run.binding, self.passing, self._shape(self.tree)
+
+    def _shape(self, node: TreeNode) -> object:
+        below = [self._shape(child) for child in node.children]
+        return node.label, node.kind, sorted(self.run.accepts(node)), below
+
+    def find(self) -> tuple[TreeRun | None, int]:
+        """The first run of the whole tree, the shortest recordings first; and how many nodes of it,
+        in their order, were found."""
+        nodes = nodes_of(self.tree)
+        order = {id(node): number for number, node in enumerate(nodes)}
+        furthest = 0
+        for name in sorted(self.passing, key=self._length):
+            rows = self.run.rows(name)
+            found = embed(self.tree, rows, self.run.accepts)
+            if found.failed is None:
+                shown, start, numbers = excerpt(rows, sorted(found.rows.values()))
+                places = [numbers.get(found.rows.get(id(node), -1)) for node in nodes]
+                folded = fold(rows, starts(nodes, found.rows), self.run.edges)
+                return TreeRun(self.passing[name], shown, start, places, folded), len(nodes)
+            furthest = max(furthest, order[id(found.failed)])
+        return None, furthest
+
+    def _length(self, recording: str) -> tuple[int, str]:
+        return self.run.traces.file(recording).stat().st_size, recording
+
+    def note(self, found: TreeRun | None, nodes: int) -> None:
+        if found is not None:
+            self.requirement.runs[self.run.binding] = found
+        order = {id(node): number for number, node in enumerate(nodes_of(self.tree))}
+        for node in recorded_nodes(self.tree, self.run.binding):
+            node.executed[self.run.binding] = order[id(node)] < nodes
