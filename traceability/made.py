@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from traceability.metrics import METRICS
+from traceability.model.build import commit
 from traceability.model.results import RESULTS, read_json
 from traceability.model.schema import Finding, Place
 from traceability.model.traces import SOURCES
@@ -31,9 +32,10 @@ class Made:
 
 
 def files_read(root: Path) -> dict[str, str]:
-    """The hash of each file, and when the programs were built whose symbols are read."""
+    """The hash of each file; the commit, and the programs whose symbols are read."""
     paths = [path for path in files_below(root, READ) if path.name not in WRITTEN]
     found = {str(path.relative_to(root)): file_hash(path) for path in paths}
+    found["commit"] = commit(root)
     for source in SOURCES.values():
         found |= _states(root, [source.executable, source.folder])
     return found

@@ -56,7 +56,7 @@ def build(root: Path) -> Model:
     syntax = read_syntax(root, build_folder / "cache")
     facts = gather_facts(root, annotations, syntax, read_declared(root))
     model = Model(
-        commit=_commit(root),
+        commit=commit(root),
         version=_version(root),
         sources_hash=source_hash(root),
         results_hashes={},
@@ -117,7 +117,7 @@ def _git(root: Path, *arguments: str) -> str:
     return run.stdout.strip() if run.returncode == 0 else ""
 
 
-def _commit(root: Path) -> str:
+def commit(root: Path) -> str:
     return _git(root, "rev-parse", "--short=10", "HEAD") if (root / ".git").exists() else ""
 
 
