@@ -103,11 +103,19 @@ def tested(root: Path, run_name: str) -> dict[str, str]:
     return now
 
 
+def program_of(root: Path, run_name: str) -> Path:
+    """The program that holds the tests; what they leave lies beside it."""
+    if run_name == BOARD:
+        return root / "build" / BOARD_PRESET / "tests" / BOARD_TESTS
+    return root / "build" / run_name / "tests" / "firmware_tests"
+
+
 def is_current(root: Path, run_name: str) -> bool:
     """Whether there are results, and they are those of the present sources."""
     stamp = root / "build" / "results" / f"{run_name}.hash"
     return (
         results_of(root, run_name).exists()
+        and program_of(root, run_name).exists()
         and stamp.exists()
         and json.loads(stamp.read_text()) == tested(root, run_name)
     )
@@ -136,11 +144,10 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> tuple[Counts, bool]:
     shutil.rmtree(binaries / ("traces-board" if on_board else "traces"), ignore_errors=True)
     for counters in binaries.rglob("*.gcda"):  # gcc would add those of this run
         counters.unlink()
-    program = binaries / "tests" / (BOARD_TESTS if on_board else "firmware_tests")
     ended = ""
     before = processor_seconds()
     try:
-        run(log, [program, f"--gtest_output=json:{results}"])
+        run(log, [program_of(root, run_name), f"--gtest_output=json:{results}"])
     except FailureError as error:
         ended = str(error)
     cost = {"sources": now["sources"], "seconds": processor_seconds() - before}

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from traceability.mutation.points import Mutant
     from traceability.mutation.score import Plan, Tried
 
-STEPS = 5
+STEPS = 6
 LONGEST = 45.0  # minutes
 SHOWN_EVERY = 10.0  # seconds
 

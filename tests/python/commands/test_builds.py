@@ -73,6 +73,12 @@ def test_tests_run_again_when_their_results_are_gone(root: Path) -> None:
     assert run_tests(root)[1]
 
 
+def test_tests_run_again_when_what_they_left_is_gone(root: Path) -> None:
+    run_tests(root)
+    (root / "build/trace/tests/firmware_tests").unlink()
+    assert not builds.is_current(root, "trace")
+
+
 def test_failed_tests_stay_failed_without_a_second_run(root: Path) -> None:
     (root / "results.json").write_text(gtest_json(PASSED, FAILED))
     write_program(root / "build/trace/tests/firmware_tests", "exit 1")
