@@ -19,6 +19,7 @@ from traceability.sources import hash_of, source_hash
 # CMake keeps what it once read of them, so that a change needs a fresh configuration.
 SETTINGS = ("CMakePresets.json", "setup/k64-toolchain.cmake")
 IMAGE = str(image_of(DEFAULT, ".bin"))
+TESTS = "firmware_tests"
 # The tests on the virtual K64 are a run of their own, built with the preset of this machine.
 BOARD, BOARD_TESTS, BOARD_PRESET = "board", "board_tests", "host"
 BOARD_PROGRAM = "weeding_robot_board"
@@ -107,7 +108,7 @@ def program_of(root: Path, run_name: str) -> Path:
     """The program that holds the tests; what they leave lies beside it."""
     if run_name == BOARD:
         return root / "build" / BOARD_PRESET / "tests" / BOARD_TESTS
-    return root / "build" / run_name / "tests" / "firmware_tests"
+    return root / "build" / run_name / "tests" / TESTS
 
 
 def is_current(root: Path, run_name: str) -> bool:
@@ -136,7 +137,7 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> tuple[Counts, bool]:
     if on_board:
         build_for_board(root, log, BOARD_TESTS, BOARD_PROGRAM)
     else:
-        build(root, run_name, log)
+        build(root, run_name, log, TESTS)
     results.parent.mkdir(parents=True, exist_ok=True)
     results.unlink(missing_ok=True)
     stamp.unlink(missing_ok=True)

@@ -23,7 +23,7 @@ from traceability.commands.portal import board_tests, closed_loop, traced_tests
 from traceability.commands.steps import FailureError, Steps, run
 from traceability.sources import DESIGN, files_below, hash_of
 
-OTHER_STEPS = 12
+OTHER_STEPS = 11
 # What tests of Python read: some run on a copy of the whole project.
 READ_BY_TESTS = (
     *(*DESIGN, "sim", "tests", "client", "docs", "design", "requirements"),
@@ -42,11 +42,16 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "those of the portal's pages in a browser. The last line counts the tests of the firmware "
         "(once for this machine, once for the virtual K64), of the tools and of the pages.",
     )
-    parser.set_defaults(run=lambda root, _options: test(root))
+    parser.add_argument(
+        "--long",
+        action="store_true",
+        help="also seed each fault of tests/drift in a copy, and see whether the checks find it",
+    )
+    parser.set_defaults(run=lambda root, options: test(root, long=options.long))
 
 
-def test(root: Path) -> int:
-    steps = Steps(root, DOCUMENT_STEPS + OTHER_STEPS)
+def test(root: Path, *, long: bool) -> int:
+    steps = Steps(root, DOCUMENT_STEPS + OTHER_STEPS + long)
     build_firmware(root, steps)
     counts = traced_tests(root, steps)
     steps.run("tests (sanitize)", lambda log: require_counts(*run_tests(root, "sanitize", log)))
@@ -56,7 +61,8 @@ def test(root: Path) -> int:
     pages = root / "tests" / "python" / "site"
     python = root / "tests" / "python"
     counts += run_pytest(root, steps, "tools", [python, f"--ignore={pages}"])
-    seed_faults(root, steps)
+    if long:
+        seed_faults(root, steps)
     findings = make_documents(root, steps)
     if works(find_browser()):
         counts += run_pytest(root, steps, "pages", [pages])
