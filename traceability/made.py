@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -19,7 +20,9 @@ READ = (
     *(*DESIGN, "sim", "tests", "requirements", "design", "docs", "site", "traceability"),
     *("setup", "README.md", "CMakeLists.txt", "CMakePresets.json", str(RESULTS)),
 )
-WRITTEN = ("verification.json", "verification.xml")  # by the documents, beside the results
+# Beside the results: what the documents themselves write there, and what no document shows.
+WRITTEN = ("verification.json", "verification.xml")
+NOT_SHOWN = re.compile(r"pytest_\w+\.(hash|xml)")
 
 
 @dataclass
@@ -33,7 +36,11 @@ class Made:
 
 def files_read(root: Path) -> dict[str, str]:
     """The hash of each file; the commit, and the programs whose symbols are read."""
-    paths = [path for path in files_below(root, READ) if path.name not in WRITTEN]
+    paths = [
+        path
+        for path in files_below(root, READ)
+        if path.name not in WRITTEN and not NOT_SHOWN.fullmatch(path.name)
+    ]
     found = {str(path.relative_to(root)): file_hash(path) for path in paths}
     found["commit"] = commit(root)
     for source in SOURCES.values():

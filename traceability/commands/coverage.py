@@ -12,6 +12,7 @@ from typing import TextIO
 
 from traceability.commands.builds import jobs
 from traceability.commands.steps import FailureError, run
+from traceability.model.coverage import OTHER_PROGRAMS
 from traceability.model.results import (
     COVERAGE,
     COVERAGE_LINES,
@@ -38,6 +39,7 @@ def _count(root: Path, log: TextIO) -> dict[str, float]:
     stamp = root / COVERAGE_RUN
     stamp.unlink(missing_ok=True)
     words: list[str | Path] = [GCOVR, "--root", root, "-j", jobs(), "--merge-lines"]
+    words += ["--exclude-directory", OTHER_PROGRAMS]
     for name in DESIGN:
         words += ["--filter", f"{re.escape(str(root / name))}/"]
     words += ["--json-summary", root / COVERAGE, "--json", root / COVERAGE_LINES]

@@ -12,6 +12,8 @@ import re
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from xml.etree import ElementTree
@@ -114,10 +116,46 @@ def doxygen_executable() -> str:
     return str(beside) if beside.exists() else (shutil.which("doxygen") or "doxygen")
 
 
-def run_doxygen(root: Path, build: Path) -> Path:
-    """Writes the XML when an input changed; the warnings lie beside it."""
-    xml = build / "xml"
-    warnings = build / "doxygen.json"
+@dataclass
+class DoxygenRun:
+    """Doxygen at work beside what else reads the sources; no process where nothing changed."""
+
+    xml: Path
+    warnings: Path  # what it was made from, and what Doxygen said
+    state: str
+    process: subprocess.Popen[bytes] | None = None
+
+    def finish(self) -> None:
+        """Waits for it, and keeps what it said beside the XML."""
+        if self.process is None:
+            return
+        said = self.process.communicate()[1].decode()
+        if self.process.returncode != 0 or not self.xml.is_dir():
+            code = self.process.returncode
+            raise RuntimeError(f"Doxygen failed with exit code {code}:\n{said[-2000:]}")
+        record = {"state": self.state, "output": said.splitlines()}
+        self.warnings.write_text(json.dumps(record), encoding="utf-8")
+
+    def stop(self) -> None:
+        """Ends it when nobody waits for it any more."""
+        if self.process is not None and self.process.poll() is None:
+            self.process.kill()
+            self.process.wait()
+
+
+@contextmanager
+def doxygen_beside(root: Path, build: Path) -> Iterator[DoxygenRun]:
+    """Doxygen runs while the caller does something else, and is stopped where that fails."""
+    run = start_doxygen(root, build)
+    try:
+        yield run
+    finally:
+        run.stop()
+
+
+def start_doxygen(root: Path, build: Path) -> DoxygenRun:
+    """Has the XML written when an input changed."""
+    xml, warnings = build / "xml", build / "doxygen.json"
     doxyfile = root / DOXYFILE
     if not doxyfile.exists():
         doxyfile = Path(__file__).parents[2] / DOXYFILE
@@ -127,42 +165,40 @@ def run_doxygen(root: Path, build: Path) -> Path:
         for path in files_below(root, INPUTS, (".hpp", ".cpp", ".dox"))
         if root / "tests" / "python" not in path.parents
     ]
-    state = hash_of(root, inputs) + settings
+    run = DoxygenRun(xml, warnings, hash_of(root, inputs) + settings)
     if xml.is_dir() and warnings.exists():
-        known = json.loads(warnings.read_text(encoding="utf-8"))
-        if known["state"] == state:
-            return xml
+        if json.loads(warnings.read_text(encoding="utf-8"))["state"] == run.state:
+            return run
     shutil.rmtree(xml, ignore_errors=True)
     build.mkdir(parents=True, exist_ok=True)
     folders = " ".join(name for name in INPUTS if (root / name).exists())
-    settings += f'\nINPUT = {folders}\nEXCLUDE = tests/python\nOUTPUT_DIRECTORY = "{build}"\n'
-    run = subprocess.run(
-        [doxygen_executable(), "-"],
-        input=settings,
-        cwd=root,
-        capture_output=True,
-        text=True,
-        env={**os.environ, "LC_ALL": "C.UTF-8"},
-        check=False,
+    whole = build / "Doxyfile"
+    whole.write_text(
+        f'{settings}\nINPUT = {folders}\nEXCLUDE = tests/python\nOUTPUT_DIRECTORY = "{build}"\n',
+        encoding="utf-8",
     )
-    if run.returncode != 0 or not xml.is_dir():
-        raise RuntimeError(f"Doxygen failed with exit code {run.returncode}:\n{run.stderr[-2000:]}")
-    record = {"state": state, "output": run.stderr.splitlines()}
-    warnings.write_text(json.dumps(record), encoding="utf-8")
-    return xml
+    run.process = subprocess.Popen(
+        [doxygen_executable(), str(whole)],
+        cwd=root,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        env={**os.environ, "LC_ALL": "C.UTF-8"},
+    )
+    return run
 
 
-def read_annotations(root: Path, build: Path) -> Annotations:
-    xml = run_doxygen(root, build)
+def read_annotations(root: Path, doxygen: DoxygenRun) -> Annotations:
+    """What Doxygen wrote, after it has ended."""
+    doxygen.finish()
     result = Annotations()
-    for path in sorted(xml.glob("*.xml")):
+    for path in sorted(doxygen.xml.glob("*.xml")):
         if path.name in ("index.xml", "Doxyfile.xml", "requirements.xml"):
             continue
         for compound in ElementTree.parse(path).getroot().iter("compounddef"):
             _read_compound(compound, result)
     for requirement in result.requirements.values():
         requirement.title = _sentence(root, requirement)
-    record = json.loads((build / "doxygen.json").read_text(encoding="utf-8"))
+    record = json.loads(doxygen.warnings.read_text(encoding="utf-8"))
     result.warnings = _warnings(root, record["output"])
     return result
 

@@ -6,7 +6,7 @@ import re
 import subprocess
 from pathlib import Path
 
-from traceability.model.annotations import MemberText, Text, read_annotations
+from traceability.model.annotations import MemberText, Text, doxygen_beside, read_annotations
 from traceability.model.architecture import add_connections
 from traceability.model.changes import add_changes
 from traceability.model.closed_loop import read_closed_loop
@@ -52,8 +52,9 @@ DRIVERS = f"{SRC}/k64/"
 
 def build(root: Path) -> Model:
     build_folder = root / "build" / "model"
-    annotations = read_annotations(root, build_folder)
-    syntax = read_syntax(root, build_folder / "cache")
+    with doxygen_beside(root, build_folder) as doxygen:
+        syntax = read_syntax(root, build_folder / "cache")
+        annotations = read_annotations(root, doxygen)
     facts = gather_facts(root, annotations, syntax, read_declared(root))
     model = Model(
         commit=commit(root),

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import functools
 import json
+import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -19,6 +20,8 @@ from traceability.model.traces import SOURCES
 from traceability.sources import DESIGN, file_hash
 
 HOST_BUILD = SOURCES[HOST].executable.parents[1]
+# Folders of programs that may lie beside that of the tests: no test runs what only they hold.
+OTHER_PROGRAMS = r".*/(usual_design_tests|change_\w+_tests|weeding_robot_host)\.dir"
 
 
 @dataclass
@@ -102,7 +105,9 @@ def _read_host(root: Path) -> Coverage:
     if not files:
         return coverage
     units = {
-        path.with_suffix(""): read_graphs(path) for path in (root / HOST_BUILD).rglob("*.gcno")
+        path.with_suffix(""): read_graphs(path)
+        for path in (root / HOST_BUILD).rglob("*.gcno")
+        if not re.match(f"{OTHER_PROGRAMS}/", str(path))
     }
     for graphs in units.values():
         for graph in graphs.values():

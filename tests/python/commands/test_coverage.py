@@ -38,8 +38,8 @@ def root(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def run_program(root: Path, source: str = "src/choose.cpp") -> None:
-    build = root / "build/trace"
+def run_program(root: Path, source: str = "src/choose.cpp", folder: str = "build/trace") -> None:
+    build = root / folder
     words = ["g++", "--coverage", "-fprofile-abs-path", root / source, "-o", "program"]
     subprocess.run(words, cwd=build, check=True)
     subprocess.run([build / "program"], check=True)
@@ -60,6 +60,17 @@ def test_the_lines_of_each_file_are_left_with_the_totals(root: Path) -> None:
     (file,) = json.loads((root / COVERAGE_LINES).read_text())["files"]
     assert file["file"] == "src/choose.cpp"
     assert {line["line_number"] for line in file["lines"] if not line["count"]} >= {5}
+
+
+def test_another_program_of_the_same_folder_does_not_count(root: Path) -> None:
+    """It may lie there or not: the figures are those of the tests' own program."""
+    (root / "src/other.cpp").write_text("int main() { return 0; }")
+    folder = "build/trace/tests/CMakeFiles/usual_design_tests.dir"
+    (root / folder).mkdir(parents=True)
+    run_program(root, "src/other.cpp", folder)
+    count(root)
+    (file,) = json.loads((root / COVERAGE_LINES).read_text())["files"]
+    assert file["file"] == "src/choose.cpp"
 
 
 def test_a_run_is_counted_once(root: Path) -> None:
