@@ -1,11 +1,13 @@
-"""Sphinx settings of the portal. traceability.documents.build adds the paths and the navigation."""
+"""Sphinx settings of the pages that people write, and of Doxygen's views.
+
+traceability.documents.sphinx_pages adds the paths and the navigation.
+"""
 
 project = "Weeding robot"
 copyright = ""  # noqa: A001 - the name that Sphinx reads
 extensions = ["breathe", "traceability.documents.extension"]
-root_doc = "index"
+root_doc = "doxygen/index"
 exclude_patterns = ["_static", "_doxygen"]
-source_suffix = {".rst": "restructuredtext", ".page": "page"}
 highlight_language = "none"
 breathe_default_project = "firmware"
 

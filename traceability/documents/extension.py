@@ -1,4 +1,4 @@
-"""The Sphinx extension of the portal: generated pages, and roles for hand-written ones."""
+"""The Sphinx extension of the portal: roles that name what the model knows."""
 
 from __future__ import annotations
 
@@ -7,8 +7,6 @@ from pathlib import Path
 from typing import Any
 
 from docutils import nodes
-from docutils.parsers import Parser
-from docutils.parsers.rst import Parser as RstParser
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 from sphinx.util import logging
@@ -17,30 +15,6 @@ from sphinx.util.docutils import SphinxRole
 from traceability.documents.links import ROOT, depth_prefix
 
 LOGGER = logging.getLogger(__name__)
-API_MARK = "<!-- what Doxygen says -->"
-
-
-class PageParser(Parser):
-    """Reads a generated page: a line of facts, then HTML."""
-
-    supported = ("page",)
-
-    def parse(self, inputstring: str, document: nodes.document) -> None:
-        facts, _, body = inputstring.partition("\n")
-        environment: BuildEnvironment = document.settings.env
-        values = json.loads(facts)
-        environment.metadata[environment.docname].update(values, orphan="")
-        before, _, after = body.partition(API_MARK)
-        document += nodes.raw("", before, format="html")
-        if values["api"]:
-            self.add_api(values["api"], document)
-        if after:
-            document += nodes.raw("", after, format="html")
-
-    def add_api(self, name: str, document: nodes.document) -> None:
-        """What Doxygen says of a class, as Breathe shows it."""
-        text = f".. doxygenclass:: {name}\n   :members:\n   :protected-members:\n"
-        RstParser().parse(text, document)
 
 
 class NameRole(SphinxRole):
@@ -73,23 +47,15 @@ def hand_written(_app: Sphinx, env: BuildEnvironment, *_changed: set[str]) -> li
     return [name for name in env.found_docs if name.startswith("docs/")]
 
 
-def mark_hand_written(app: Sphinx, doctree: nodes.document) -> None:
+def mark(app: Sphinx, _doctree: nodes.document) -> None:
+    """Tells the layout of a page the entry of the navigation that it belongs to."""
     name = app.env.docname
-    if name.startswith("docs/"):
-        title = next(iter(doctree.findall(nodes.title)), None)
-        facts = {
-            "title": title.astext() if title else name,
-            "nav": name,
-            "prose": True,
-            "orphan": "",
-        }
-        app.env.metadata[name].update(facts)
+    nav = name if name.startswith("docs/") else "structure"
+    app.env.metadata[name].update(nav=nav, prose=True, orphan="")
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    app.add_source_suffix(".page", "page")
-    app.add_source_parser(PageParser)
     app.connect("builder-inited", load)
     app.connect("env-get-outdated", hand_written)
-    app.connect("doctree-read", mark_hand_written)
-    return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}
+    app.connect("doctree-read", mark)
+    return {"version": "2", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -66,7 +66,6 @@ class Page:
     body: str
     nav: str
     wide: bool = False
-    api: str = ""  # class of which Breathe shows what Doxygen says
 
 
 class Portal:
@@ -148,11 +147,10 @@ class Portal:
         template: str,
         *,
         wide: bool = False,
-        api: str = "",
         **values: Any,
     ) -> Page:
         body = self.templates.get_template(f"{template}.html").render(**values)
-        return Page(name, title, body, nav, wide, api)
+        return Page(name, title, body, nav, wide)
 
     # ---- derived facts --------------------------------------------------------
 

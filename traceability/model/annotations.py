@@ -166,9 +166,9 @@ def start_doxygen(root: Path, build: Path) -> DoxygenRun:
         if root / "tests" / "python" not in path.parents
     ]
     run = DoxygenRun(xml, warnings, hash_of(root, inputs) + settings)
-    if xml.is_dir() and warnings.exists():
-        if json.loads(warnings.read_text(encoding="utf-8"))["state"] == run.state:
-            return run
+    known = json.loads(warnings.read_text(encoding="utf-8")) if warnings.exists() else {}
+    if xml.is_dir() and known.get("state") == run.state:
+        return run
     shutil.rmtree(xml, ignore_errors=True)
     build.mkdir(parents=True, exist_ok=True)
     folders = " ".join(name for name in INPUTS if (root / name).exists())

@@ -10,8 +10,9 @@ import pytest
 
 from tests.python.documents.fixture import MODES, make_model, make_project
 from traceability.documents import diagrams, search
-from traceability.documents.build import SiteResult, build_site, source_of
+from traceability.documents.build import SiteResult, build_site
 from traceability.documents.highlight import highlighted_lines
+from traceability.documents.layout import Layout
 from traceability.documents.links import Links
 from traceability.documents.names import Names
 from traceability.documents.pages import aligned, all_pages
@@ -188,8 +189,8 @@ def test_a_module_shows_first_its_own_tests_then_those_of_its_requirements(tmp_p
 
 def test_links_of_a_page_fit_its_depth(portal: Portal) -> None:
     page = next(page for page in all_pages(portal) if page.name == f"source/src/{MODES}/RC.cpp")
-    text = source_of(page)
-    assert "@/" not in text.partition("\n")[2].replace("@/**", "")
+    text = Layout(portal.navigation).html(page)
+    assert "@/" not in text.replace("@/**", "")
     assert '"../../../../modules/RC.html' in text
 
 
@@ -510,3 +511,32 @@ def test_the_structure_tells_what_of_the_design_is_missing(tmp_path: Path) -> No
     assert '<span class="v bad">1 of 2</span>' in page("patterns/index")
     assert "Missing: operation-states." in page("patterns/index")
     assert "1 of 2 applications" in page("patterns/index")
+
+
+BY_DOXYGEN = """<doxygen version="1.9.8"><compounddef id="classwr_1_1RC" kind="class" prot="public">
+<compoundname>wr::RC</compoundname><sectiondef kind="public-func">
+<memberdef kind="function" id="classwr_1_1RC_1a0" prot="public" static="no" const="no"
+ explicit="no" inline="no" virt="virtual">
+<type>void</type><definition>void wr::RC::read</definition><argsstring>()</argsstring>
+<name>read</name><briefdescription><para>Takes the pulse.</para></briefdescription>
+<detaileddescription></detaileddescription><location file="RC.hpp" line="3"/></memberdef>
+</sectiondef><briefdescription></briefdescription><detaileddescription></detaileddescription>
+<location file="RC.hpp" line="1"/></compounddef></doxygen>"""
+
+
+def test_a_module_leads_to_what_doxygen_reads_of_it(site: tuple[Path, Model]) -> None:
+    file = site[0] / "build/model/xml/classwr_1_1RC.xml"
+    file.parent.mkdir(parents=True)
+    file.write_text(BY_DOXYGEN)
+    site[1].modules["RC"].qualified = "wr::RC"
+    assert build(site).warnings == []
+    pages = site[0] / "build/site"
+    assert "../doxygen/RC.html" in (pages / "modules/RC.html").read_text()
+    view = (pages / "doxygen/RC.html").read_text()
+    assert "Takes the pulse." in view
+    assert "../modules/RC.html" in view
+    assert 'href="RC.html"' in (pages / "doxygen/index.html").read_text()
+    file.unlink()
+    build(site)
+    assert not (pages / "doxygen/RC.html").exists()
+    assert "doxygen/RC.html" not in (pages / "modules/RC.html").read_text()

@@ -1,0 +1,114 @@
+"""The pages that Sphinx makes: the hand-written ones, and Doxygen's view of each class."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+from sphinx.application import Sphinx
+from sphinx.util.docutils import docutils_namespace, patch_docutils
+
+from traceability.documents import search
+from traceability.documents.pages import doxygen_file
+from traceability.documents.pin_map import HEADER as PINS
+from traceability.documents.pin_map import pin_map
+from traceability.documents.portal import SITE, Portal
+from traceability.documents.sphinx_warnings import WarningCollector
+from traceability.documents.writing import remove_others, write_changed
+from traceability.model.schema import Finding, Module
+
+SCENARIO = Path("sim/scenario/examples/stop.scenario")
+UNKNOWN_TO_BREATHE = re.compile(
+    r"\s*<(satisfies|verifies|innerclass)\b.*?</\1>|<wr-[^>]*/>", re.DOTALL
+)
+
+
+def write_sources(portal: Portal, pages: Path) -> set[str]:
+    """Writes what Sphinx reads; returns the names of the pages."""
+    shown = [m for m in portal.designs if doxygen_file(portal, m)]
+    kept = copy_docs(portal.root / "docs", pages / "docs") | write_views(shown, pages / "doxygen")
+    write_included(portal.root, pages / "_generated")
+    copy_doxygen(portal, shown, pages / "_doxygen")
+    write_changed(pages / "links.json", json.dumps(search.targets(portal), sort_keys=True))
+    write_changed(pages / "_static" / "portal.js", search.script(portal))
+    return kept
+
+
+def copy_docs(docs: Path, target: Path) -> set[str]:
+    kept = {path.relative_to(docs) for path in docs.rglob("*") if path.is_file()}
+    for path in kept:
+        write_changed(target / path, (docs / path).read_bytes())
+    remove_others(target, "*", map(str, kept))
+    return {f"docs/{path.with_suffix('')}" for path in kept if path.suffix == ".rst"}
+
+
+def write_views(modules: list[Module], target: Path) -> set[str]:
+    """A page for Doxygen's view of each class, and one that leads to them."""
+    texts = {module.name: view_of(module) for module in modules}
+    lines = "".join(f"* :doc:`{name}`\n" for name in sorted(texts))
+    texts["index"] = f"{headline('Members, by Doxygen')}{lines}"
+    for name, text in texts.items():
+        write_changed(target / f"{name}.rst", text)
+    remove_others(target, "*.rst", [f"{name}.rst" for name in texts])
+    return {f"doxygen/{name}" for name in texts}
+
+
+def view_of(module: Module) -> str:
+    return (
+        f"{headline(f'{module.name}, by Doxygen')}"
+        f"The members of :module:`{module.name}`, as Doxygen reads them.\n\n"
+        ".. container:: api\n\n"
+        f"   .. doxygenclass:: {module.qualified}\n"
+        "      :members:\n"
+        "      :protected-members:\n"
+    )
+
+
+def headline(title: str) -> str:
+    return f"{title}\n{'=' * len(title)}\n\n"
+
+
+def write_included(root: Path, target: Path) -> None:
+    """What hand-written pages include from other folders of the project."""
+    if (root / PINS).exists():
+        write_changed(target / "pin_map.csv", pin_map(root))
+    if (root / SCENARIO).exists():
+        write_changed(target / "example.scenario", (root / SCENARIO).read_bytes())
+
+
+def copy_doxygen(portal: Portal, modules: list[Module], target: Path) -> None:
+    """What Breathe needs: the classes of the modules, without what it does not know.
+
+    Breathe reads a class again when its file is newer, so only changed files are replaced.
+    """
+    compounds = []
+    for module in modules:
+        if path := doxygen_file(portal, module):
+            text = UNKNOWN_TO_BREATHE.sub("", path.read_text(encoding="utf-8"))
+            write_changed(target / path.name, text)
+            name = f"<name>{module.qualified}</name>"
+            compounds.append(f'<compound refid="{path.stem}" kind="class">{name}</compound>')
+    index = f"<doxygenindex version='1.9.8'>{''.join(compounds)}</doxygenindex>"
+    write_changed(target / "index.xml", index)
+
+
+def run_sphinx(portal: Portal, pages: Path, site: Path) -> list[Finding]:
+    collector = WarningCollector(portal.root, pages)
+    with patch_docutils(), docutils_namespace():
+        app = Sphinx(
+            srcdir=pages,
+            confdir=SITE,
+            outdir=site,
+            doctreedir=portal.root / "build" / "pages-cache" / "sphinx",
+            buildername="html",
+            status=None,
+            warning=collector,
+            confoverrides={
+                "html_context": {"groups": portal.navigation.data()},
+                "html_static_path": [str(pages / "_static")],
+                "breathe_projects": {"firmware": str(pages / "_doxygen")},
+            },
+        )
+        app.build()
+    return collector.findings()
