@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import functools
 import html
 import posixpath
 import re
 from dataclasses import dataclass
+from multiprocessing import get_context
 from pathlib import Path
 from urllib.parse import unquote
 
@@ -16,58 +18,77 @@ ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|
 
 @dataclass
 class _Page:
-    text: str
     anchors: set[str]
     links: dict[str, int]  # link -> place in the text
 
 
-def _read(path: Path) -> _Page:
-    page = _Page(path.read_text(encoding="utf-8", errors="replace"), {"", "top"}, {})
-    for attribute in ATTRIBUTE.finditer(page.text):
-        start = page.text.rfind("<", 0, attribute.start())
-        if start < page.text.rfind(">", 0, attribute.start()):
+def _text(file: str) -> str:
+    return Path(file).read_text(encoding="utf-8", errors="replace")
+
+
+def _read(file: str) -> _Page:
+    text, page = _text(file), _Page({"", "top"}, {})
+    for attribute in ATTRIBUTE.finditer(text):
+        start = text.rfind("<", 0, attribute.start())
+        if start < text.rfind(">", 0, attribute.start()):
             continue  # words of the text, not of a tag
         name, value = attribute[1], html.unescape(attribute[2][1:-1])
-        if name == "id" or (name == "name" and page.text.startswith("<a ", start)):
+        if name == "id" or (name == "name" and text.startswith("<a ", start)):
             page.anchors.add(value)
         elif name != "name" and value:
             page.links.setdefault(value, start)
     return page
 
 
-def dead_links(site: Path) -> list[tuple[Path, int, str, str]]:
+class _Site:
+    """The files below a folder, and what its pages hold."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = str(root.resolve())
+        self.files = {str(path) for path in Path(self.root).rglob("*") if path.is_file()}
+        names = [file for file in sorted(self.files) if file.endswith((".html", ".svg"))]
+        with get_context("fork").Pool() as pool:
+            self.pages = dict(zip(names, pool.map(_read, names), strict=True))
+        self.away = functools.cache(self._away)
+
+    def reason(self, file: str, link: str) -> str:
+        """Why a link is dead; empty for a live one."""
+        if link.startswith(("#", "?")):
+            return self._without(file, link.partition("#")[2])
+        return self.away(posixpath.dirname(file), link)
+
+    def _away(self, folder: str, link: str) -> str:
+        """The same for each page of a folder: it is worked out once."""
+        path, _, fragment = link.partition("#")
+        path = path.partition("?")[0]
+        if re.match(r"[a-z][a-z0-9+.-]*:|//", path, re.IGNORECASE):
+            return ""
+        start = self.root if path.startswith("/") else folder
+        target = posixpath.normpath(f"{start}/{unquote(path)}")
+        if not f"{target}/".startswith(f"{self.root}/"):
+            return "it leads out of the site"
+        if target not in self.files:
+            target = f"{target}/index.html"
+        if target not in self.files:
+            return "there is no such file"
+        return self._without(target, fragment)
+
+    def _without(self, target: str, fragment: str) -> str:
+        if target in self.pages and unquote(fragment) not in self.pages[target].anchors:
+            return f"the page has no anchor '{unquote(fragment)}'"
+        return ""
+
+
+def dead_links(root: Path) -> list[tuple[Path, int, str, str]]:
     """Page, line, link and reason of each dead link."""
-    root = str(site.resolve())
-    files = {str(path) for path in Path(root).rglob("*") if path.is_file()}
-    pages = {file: _read(Path(file)) for file in sorted(files) if file.endswith((".html", ".svg"))}
+    site = _Site(root)
     found: list[tuple[Path, int, str, str]] = []
-    for file, page in pages.items():
+    for file, page in site.pages.items():
         for link, start in page.links.items():
-            reason = _dead(file, link, pages, files, root)
-            if reason:
-                line = page.text.count("\n", 0, start) + 1
+            if reason := site.reason(file, link):
+                line = _text(file).count("\n", 0, start) + 1
                 found.append((Path(file), line, link, reason))
     return found
-
-
-def _dead(file: str, link: str, pages: dict[str, _Page], files: set[str], root: str) -> str:
-    path, _, fragment = link.partition("#")
-    path = path.partition("?")[0]
-    if re.match(r"[a-z][a-z0-9+.-]*:|//", path, re.IGNORECASE):
-        return ""
-    target = file
-    if path:
-        start = root if path.startswith("/") else posixpath.dirname(file)
-        target = posixpath.normpath(f"{start}/{unquote(path)}")
-    if not f"{target}/".startswith(f"{root}/"):
-        return "it leads out of the site"
-    if target not in files:
-        target = f"{target}/index.html"
-    if target not in files:
-        return "there is no such file"
-    if target in pages and unquote(fragment) not in pages[target].anchors:
-        return f"the page has no anchor '{unquote(fragment)}'"
-    return ""
 
 
 def check(model: Model, site: Path) -> list[Finding]:

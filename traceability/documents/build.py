@@ -39,8 +39,8 @@ def build_site(root: Path, model: Model, findings: list[Finding]) -> SiteResult:
         return SiteResult(0, [Finding(Place("design", 0), "doc-diagram", str(error), mend)])
     kept = write_sources(portal, pages)
     with get_context("fork").Pool(os.cpu_count() or 1, _share, (portal, site)) as pool:
-        written = pool.map_async(_write_part, range(PARTS), 1)
         exported = pool.apply_async(_write_exports)
+        written = pool.map_async(_write_part, range(PARTS), 1)
         warnings = run_sphinx(portal, pages, site)
         kept = kept.union(*written.get())
         exported.get()

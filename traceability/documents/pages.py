@@ -624,8 +624,7 @@ class Line:
 
 
 def source_page(portal: Portal, path: str) -> Page:
-    marks = marks_of(portal, path)
-    hits = hits_of(portal, path)
+    marks, hits = portal.marks.get(path, {}), portal.hits.get(path, {})
     lines = [
         Line(number, code, hits.get(number), marks.get(number, []))
         for number, code in enumerate(portal.code.lines(path), 1)
@@ -636,26 +635,3 @@ def source_page(portal: Portal, path: str) -> Page:
         measured=bool(hits), on_board=path in (portal.model.board_lines or {}),
         line_kind=line_kind,
     )  # fmt: skip
-
-
-def hits_of(portal: Portal, path: str) -> dict[int, int]:
-    found: dict[int, int] = {}
-    for module in portal.model.modules.values():
-        found.update(module.line_hits.get(path, {}))
-    measured = portal.model.board_lines or {}
-    found.update({line: int(hit) for line, hit in measured.get(path, {}).items()})
-    return found
-
-
-def marks_of(portal: Portal, path: str) -> dict[int, list[str]]:
-    """The methods and tests that begin on the lines of a file."""
-    found: dict[int, list[str]] = {}
-    for module in portal.model.modules.values():
-        for method in module.methods:
-            for place in (method.place, method.body):
-                if place and place.file == path and method.id not in found.get(place.line, []):
-                    found.setdefault(place.line, []).append(method.id)
-    for test in portal.model.tests.values():
-        if test.place.file == path:
-            found.setdefault(test.place.line, []).append(test.id)
-    return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -94,6 +95,7 @@ class Portal:
         finished = diagrams.draw(self.diagrams, root / "build" / "diagrams")
         self.drawn = {name: Markup(svg) for name, svg in finished.items()}
         self.templates = self._environment()
+        self.row_of = functools.cache(self._row_of)
 
     def _diagrams(self) -> list[diagrams.Diagram]:
         return [
@@ -151,6 +153,11 @@ class Portal:
     ) -> Page:
         body = self.templates.get_template(f"{template}.html").render(**values)
         return Page(name, title, body, nav, wide)
+
+    def _row_of(self, test: str) -> Markup:
+        """The row of a test in a table; many pages show the same."""
+        template = self.templates.get_template("test_row.html")
+        return Markup(template.render(test=self.model.tests[test]))
 
     # ---- derived facts --------------------------------------------------------
 
@@ -249,6 +256,37 @@ class Portal:
             (number, Markup(lines[number - 1]))
             for number in range(place.line, min(last, len(lines)) + 1)
         ]
+
+    @functools.cached_property
+    def marks(self) -> dict[str, dict[int, list[str]]]:
+        """File -> line -> the methods and tests that begin there."""
+        found: dict[str, dict[int, list[str]]] = {}
+
+        def add(place: Place, name: str) -> None:
+            names = found.setdefault(place.file, {}).setdefault(place.line, [])
+            if name not in names:
+                names.append(name)
+
+        for module in self.model.modules.values():
+            for method in module.methods:
+                for place in (method.place, method.body):
+                    if place:
+                        add(place, method.id)
+        for test in self.model.tests.values():
+            add(test.place, test.id)
+        return found
+
+    @functools.cached_property
+    def hits(self) -> dict[str, dict[int, int]]:
+        """File -> line -> how often the tests executed it; on the virtual K64, whether."""
+        found: dict[str, dict[int, int]] = {}
+        for module in self.model.modules.values():
+            for path, lines in module.line_hits.items():
+                found.setdefault(path, {}).update(lines)
+        for path, measured in (self.model.board_lines or {}).items():
+            known = found.setdefault(path, {})
+            known.update({line: int(hit) for line, hit in measured.items()})
+        return found
 
     def length(self, path: str) -> int:
         return len(self.code.lines(path))

@@ -117,4 +117,9 @@ def targets(portal: Portal) -> dict[str, dict[str, str]]:
             path: f'<a class="src" href="{links.file(path)}"><code>{path}</code></a>'
             for path in model.files
         },
+        "view": {
+            entry.id: f'<a href="{ROOT}{entry.address}">{html.escape(entry.title)}</a>'
+            for group in portal.navigation.groups
+            for entry in group.entries
+        },
     }

@@ -17,6 +17,7 @@ from traceability.documents.portal import SITE, Portal
 from traceability.documents.sphinx_warnings import WarningCollector
 from traceability.documents.writing import remove_others, write_changed
 from traceability.model.schema import Finding, Module
+from traceability.sources import files_below, hash_of
 
 SCENARIO = Path("sim/scenario/examples/stop.scenario")
 UNKNOWN_TO_BREATHE = re.compile(
@@ -94,13 +95,16 @@ def copy_doxygen(portal: Portal, modules: list[Module], target: Path) -> None:
 
 
 def run_sphinx(portal: Portal, pages: Path, site: Path) -> list[Finding]:
+    cache = portal.root / "build" / "pages-cache"
+    sound = cache / "sound-docs"  # names what was read without a warning
+    docs = hash_of(pages, files_below(pages, ("docs", "_generated", "links.json")))
     collector = WarningCollector(portal.root, pages)
     with patch_docutils(), docutils_namespace():
         app = Sphinx(
             srcdir=pages,
             confdir=SITE,
             outdir=site,
-            doctreedir=portal.root / "build" / "pages-cache" / "sphinx",
+            doctreedir=cache / "sphinx",
             buildername="html",
             status=None,
             warning=collector,
@@ -108,7 +112,10 @@ def run_sphinx(portal: Portal, pages: Path, site: Path) -> list[Finding]:
                 "html_context": {"groups": portal.navigation.data()},
                 "html_static_path": [str(pages / "_static")],
                 "breathe_projects": {"firmware": str(pages / "_doxygen")},
+                "read_all_docs": not sound.exists() or sound.read_text() != docs,
             },
         )
         app.build()
-    return collector.findings()
+    found = collector.findings()
+    write_changed(sound, "" if found else docs)
+    return found

@@ -54,8 +54,11 @@ def build(root: Path) -> Model:
     build_folder = root / "build" / "model"
     with doxygen_beside(root, build_folder) as doxygen:
         syntax = read_syntax(root, build_folder / "cache")
+        declared = read_declared(root)
+        traces = read_traces(root, build_folder)
+        coverage = read_coverage(root, build_folder)
         annotations = read_annotations(root, doxygen)
-    facts = gather_facts(root, annotations, syntax, read_declared(root))
+    facts = gather_facts(root, annotations, syntax, declared)
     model = Model(
         commit=commit(root),
         version=_version(root),
@@ -76,7 +79,6 @@ def build(root: Path) -> Model:
     }
     model.architecture = facts.declared.architecture
     model.allowed_uses = facts.declared.allowed
-    traces = read_traces(root, build_folder)
     called = {call.target for body in syntax.bodies for call in body.calls}
     for recordings in traces.values():
         recordings.vectors = set(model.functions) - called
@@ -89,7 +91,6 @@ def build(root: Path) -> Model:
     model.stack = prove(root, model, facts)
     add_connections(model, facts)
     add_dictionary(model, facts)
-    coverage = read_coverage(root, build_folder)
     _add_measures(model, root, coverage)
     add_trees(model, facts, traces, build_folder / "cache")
     add_verification(model, facts, coverage)
