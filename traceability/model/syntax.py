@@ -362,6 +362,7 @@ def prepare_standard(root: Path, cache: Path, board: bool) -> None:
     header.write_text(text, encoding="utf-8")
     options = cindex.TranslationUnit.PARSE_INCOMPLETE
     arguments = ["c++-header" if one == "c++" else one for one in clang_arguments(board)]
+    arguments.append("-fpch-instantiate-templates")  # else each unit does it again
     tree = cindex.Index.create().parse(str(header), args=arguments, options=options)
     if not any(problem.severity >= cindex.Diagnostic.Error for problem in tree.diagnostics):
         tree.save(str(parsed))
