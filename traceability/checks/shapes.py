@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
+from traceability.model.code_facts import ANY_CLASS, BodyFact, FieldFact, MethodFact
 from traceability.model.facts import Facts
 from traceability.model.schema import PatternApplication, Place
-from traceability.model.syntax import ANY_CLASS, BodyFact, FieldFact, MethodFact
 
 Broken = Iterator[tuple[Place, str]]
 

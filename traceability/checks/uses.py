@@ -6,7 +6,8 @@ from pathlib import Path
 
 from traceability.model.facts import Facts
 from traceability.model.schema import AllowedUse, Finding, Model, Use, is_extension
-from traceability.model.syntax import includes_of, is_board
+from traceability.model.syntax import includes_of
+from traceability.model.units import is_board
 from traceability.sources import DESIGN, files_below
 
 VIRTUAL_BOARD = "sim/k64/"

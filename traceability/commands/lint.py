@@ -16,7 +16,7 @@ from typing import TextIO
 
 from traceability.commands.builds import build
 from traceability.commands.steps import FailureError, Steps, run
-from traceability.model.syntax import BOARD_COMPILER, BOARD_FLAGS, clang_arguments, is_board
+from traceability.model.units import BOARD_COMPILER, BOARD_FLAGS, clang_arguments, is_board
 from traceability.sources import DESIGN, include_options
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)

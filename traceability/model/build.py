@@ -10,6 +10,7 @@ from traceability.model.annotations import MemberText, Text, doxygen_beside, rea
 from traceability.model.architecture import add_connections
 from traceability.model.changes import add_changes
 from traceability.model.closed_loop import read_closed_loop
+from traceability.model.code_facts import BodyFact, CallFact, ClassFact, MethodFact
 from traceability.model.coverage import Coverage, read_coverage
 from traceability.model.declared import read_declared
 from traceability.model.dictionary import add_dictionary
@@ -40,7 +41,7 @@ from traceability.model.schema import (
     Use,
 )
 from traceability.model.stack import prove
-from traceability.model.syntax import BodyFact, CallFact, ClassFact, MethodFact, read_syntax
+from traceability.model.syntax import read_syntax
 from traceability.model.tests import add_board_findings, add_executed_modules, add_tests
 from traceability.model.traces import nodes_of, read_traces
 from traceability.model.trees import add_trees

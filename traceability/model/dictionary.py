@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 from traceability.model.schema import DataPart, MessageField, Model
 
 if TYPE_CHECKING:
+    from traceability.model.code_facts import BodyFact
     from traceability.model.facts import Facts
-    from traceability.model.syntax import BodyFact
 
 FIELDS = "FieldName"
 ACCESS = re.compile(r"\w*(Reader|Writer)::(read|write)([UI]\d+)")

@@ -19,9 +19,9 @@ from traceability.model.schema import (
 )
 
 if TYPE_CHECKING:
+    from traceability.model.code_facts import BodyFact, FieldFact
     from traceability.model.facts import Facts
     from traceability.model.references import Object
-    from traceability.model.syntax import BodyFact, FieldFact
 
 PIPE = "Pipe"
 READS = ("read", "newest")

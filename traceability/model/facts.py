@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from traceability.model.annotations import Annotations
+from traceability.model.code_facts import BodyFact, ClassFact, MethodFact, NameFact, Syntax
 from traceability.model.declared import Declared
 from traceability.model.references import References
 from traceability.model.schema import Place
-from traceability.model.syntax import BodyFact, ClassFact, MethodFact, NameFact, Syntax
 
 
 @dataclass

@@ -17,8 +17,8 @@ from traceability.model.schema import HOST, Model, Place, StateMachine, Transiti
 from traceability.model.traces import Traces
 
 if TYPE_CHECKING:
+    from traceability.model.code_facts import CallFact
     from traceability.model.facts import Facts
-    from traceability.model.syntax import CallFact
 
 
 @dataclass

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 from traceability.sources import SRC
 
 if TYPE_CHECKING:
+    from traceability.model.code_facts import BodyFact, CallFact
     from traceability.model.facts import Facts
-    from traceability.model.syntax import BodyFact, CallFact
 
 
 @dataclass(frozen=True)

@@ -20,11 +20,11 @@ from traceability.model.call_graph import (
     symbol_value,
     uses_floats,
 )
+from traceability.model.code_facts import CallFact
 from traceability.model.execution import DISPATCH
 from traceability.model.facts import Facts
 from traceability.model.results import read_json
 from traceability.model.schema import Model, Place, StackCall, StackContext, StackProof
-from traceability.model.syntax import CallFact
 
 DECLARED = Path("design/stack.toml")
 BUILD = Path("build/k64")

@@ -7,11 +7,12 @@ from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from traceability.model.code_facts import BodyFact
 from traceability.model.fold import Edges, fold, starts
 from traceability.model.kept import code_of, kept
 from traceability.model.schema import BINDINGS, HOST, Model, Requirement, TreeNode, TreeRun
-from traceability.model.syntax import BodyFact, is_board
 from traceability.model.traces import Row, Traces, embed, excerpt, nodes_of, recorded_nodes
+from traceability.model.units import is_board
 
 if TYPE_CHECKING:
     from traceability.model.facts import Facts

@@ -6,11 +6,12 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from traceability.model.arcs import Covered
+from traceability.model.code_facts import BodyFact
 from traceability.model.coverage import Coverage
 from traceability.model.schema import HOST, LineGap, MethodCoverage, Model, Place, Requirement
-from traceability.model.syntax import BodyFact, is_board
 from traceability.model.traces import nodes_of
 from traceability.model.trees import accepted
+from traceability.model.units import is_board
 
 if TYPE_CHECKING:
     from traceability.model.facts import Facts

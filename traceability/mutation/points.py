@@ -9,7 +9,7 @@ from clang import cindex
 from clang.cindex import Cursor, CursorKind, TypeKind
 
 from traceability.model.cursors import function_id, is_function
-from traceability.model.syntax import clang_arguments, standard
+from traceability.model.units import clang_arguments, standard
 from traceability.sources import include_options
 
 # Operator -> what stands there instead, one mutant each.

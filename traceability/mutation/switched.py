@@ -13,7 +13,7 @@ from clang import cindex
 
 from traceability.commands.builds import jobs
 from traceability.commands.steps import FailureError, run
-from traceability.model.syntax import is_board, translation_units
+from traceability.model.units import is_board, translation_units
 from traceability.mutation.points import Mutant, Point, compiler_arguments, find_points
 from traceability.sources import DESIGN, SRC, files_below
 

@@ -8,6 +8,7 @@ from typing import cast
 import pytest
 
 from traceability.model.call_graph import Function, _read_listing, _read_unit, short_name
+from traceability.model.code_facts import BodyFact, CallFact, Syntax
 from traceability.model.facts import Facts
 from traceability.model.schema import (
     ExecutionContext,
@@ -15,7 +16,6 @@ from traceability.model.schema import (
     Place,
 )
 from traceability.model.stack import Declared, Prover
-from traceability.model.syntax import BodyFact, CallFact, Syntax
 
 HERE = Place("src/robot.cpp", 1)
 CALLED = Place("src/robot.cpp", 7)

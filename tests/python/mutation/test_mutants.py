@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from traceability.model.syntax import prepare_standard
+from traceability.model.units import prepare_standard
 from traceability.mutation.points import Mutant, Point, find_points
 from traceability.mutation.runs import Outcome, note, run_tests
 from traceability.mutation.score import Plan, Tried, order, record, try_all, try_mutant

@@ -1,0 +1,186 @@
+"""What is known of the code: classes, methods, calls, names and includes, each at its place."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from traceability.model.flow import FlowFact
+from traceability.model.schema import Place
+
+ANY_CLASS = "?"  # the class of a call that depends on the parameters of a template
+
+
+@dataclass
+class MethodFact:
+    id: str
+    owner: str
+    name: str
+    signature: str
+    access: str
+    kind: str
+    result: str
+    params: list[tuple[str, str]]  # name, type
+    place: Place
+    end: int
+    virtual: bool = False
+    pure: bool = False
+    final: bool = False
+    deleted: bool = False
+    defaulted: bool = False
+    overrides: str | None = None
+
+
+@dataclass
+class FieldFact:
+    name: str
+    type: str
+    classes: list[str]  # classes of the project in the type
+    refers: bool  # pointer or reference, not a value
+    static: bool
+    place: Place
+    access: str = "public"
+    constant: bool = False
+
+
+@dataclass
+class ClassFact:
+    """A class, struct, enum or alias of the project; ``name`` is without the namespace."""
+
+    name: str
+    qualified: str
+    kind: str
+    place: Place
+    end: int
+    abstract: bool = False
+    local: bool = False  # in an anonymous namespace, or in a function
+    bases: list[str] = field(default_factory=list)
+    base_places: list[Place] = field(default_factory=list)
+    methods: list[MethodFact] = field(default_factory=list)
+    fields: list[FieldFact] = field(default_factory=list)
+
+
+@dataclass
+class CallFact:
+    target: str
+    virtual: bool
+    place: Place
+    declared: str = ""  # the file that declares a function outside classes
+    on: list[str] = field(default_factory=list)  # what a method is called on, see flow
+    args: list[list[str]] = field(default_factory=list)  # what each argument names
+    sometimes: bool = False  # below a condition, or after one that may have left the function
+
+
+@dataclass
+class BodyFact:
+    """A function with a body. A function outside classes has no owner."""
+
+    id: str
+    owner: str
+    place: Place
+    end: int
+    overrides: str | None = None
+    local: bool = False  # no other file can call it
+    calls: list[CallFact] = field(default_factory=list)
+    assigns: list[tuple[str, int]] = field(default_factory=list)  # Class::field, line
+    touches: dict[str, bool] = field(default_factory=dict)  # Class::field -> whether it is changed
+
+
+@dataclass
+class NameFact:
+    """A class is named in the code of another one. ``how``: type, member, construct, base.
+
+    What a namespace holds has no class; its ``member`` has the name of the namespace.
+    """
+
+    by: str
+    target: str
+    how: str
+    place: Place
+    member: str = ""
+    file: str = ""  # where the class is defined, when the unit sees that
+
+
+@dataclass
+class BlockFact:
+    """A namespace below that of the project, declared in ``file``, is opened or used at a place."""
+
+    block: str
+    file: str
+    place: Place
+    declares: bool
+
+
+@dataclass
+class IncludeFact:
+    target: str
+    place: Place
+
+
+@dataclass
+class Syntax:
+    classes: list[ClassFact] = field(default_factory=list)
+    bodies: list[BodyFact] = field(default_factory=list)
+    names: list[NameFact] = field(default_factory=list)
+    includes: list[IncludeFact] = field(default_factory=list)
+    blocks: list[BlockFact] = field(default_factory=list)
+    casts: list[Place] = field(default_factory=list)  # numbers made into addresses
+    flows: list[FlowFact] = field(default_factory=list)
+    constants: dict[str, int] = field(default_factory=dict)  # var -> value of a plain number
+    friends: list[NameFact] = field(default_factory=list)  # a class lets another one in
+    errors: list[tuple[Place, str]] = field(default_factory=list)
+
+    def merge(self, other: Syntax) -> None:
+        self.classes += other.classes
+        self.bodies += other.bodies
+        self.names += other.names
+        self.includes += other.includes
+        self.blocks += other.blocks
+        self.casts += other.casts
+        self.flows += other.flows
+        self.constants |= other.constants
+        self.friends += other.friends
+        self.errors += other.errors
+
+
+def _place_from(data: dict[str, Any]) -> Place:
+    return Place(**data)
+
+
+def facts_from(data: dict[str, Any]) -> Syntax:
+    facts = Syntax()
+    for item in data["classes"]:
+        item["place"] = _place_from(item["place"])
+        item["base_places"] = [_place_from(place) for place in item["base_places"]]
+        for method in item["methods"]:
+            method["place"] = _place_from(method["place"])
+            method["params"] = [(name, kind) for name, kind in method["params"]]
+        item["methods"] = [MethodFact(**method) for method in item["methods"]]
+        for member in item["fields"]:
+            member["place"] = _place_from(member["place"])
+        item["fields"] = [FieldFact(**member) for member in item["fields"]]
+        facts.classes.append(ClassFact(**item))
+    for item in data["bodies"]:
+        item["place"] = _place_from(item["place"])
+        for call in item["calls"]:
+            call["place"] = _place_from(call["place"])
+        item["calls"] = [CallFact(**call) for call in item["calls"]]
+        item["assigns"] = [(name, line) for name, line in item["assigns"]]
+        facts.bodies.append(BodyFact(**item))
+    for item in data["names"]:
+        item["place"] = _place_from(item["place"])
+        facts.names.append(NameFact(**item))
+    for item in data["includes"]:
+        item["place"] = _place_from(item["place"])
+        facts.includes.append(IncludeFact(**item))
+    for item in data["blocks"]:
+        item["place"] = _place_from(item["place"])
+        facts.blocks.append(BlockFact(**item))
+    facts.flows = [FlowFact(**item) for item in data["flows"]]
+    facts.constants = data["constants"]
+    facts.casts = [_place_from(place) for place in data["casts"]]
+    for item in data["friends"]:
+        item["place"] = _place_from(item["place"])
+        facts.friends.append(NameFact(**item))
+    facts.errors = [(_place_from(place), text) for place, text in data["errors"]]
+    return facts

@@ -1,0 +1,89 @@
+"""The translation units of the design, and how the compiler of this machine or the K64 reads them.
+
+A header with the source file of the same name is one unit, a header without one is its own. Files
+below ``src/k64``, and those in the folder ``k64`` of an extension, are read for the K64, with the
+library of its compiler.
+"""
+
+from __future__ import annotations
+
+import functools
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+from clang import cindex
+
+from traceability.sources import DESIGN, files_below
+
+BOARD = re.compile(r"(src|extensions/\w+)/k64/")
+BOARD_COMPILER = "arm-none-eabi-g++"
+BOARD_FLAGS = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"]
+
+
+def translation_units(root: Path) -> dict[str, list[str]]:
+    """Unit -> the files whose facts are taken from it."""
+    paths = [p for name in DESIGN for p in files_below(root, (name,), (".cpp", ".hpp"))]
+    files = [str(path.relative_to(root)) for path in paths]
+    units: dict[str, list[str]] = {}
+    for file in files:
+        source = file.removesuffix(".hpp") + ".cpp"
+        unit = source if file.endswith(".hpp") and source in files else file
+        units.setdefault(unit, []).append(file)
+    return units
+
+
+def is_board(file: str) -> bool:
+    return BOARD.match(file) is not None
+
+
+@functools.cache
+def clang_arguments(board: bool) -> list[str]:
+    common = ["-std=c++20", "-x", "c++", "-fno-exceptions"]
+    if board:
+        folders = [word for path in _board_folders() for word in ("-isystem", path)]
+        target = ["--target=thumbv7em-none-eabihf", *BOARD_FLAGS, "-nostdinc", "-nostdinc++"]
+        return [*common, *target, *folders]
+    compiler = shutil.which("g++") or "g++"
+    answer = subprocess.run(
+        [compiler, "-print-file-name=include"], capture_output=True, text=True, check=True
+    )
+    return [*common, "-isystem", answer.stdout.strip()]
+
+
+def _board_folders() -> list[str]:
+    """Where the compiler of the K64 looks for headers, as it says itself."""
+    answer = subprocess.run(
+        [BOARD_COMPILER, *BOARD_FLAGS, "-E", "-x", "c++", "-v", "/dev/null"],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    listed = answer.stderr.partition("#include <...> search starts here:")[2]
+    return [str(Path(line.strip()).resolve()) for line in listed.splitlines() if line[:1] == " "]
+
+
+def standard(cache: Path, board: bool = False) -> Path:
+    return cache / ("standard_k64.pch" if board else "standard.pch")
+
+
+def prepare_standard(root: Path, cache: Path, board: bool) -> None:
+    """Parses the headers of the standard library that the design includes, once for all units."""
+    names: set[str] = set()
+    for path in files_below(root, DESIGN, (".cpp", ".hpp")):
+        if board or not is_board(str(path.relative_to(root))):
+            names.update(re.findall(r"^#include (<[^>]+>)", path.read_text("utf-8"), re.MULTILINE))
+    parsed = standard(cache, board)
+    header = parsed.with_suffix(".hpp")
+    arguments = ["c++-header" if one == "c++" else one for one in clang_arguments(board)]
+    arguments.append("-fpch-instantiate-templates")  # else each unit does it again
+    text = "".join(f"#include {name}\n" for name in sorted(names)) + f"// {arguments}\n"
+    if header.exists() and header.read_text(encoding="utf-8") == text:
+        return
+    parsed.unlink(missing_ok=True)
+    header.write_text(text, encoding="utf-8")
+    options = cindex.TranslationUnit.PARSE_INCOMPLETE
+    tree = cindex.Index.create().parse(str(header), args=arguments, options=options)
+    if not any(problem.severity >= cindex.Diagnostic.Error for problem in tree.diagnostics):
+        tree.save(str(parsed))
