@@ -127,6 +127,7 @@ class Syntax:
     casts: list[Place] = field(default_factory=list)  # numbers made into addresses
     flows: list[FlowFact] = field(default_factory=list)
     constants: dict[str, int] = field(default_factory=dict)  # var -> value of a plain number
+    variables: dict[str, FieldFact] = field(default_factory=dict)  # file:name, outside functions
     friends: list[NameFact] = field(default_factory=list)  # a class lets another one in
     errors: list[tuple[Place, str]] = field(default_factory=list)
 
@@ -139,6 +140,7 @@ class Syntax:
         self.casts += other.casts
         self.flows += other.flows
         self.constants |= other.constants
+        self.variables |= other.variables
         self.friends += other.friends
         self.errors += other.errors
 
@@ -178,6 +180,9 @@ def facts_from(data: dict[str, Any]) -> Syntax:
         facts.blocks.append(BlockFact(**item))
     facts.flows = [FlowFact(**item) for item in data["flows"]]
     facts.constants = data["constants"]
+    for name, item in data["variables"].items():
+        item["place"] = _place_from(item["place"])
+        facts.variables[name] = FieldFact(**item)
     facts.casts = [_place_from(place) for place in data["casts"]]
     for item in data["friends"]:
         item["place"] = _place_from(item["place"])

@@ -168,9 +168,9 @@ def place_of(name: str, facts: Facts) -> tuple[Place, str]:
     owner, _, member = name.rpartition("::")
     if owner in facts.classes:
         fact = next(one for one in facts.classes[owner].fields if one.name == member)
-        return fact.place, fact.type
-    file, _, _ = name.partition(":")
-    return Place(file, 0), PIPE
+    else:
+        fact = facts.syntax.variables[name]
+    return fact.place, fact.type
 
 
 # ---- members that contexts share --------------------------------------------------

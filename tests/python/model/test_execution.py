@@ -49,6 +49,16 @@ def test_a_pipe_has_its_writer_and_its_reader(tmp_path: Path) -> None:
     assert findings == []
 
 
+def test_a_pipe_outside_classes_tells_what_it_carries(tmp_path: Path) -> None:
+    root = write_lamp(tmp_path, start_cpp="struct House { -> Pipe<int> presses;\nstruct House {")
+    start = root / "src/lamp/start.cpp"
+    text = start.read_text(encoding="utf-8").replace("  Pipe<int> presses;\n", "")
+    start.write_text(text, encoding="utf-8")
+    [pipe] = model_of(root)[0].pipes
+    assert (pipe.id, pipe.type) == ("src/lamp/start.cpp:presses", "Pipe<int>")
+    assert pipe.place == Place("src/lamp/start.cpp", 3)
+
+
 def test_a_shared_member_needs_a_protection(tmp_path: Path) -> None:
     root = write_lamp(tmp_path, execution_toml='members = ["Button::count_"] -> members = []')
     model, findings = model_of(root)
