@@ -80,6 +80,8 @@ def build(root: Path) -> Model:
     }
     model.architecture = facts.declared.architecture
     model.allowed_uses = facts.declared.allowed
+    model.allowed_cycles = facts.declared.cycles
+    model.kept_apart = facts.declared.apart
     called = {call.target for body in syntax.bodies for call in body.calls}
     for recordings in traces.values():
         recordings.vectors = set(model.functions) - called

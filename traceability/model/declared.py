@@ -12,10 +12,12 @@ from traceability.model.changes import ChangeTexts, read_change_texts
 from traceability.model.concordance import Concordance, read_concordance
 from traceability.model.schema import (
     AllowedUse,
+    Apart,
     ArchitectureElement,
     ArchitectureGroup,
     BoardFinding,
     Connection,
+    Cycle,
     ExecutionContext,
     Justified,
     Place,
@@ -58,29 +60,11 @@ class KnownPattern:
 
 
 @dataclass
-class Apart:
-    """Modules that never name the others, nor the others them."""
-
-    modules: list[str]
-    others: list[str]
-    why: str
-    place: Place
-
-
-@dataclass
 class SharedFunctions:
     """A file that is no module: functions that the modules of a folder share."""
 
     file: str
     why: str
-    place: Place
-
-
-@dataclass
-class Cycle:
-    within: str
-    modules: list[str]
-    pattern: str
     place: Place
 
 

@@ -573,6 +573,26 @@ class AllowedUse:
 
 
 @dataclass
+class Apart:
+    """Modules that never name the others, nor the others them."""
+
+    modules: list[str]
+    others: list[str]
+    why: str
+    place: Place
+
+
+@dataclass
+class Cycle:
+    """Logic modules that may use each other in a ring, and the pattern that causes it."""
+
+    within: str
+    modules: list[str]
+    pattern: str
+    place: Place
+
+
+@dataclass
 class ArchitectureElement:
     """An element of the Process Control architecture and the modules that refine it."""
 
@@ -753,6 +773,8 @@ class Model:
     shared: list[SharedMember] = field(default_factory=list)
     uses: list[Use] = field(default_factory=list)
     allowed_uses: list[AllowedUse] = field(default_factory=list)
+    allowed_cycles: list[Cycle] = field(default_factory=list)
+    kept_apart: list[Apart] = field(default_factory=list)
     architecture: list[ArchitectureElement] = field(default_factory=list)
     messages: list[MessageField] = field(default_factory=list)
     groups: list[ArchitectureGroup] = field(default_factory=list)
