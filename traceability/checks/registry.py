@@ -150,7 +150,7 @@ _FIXED = [
         "pattern-role-missing",
         "All roles bound",
         "Every module that the design binds to a role of a declared application has the @role.",
-        "a role that nobody listed; pattern-role-required finds that.",
+        "a role that nobody listed; `pattern-role-required` finds that.",
         "write the @role above the class.",
     ),
     Check(
@@ -199,7 +199,7 @@ _FIXED = [
         "No file of sim/ or tests/ includes one that is for the K64 only, and no file of sim/k64 "
         "one of the design: a driver and its model share no mistake. The programs of "
         "tests/k64/program and tests/usual_design/k64 are compositions of drivers, which run on "
-        "the virtual K64 itself. In src, uses-allowed shows who uses src/k64.",
+        "the virtual K64 itself. In src, `uses-allowed` shows who uses src/k64.",
         "the same number, written down wrongly twice.",
         "write what the file needs from the manual of the part, or test the image.",
     ),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import re
+from collections import Counter
 from collections.abc import Callable
 from html import unescape
 
@@ -86,6 +87,7 @@ class Names:
         self.model = model
         self.links = links
         self.made: dict[tuple[str, str], Markup] = {}
+        self.logic_names = Counter(module.name for module in model.logic_modules.values())
         self.called = {
             target.partition("::")[0]
             for module in model.modules.values()
@@ -97,23 +99,43 @@ class Names:
     @kept
     def mod(self, name: str) -> Markup:
         module = self.model.modules.get(name)
-        if module is None:
-            return Markup('<span class="mod none">{}</span>').format(name)
+        if module is None:  # what a module holds leads to that module
+            return anchor(self.links.module(name.partition("::")[0]), name, "mod none")
         kind = "mod d" if module.datatype else f"mod {'a' if module.abstract else 'c'}"
         return anchor(self.links.module(name), name, kind, m=name)
 
     @kept
     def meth(self, identifier: str) -> Markup:
         name, _, method = identifier.partition("::")
+        if not method:
+            return self.function(name)
         link = anchor(self.links.method(identifier), breakable(method), "meth")
         return Markup('<span class="mm">{}<span class="dc">::</span><wbr>{}</span>').format(
             self.mod(name), link
         )
 
+    def types(self, code: str, own: str = "") -> Markup:
+        """A type or a signature, with the modules and value types in it as links."""
+        known = self.model.modules
+        parts = re.split(r"(\w+)", code)
+        return Markup("").join(
+            anchor(self.links.module(one), one, "type") if one in known and one != own else one
+            for one in parts
+        )
+
+    def function(self, name: str) -> Markup:
+        """A function outside classes, of the project or of a library."""
+        known = self.model.functions.get(name)
+        return anchor(self.links.source(known.place) if known else None, breakable(name), "meth")
+
     @kept
     def logic(self, identifier: str) -> Markup:
+        """A logic module; below its parent when another one has the same name."""
         module = self.model.logic_modules.get(identifier)
-        text = module.name if module else identifier
+        text = Markup(module.name if module else identifier)
+        parent = self.model.logic_modules.get(module.parent or "") if module else None
+        if module and parent and self.logic_names[module.name] > 1:
+            text = Markup("{}<wbr>/{}").format(parent.name, module.name)
         return anchor(self.links.logic(identifier), text, "logic")
 
     @kept
@@ -205,6 +227,10 @@ class Names:
                 return str(self.req(word))
             if word in self.model.modules:
                 return str(self.mod(word))
+            if word in self.links.checks:
+                return str(self.check(word))
+            if code is not None and word in self.model.tests:
+                return str(self.test(word))
             if code is not None and "::" in word and self.links.find_method(word.strip("()")):
                 return str(self.meth(word.strip("()")))
             return whole

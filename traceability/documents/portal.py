@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -24,7 +23,6 @@ from traceability.model.execution import INTERRUPT, START
 from traceability.model.impact import Impact, Impacts
 from traceability.model.schema import (
     HOST,
-    DataPart,
     ExecutionContext,
     Finding,
     Method,
@@ -127,7 +125,7 @@ class Portal:
         environment.filters["file_name"] = names.file_name
         environment.filters["anchor"] = slug
         environment.filters["bold"] = Markup("<b>{}</b>").format
-        for kind in ("mod", "meth", "pat", "req", "src", "change", "check"):
+        for kind in ("mod", "meth", "logic", "pat", "req", "src", "change", "check"):
             environment.filters[kind] = getattr(self.names, kind)
         environment.globals.update(
             model=self.model,
@@ -210,12 +208,6 @@ class Portal:
 
     def impact(self, subject: str) -> Impact:
         return self.impacts.of(subject)
-
-    def type_of(self, part: DataPart) -> Markup:
-        """The type of a part, with the value types in it as links."""
-        words = re.split(r"(\w+)", part.type)
-        known = self.model.modules
-        return Markup("").join(self.names.mod(one) if one in known else one for one in words)
 
     def modules_of(self, context: ExecutionContext) -> list[str]:
         """The design modules that a context may reach."""

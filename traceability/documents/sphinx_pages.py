@@ -47,8 +47,13 @@ def copy_docs(docs: Path, target: Path) -> set[str]:
 def write_views(modules: list[Module], target: Path) -> set[str]:
     """A page for Doxygen's view of each class, and one that leads to them."""
     texts = {module.name: view_of(module) for module in modules}
-    lines = "".join(f"* :doc:`{name}`\n" for name in sorted(texts))
-    texts["index"] = f"{headline('Members, by Doxygen')}{lines}"
+    lines = "".join(f"   * :doc:`{name} <{name}>`\n" for name in sorted(texts))
+    texts["index"] = (
+        f"{headline('Members, by Doxygen')}"
+        ".. container:: columns\n\n"
+        "   The members of each class, as Doxygen reads them.\n\n"
+        f"{lines}"
+    )
     for name, text in texts.items():
         write_changed(target / f"{name}.rst", text)
     remove_others(target, "*.rst", [f"{name}.rst" for name in texts])

@@ -364,7 +364,7 @@
     );
     links.forEach((_, id) => {
       const section = document.getElementById(id);
-      if (section) watcher.observe(section);
+      if (section && !section.closest(".rail")) watcher.observe(section); // the rail is always seen
     });
   }
 })();
