@@ -127,7 +127,7 @@ class Syntax:
     casts: list[Place] = field(default_factory=list)  # numbers made into addresses
     flows: list[FlowFact] = field(default_factory=list)
     constants: dict[str, int] = field(default_factory=dict)  # var -> value of a plain number
-    variables: dict[str, FieldFact] = field(default_factory=dict)  # file:name, outside functions
+    variables: dict[str, FieldFact] = field(default_factory=dict)  # file:name or function name
     friends: list[NameFact] = field(default_factory=list)  # a class lets another one in
     errors: list[tuple[Place, str]] = field(default_factory=list)
 

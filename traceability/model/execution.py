@@ -165,11 +165,10 @@ def contexts_of(method: str, code: Code) -> list[str]:
 
 def place_of(name: str, facts: Facts) -> tuple[Place, str]:
     """Where an object is declared, and its type."""
-    owner, _, member = name.rpartition("::")
-    if owner in facts.classes:
+    fact = facts.syntax.variables.get(name)
+    if fact is None:
+        owner, _, member = name.rpartition("::")
         fact = next(one for one in facts.classes[owner].fields if one.name == member)
-    else:
-        fact = facts.syntax.variables[name]
     return fact.place, fact.type
 
 

@@ -221,7 +221,7 @@ class Reader:
             inner = owner.split("::", maxsplit=1)[0]
             classes = [name for name in held.classes if name.split("::", maxsplit=1)[0] != inner]
             self.facts.names += [NameFact(owner, name, "construct", place) for name in classes]
-        if held.classes and not is_function(cursor.semantic_parent):
+        if held.classes:
             self.facts.variables[self.flow.node(cursor).removeprefix("var ")] = held
 
     def friend(self, cursor: Cursor, owner: str, place: Place) -> None:

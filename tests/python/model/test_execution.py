@@ -59,6 +59,18 @@ def test_a_pipe_outside_classes_tells_what_it_carries(tmp_path: Path) -> None:
     assert pipe.place == Place("src/lamp/start.cpp", 3)
 
 
+def test_a_pipe_in_a_function_tells_what_it_carries(tmp_path: Path) -> None:
+    root = write_lamp(tmp_path, start_cpp="  Pipe<int> presses; -> ")
+    start = root / "src/lamp/start.cpp"
+    text = start.read_text(encoding="utf-8").replace(
+        "lamp(off, presses), button(presses)", "lamp(off, queue()), button(queue())"
+    )
+    queue = "Pipe<int>& queue() {\n  static Pipe<int> presses;\n  return presses;\n}\n"
+    start.write_text(text.replace("struct House", f"{queue}struct House"), encoding="utf-8")
+    [pipe] = model_of(root)[0].pipes
+    assert (pipe.id, pipe.type) == ("queue presses", "Pipe<int>")
+
+
 def test_a_shared_member_needs_a_protection(tmp_path: Path) -> None:
     root = write_lamp(tmp_path, execution_toml='members = ["Button::count_"] -> members = []')
     model, findings = model_of(root)
