@@ -1,44 +1,44 @@
-"""The pages of the portal, one function for each kind."""
+"""Which pages there are, and those that list one kind of thing."""
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import partial
 from itertools import islice
-from pathlib import Path
 
-from traceability.documents import calls, plots, verification
 from traceability.documents.bench_page import bench_page
 from traceability.documents.exports import DIAGRAMS
 from traceability.documents.links import logic_anchor
+from traceability.documents.measured_pages import (
+    closed_loop_page,
+    mutation_page,
+    usual_design_page,
+    virtual_k64_page,
+)
+from traceability.documents.module_page import module_page
 from traceability.documents.paper_views import paper_views
 from traceability.documents.portal import Page, Portal
+from traceability.documents.requirement_pages import (
+    aligned,
+    first_run,
+    requirement_page,
+    requirements_page,
+)
+from traceability.documents.source_pages import source_page, sources_page
 from traceability.metrics import read_products
-from traceability.model import usual_design
-from traceability.model.mutation import mutants_of
 from traceability.model.reverse import methods_without, tests_without
 from traceability.model.schema import (
-    HOST,
     Method,
-    MethodCoverage,
-    Module,
     PatternApplication,
     Place,
     Requirement,
-    StateMachine,
     TreeNode,
-    TreeRun,
 )
 from traceability.products import PRODUCTS
 
-FIRST_TESTS = 12  # shown open on the page of a module
-TORTURE = "tests/torture/"
-XML = "build/model/xml"
 HIGH_LEVEL = "High-level diagram"
 ANY = "*"  # in an allowed use: every logic module
-LEAST_DIFFERENCE = 20  # instructions in a cycle: functions that differ by less are not shown
 EXAMPLE = "FR-15"  # the requirement that the first page follows
 
 
@@ -93,9 +93,6 @@ def overviews(portal: Portal) -> Iterator[Callable[[], Page]]:
     yield partial(sources_page, portal)
 
 
-# ---- views of one list -------------------------------------------------------
-
-
 def structure_page(portal: Portal) -> Page:
     tops = [m for m in portal.model.logic_modules.values() if m.parent is None]
     return portal.page(
@@ -115,27 +112,9 @@ def tests_page(portal: Portal) -> Page:
     return portal.page("tests", "Tests", "tests", "tests", suites=suites(portal))
 
 
-def virtual_k64_page(portal: Portal) -> Page:
-    return portal.page(
-        "virtual_k64",
-        "Findings of the virtual K64",
-        "virtual_k64",
-        "virtual_k64",
-        drivers=driver_coverage(portal),
-        torture=[t for t in portal.model.tests.values() if t.place.file.startswith(TORTURE)],
-    )
-
-
 def reverse_page(portal: Portal) -> Page:
     rows = reverse_rows(portal)
     return portal.page("reverse", "Reverse direction", "reverse", "reverse", rows=rows)
-
-
-def sources_page(portal: Portal) -> Page:
-    return portal.page("source/index", "Source", "source", "sources", folders=folders(portal))
-
-
-# ---- first page --------------------------------------------------------------
 
 
 def home_page(portal: Portal) -> Page:
@@ -165,37 +144,6 @@ def real_method(portal: Portal, node: TreeNode) -> Method | None:
     return method if method and method.body else None
 
 
-@dataclass
-class DriverFile:
-    """A file of the drivers, and its lines that no test executed on the virtual K64."""
-
-    path: str
-    executed: int
-    lines: int
-    missed: list[Place]  # runs of lines
-
-
-def driver_coverage(portal: Portal) -> list[DriverFile] | None:
-    if portal.model.board_lines is None:
-        return None
-    return [
-        DriverFile(path, sum(lines.values()), len(lines), missed_runs(path, lines))
-        for path, lines in sorted(portal.model.board_lines.items())
-    ]
-
-
-def missed_runs(path: str, lines: dict[int, bool]) -> list[Place]:
-    """Runs of missed lines; what lies between two and is no code does not part them."""
-    runs: list[Place] = []
-    missed_before = False
-    for line, hit in sorted(lines.items()):
-        if not hit:
-            first = runs.pop().line if missed_before else line
-            runs.append(Place(path, first, line))
-        missed_before = not hit
-    return runs
-
-
 def products_page(portal: Portal) -> Page:
     products = read_products(portal.root)
     held = [set(product["modules"]) for product in (products or {}).values()]
@@ -212,46 +160,6 @@ def products_page(portal: Portal) -> Page:
     )
 
 
-def closed_loop_page(portal: Portal) -> Page:
-    scenarios = portal.model.closed_loop
-
-    def within(binding: str) -> tuple[int | None, int]:
-        """How many figures are within their limits, if any was measured, and how many there are."""
-        every = [figure for scenario in scenarios for figure in scenario.figures]
-        ran = [figure for figure in every if binding in figure.values]
-        return sum(figure.holds(binding) for figure in ran) if ran else None, len(every)
-
-    return portal.page(
-        "closed_loop",
-        "Closed loop",
-        "closed_loop",
-        "closed_loop",
-        scenarios=scenarios,
-        drawings={
-            scenario.name: [drawing for plot in scenario.plots if (drawing := plots.draw(plot))]
-            for scenario in scenarios
-        },
-        within=within,
-        number=lambda value: f"{value:.3g}" if abs(value) < 100 else f"{value:.0f}",
-        width=plots.WIDTH,
-        height=plots.HEIGHT,
-    )
-
-
-def mutation_page(portal: Portal) -> Page:
-    mutation = portal.model.mutation
-    tried = mutation.tried if mutation else []
-    return portal.page(
-        "mutation",
-        "Mutants",
-        "mutation",
-        "mutation",
-        rows=[(r, mutants_of(portal.model, r.id)) for r in portal.model.requirements.values()],
-        kinds=Counter(mutant.kind for mutant in tried),
-        survivors=[mutant for mutant in tried if not mutant.killed_by],
-    )
-
-
 def reverse_rows(portal: Portal) -> list[tuple[str, int, int]]:
     """Of the public methods and of the tests: how many there are, how many serve no requirement."""
     modules = portal.model.modules.values()
@@ -261,146 +169,6 @@ def reverse_rows(portal: Portal) -> list[tuple[str, int, int]]:
         ("method", public, len(methods_without(portal.model))),
         ("test", len(portal.model.tests), len(tests_without(portal.model))),
     ]
-
-
-def usual_design_page(portal: Portal) -> Page:
-    found = usual_design.read_comparison(portal.root)
-    changes = usual_design.changes_of(portal.root)
-    patches = {
-        change: {
-            design: (portal.root / usual_design.patch_of(change, design)).read_text("utf-8")
-            for design in usual_design.DESIGNS
-        }
-        for change in changes
-    }
-    return portal.page(
-        "usual_design",
-        "Patterns and the usual design",
-        "usual_design",
-        "usual_design",
-        found=found,
-        folder=str(usual_design.FOLDER),
-        rows=usual_design.ROWS,
-        designs=usual_design.DESIGNS,
-        targets=usual_design.TARGETS,
-        more=usual_design.more,
-        verdict=usual_design.verdict,
-        changes=changes,
-        titles=usual_design.TITLES,
-        patches=patches,
-        counts={
-            change: {
-                design: usual_design.count_patch(text).as_json() for design, text in texts.items()
-            }
-            for change, texts in patches.items()
-        },
-        functions=usual_design.beside(found["functions"], LEAST_DIFFERENCE) if found else [],
-        least=LEAST_DIFFERENCE,
-    )
-
-
-# ---- modules -----------------------------------------------------------------
-
-
-def module_page(portal: Portal, module: Module) -> Page:
-    rows = portal.calls.rows(module)
-    logic = portal.model.logic_modules.get(module.logic)
-    first_tests = portal.own_tests(module)[:FIRST_TESTS]
-    specified = [m for m in module.methods if m.access == "public"]
-    return portal.page(
-        f"modules/{module.name}",
-        module.name,
-        "structure",
-        "module",
-        module=module,
-        by_doxygen=doxygen_file(portal, module) is not None,
-        logic=logic,
-        rows=rows,
-        drawing=calls.draw(rows),
-        methods=specified,
-        hidden=[m for m in module.methods if m.access != "public"],
-        inherited=inherited_methods(portal, module),
-        first_tests=first_tests,
-        other_tests=[test for test in portal.tests_of(module) if test not in first_tests],
-        through=requirement_methods(module),
-        siblings=[name for name in (logic.modules if logic else []) if name != module.name],
-        ancestors=ancestors(portal, module),
-        bars=coverage_bars(portal, module),
-        changes=portal.changes_of(module.name),
-        in_paper=portal.in_paper(module.name),
-        on_board=[hit for lines in board_hits(portal, module).values() for hit in lines.values()],
-    )
-
-
-def doxygen_file(portal: Portal, module: Module) -> Path | None:
-    """Doxygen's file on a class."""
-    path = portal.root / XML / f"class{module.qualified.replace('::', '_1_1')}.xml"
-    return path if path.is_file() else None
-
-
-def ancestors(portal: Portal, module: Module) -> list[str]:
-    """Bases, nearest first."""
-    found: list[str] = []
-    pending = list(module.bases)
-    while pending:
-        base = pending.pop(0)
-        if base not in found:
-            found.append(base)
-            if base in portal.model.modules:
-                pending += portal.model.modules[base].bases
-    return found
-
-
-def inherited_methods(portal: Portal, module: Module) -> list[Method]:
-    """Public methods that the module has from its bases and does not override."""
-    known = {m.name for m in module.methods}
-    found: list[Method] = []
-    for base in ancestors(portal, module):
-        for method in portal.model.modules[base].methods if base in portal.model.modules else []:
-            skip = method.kind == "constructor" or method.name.startswith(("~", "operator"))
-            if method.access == "public" and not skip and method.name not in known:
-                known.add(method.name)
-                found.append(method)
-    return found
-
-
-def requirement_methods(module: Module) -> dict[str, list[str]]:
-    """The methods through which a module serves each requirement."""
-    found: dict[str, list[str]] = {identifier: [] for identifier in module.requirements}
-    for method in module.methods:
-        for identifier in method.satisfies:
-            names = found.setdefault(identifier, [])
-            if method.name not in names:
-                names.append(method.name)
-    return found
-
-
-def coverage_bars(portal: Portal, module: Module) -> list[tuple[str, list[str]]]:
-    """For each file a class for each of its lines: executed, missed, or not code."""
-    bars = []
-    for path, hits in {**module.line_hits, **board_hits(portal, module)}.items():
-        kinds = [line_kind(hits.get(n)) for n in range(1, portal.length(path) + 1)]
-        bars.append((path, kinds))
-    return bars
-
-
-def board_hits(portal: Portal, module: Module) -> dict[str, dict[int, int]]:
-    """File -> line -> 1 where the virtual K64 executed the line, for a module of the drivers."""
-    measured = portal.model.board_lines or {}
-    return {
-        path: {line: int(hit) for line, hit in sorted(measured[path].items())}
-        for path in (module.header, module.source)
-        if path in measured
-    }
-
-
-def line_kind(hits: int | None) -> str:
-    if hits is None:
-        return "z"
-    return "h" if hits else "m"
-
-
-# ---- patterns ----------------------------------------------------------------
 
 
 def pattern_page(portal: Portal, application: PatternApplication) -> Page:
@@ -418,134 +186,6 @@ def pattern_page(portal: Portal, application: PatternApplication) -> Page:
     )
 
 
-# ---- requirements ------------------------------------------------------------
-
-
-def requirements_page(portal: Portal) -> Page:
-    model = portal.model
-    found = {item.id: verification.facets(model, item) for item in model.requirements.values()}
-    picks = {
-        "state": lambda one: [one.state],
-        "logic": lambda one: one.logic,
-        "pattern": lambda one: one.pattern,
-        "verification": lambda one: one.verification,
-        "binding": lambda one: one.binding,
-    }
-    return portal.page(
-        "requirements/index",
-        "Requirements",
-        "requirements",
-        "requirements",
-        sections=sections(portal),
-        facets=found,
-        options={name: verification.options(found.values(), pick) for name, pick in picks.items()},
-        bars=verification.chart(sections(portal)),
-        lines_of=verification.lines_of,
-        host=HOST,
-    )
-
-
-def requirement_page(portal: Portal, requirement: Requirement) -> Page:
-    nodes = portal.flat(requirement.tree) if requirement.tree else []
-    tests = [portal.model.tests[t] for t in requirement.verified_by if t in portal.model.tests]
-    return portal.page(
-        f"requirements/{requirement.id}",
-        requirement.id,
-        "requirements",
-        "requirement",
-        requirement=requirement,
-        nodes=nodes,
-        runs=[
-            (binding, run, aligned(portal, requirement, run))
-            for binding, run in requirement.runs.items()
-        ],
-        rows=aligned(portal, requirement, None),
-        tests=tests,
-        covered=covered_methods(requirement),
-        gaps=[gap for gap in portal.model.line_gaps if requirement.id in gap.requirements],
-        lines_of=verification.lines_of,
-        branches_of=verification.branches_of,
-        mutants=mutants_of(portal.model, requirement.id),
-        machines=machines_of(portal, requirement.id),
-        line_kind=line_kind,
-    )
-
-
-def covered_methods(requirement: Requirement) -> list[dict[str, MethodCoverage]]:
-    """A row for each body of a method of the tree: binding -> what the tests executed of it."""
-    rows: dict[tuple[str, int], dict[str, MethodCoverage]] = {}
-    for binding, methods in requirement.coverage.items():
-        for method in methods:
-            rows.setdefault((method.place.file, method.place.line), {})[binding] = method
-    return list(rows.values())
-
-
-def first_run(requirement: Requirement) -> TreeRun | None:
-    return next(iter(requirement.runs.values()), None)
-
-
-def machines_of(portal: Portal, requirement: str) -> list[StateMachine]:
-    """State machines with a transition that the requirement asks for."""
-    return [
-        machine
-        for machine in portal.model.machines.values()
-        if any(requirement in step.requirements for step in machine.transitions)
-    ]
-
-
-@dataclass
-class Row:
-    """A row of tree and trace: a node, a recorded call, or both when they match."""
-
-    node: TreeNode | None = None
-    depth: int = 0
-    call: str = ""
-    call_depth: int = 0
-    matched: bool = False
-    trunks: list[int] = field(default_factory=list)
-
-
-def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> list[Row]:
-    """Each node of the tree on the row of the recorded call that it matches."""
-    rows = [Row(call=t.method, call_depth=t.depth) for t in run.rows] if run else []
-    nodes = portal.flat(requirement.tree) if requirement.tree else []
-    places = run.places if run else [None] * len(nodes)
-    loose: list[tuple[int, Row]] = []
-    last = -1
-    for (depth, node), at in zip(nodes, places, strict=True):
-        if at is not None and 0 <= at < len(rows) and rows[at].node is None:
-            rows[at].node, rows[at].depth, rows[at].matched = node, depth, True
-            last = at
-        else:
-            loose.append((last + 1, Row(node=node, depth=depth)))
-    for at, row in reversed(loose):
-        rows.insert(at, row)
-    add_trunks(rows)
-    return rows
-
-
-def add_trunks(rows: list[Row]) -> None:
-    """Which vertical lines of the tree pass each row: a parent's line ends at its last child."""
-    placed = [(index, row.depth) for index, row in enumerate(rows) if row.node]
-    for number, (index, depth) in enumerate(placed):
-        if depth == 0:
-            continue
-        parent = next(i for i, d in reversed(placed[:number]) if d == depth - 1)
-        for between in range(parent + 1, index):
-            if depth - 1 not in rows[between].trunks:
-                rows[between].trunks.append(depth - 1)
-
-
-def sections(portal: Portal) -> dict[str, list[Requirement]]:
-    found: dict[str, list[Requirement]] = {}
-    for requirement in portal.model.requirements.values():
-        found.setdefault(requirement.section, []).append(requirement)
-    return found
-
-
-# ---- exports -----------------------------------------------------------------
-
-
 def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
     """The file of each diagram, and the page that shows it."""
     found = []
@@ -560,9 +200,6 @@ def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
     return found
 
 
-# ---- execution ---------------------------------------------------------------
-
-
 def execution_page(portal: Portal) -> Page:
     """The contexts, the highest priority first; what has none comes last."""
     contexts = sorted(
@@ -571,9 +208,6 @@ def execution_page(portal: Portal) -> Page:
     return portal.page(
         "execution", "Execution", "execution", "execution", wide=True, contexts=contexts
     )
-
-
-# ---- tests, uses, source -----------------------------------------------------
 
 
 def suites(portal: Portal) -> dict[str, list[str]]:
@@ -606,32 +240,3 @@ def use_rows(portal: Portal) -> list[UseRow]:
         )
         for pair in sorted(pairs)
     ]
-
-
-def folders(portal: Portal) -> dict[str, list[str]]:
-    found: dict[str, list[str]] = {}
-    for path in portal.model.files:
-        found.setdefault(path.rpartition("/")[0], []).append(path)
-    return found
-
-
-@dataclass
-class Line:
-    number: int
-    code: str
-    hits: int | None
-    marks: list[str]
-
-
-def source_page(portal: Portal, path: str) -> Page:
-    marks, hits = portal.marks.get(path, {}), portal.hits.get(path, {})
-    lines = [
-        Line(number, code, hits.get(number), marks.get(number, []))
-        for number, code in enumerate(portal.code.lines(path), 1)
-    ]
-    modules = [m.name for m in portal.model.modules.values() if path in (m.header, m.source)]
-    return portal.page(
-        f"source/{path}", path, "source", "source", path=path, lines=lines, modules=modules,
-        measured=bool(hits), on_board=path in (portal.model.board_lines or {}),
-        line_kind=line_kind,
-    )  # fmt: skip

@@ -7,8 +7,8 @@ import json
 import re
 
 from traceability.documents.links import ROOT
+from traceability.documents.module_page import ancestors
 from traceability.documents.names import views_of
-from traceability.documents.pages import ancestors
 from traceability.documents.portal import Portal
 from traceability.model.schema import Module
 

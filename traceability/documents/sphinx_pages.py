@@ -10,7 +10,7 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import docutils_namespace, patch_docutils
 
 from traceability.documents import search
-from traceability.documents.pages import doxygen_file
+from traceability.documents.module_page import doxygen_file
 from traceability.documents.pin_map import HEADER as PINS
 from traceability.documents.pin_map import pin_map
 from traceability.documents.portal import SITE, Portal

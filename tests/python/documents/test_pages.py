@@ -15,9 +15,10 @@ from traceability.documents.highlight import highlighted_lines
 from traceability.documents.layout import Layout
 from traceability.documents.links import Links
 from traceability.documents.names import Names
-from traceability.documents.pages import aligned, all_pages
+from traceability.documents.pages import all_pages
 from traceability.documents.paper_views import families, hidden_names
 from traceability.documents.portal import CheckText, Portal
+from traceability.documents.requirement_pages import aligned
 from traceability.drift.record import Outcome, write_record
 from traceability.image import sources_of_image
 from traceability.model.schema import (
