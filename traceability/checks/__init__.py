@@ -7,6 +7,7 @@ from pathlib import Path
 from traceability.checks import (
     architecture,
     board,
+    changes,
     documents,
     execution,
     files,
@@ -22,6 +23,7 @@ from traceability.checks import (
     trees,
     uses,
 )
+from traceability.checks.registry import KNOWN
 from traceability.metrics import figures
 from traceability.model.build import set_states
 from traceability.model.evidence import settle_evidence
@@ -32,6 +34,7 @@ FAMILIES = (
     modules.check,
     files.check,
     patterns.check,
+    changes.check,
     uses.check,
     registers.check,
     secrets.check,
@@ -49,8 +52,10 @@ FAMILIES = (
 def run_checks(model: Model) -> list[Finding]:
     """All findings but those of the site's links, sorted. The model keeps them too."""
     assert model.facts is not None, "the model was not built from sources"
-    found = [finding for family in FAMILIES for finding in family(model, model.facts)]
-    settle_evidence(model, figures(model.facts.root, model), found)
+    waits = bool(model.facts.declared.entries.unreadable)
+    families = FAMILIES[:1] if waits else FAMILIES
+    found = [finding for family in families for finding in family(model, model.facts)]
+    settle_evidence(model, figures(model.facts.root, model), found, KNOWN)
     set_states(model)
     model.findings = sort(found + requirements.unmet(model))
     return list(model.findings)

@@ -7,7 +7,7 @@ from traceability.model.facts import Facts
 from traceability.model.schema import Finding, Model, Place
 
 
-def check(model: Model, _facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> list[Finding]:
     names: list[tuple[str, Place]] = []
     for element in model.architecture:
         names += [(name, element.place) for name in element.modules]
@@ -15,12 +15,20 @@ def check(model: Model, _facts: Facts) -> list[Finding]:
         names += [(name, group.place) for name in (group.module, *group.modules)]
     found = [
         Finding(
-            place, "arch-module", f"there is no module {name}", "correct the name of the module"
+            facts.declared.entries.line_in(place, name),
+            "arch-module",
+            f"there is no module {name}",
+            "correct the name of the module",
         )
         for name, place in names
         if name not in model.modules
     ]
+    connectors = {"", *(one.name for one in model.architecture if one.kind == "connector")}
     for connection in model.connections:
+        if connection.connector not in connectors:
+            text = f"no element is the connector {connection.connector}"
+            place = facts.declared.entries.line_in(connection.place, connection.connector)
+            found.append(Finding(place, "arch-module", text, "correct the name of the connector"))
         ends = (connection.source, connection.target)
         if is_outside(connection):
             continue
@@ -28,7 +36,8 @@ def check(model: Model, _facts: Facts) -> list[Finding]:
         if missing:
             text = f"there is no module {missing[0]}"
             mend = "correct the end of the connection"
-            found.append(Finding(connection.place, "arch-module", text, mend))
+            place = facts.declared.entries.line_in(connection.place, missing[0])
+            found.append(Finding(place, "arch-module", text, mend))
         elif not connection.way:
             text = f"the code has no {connection.kind} from {ends[0]} to {ends[1]}"
             mend = "correct the connection, or the code"

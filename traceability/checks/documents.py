@@ -1,12 +1,14 @@
-"""syntax-error and doc-warning: the sources can be read."""
+"""syntax-error, doc-warning and design-entry: the sources can be read."""
 
 from __future__ import annotations
 
 import re
 
+from traceability.checks.links import missing_paths
 from traceability.model.facts import Facts
 from traceability.model.schema import Finding, Model
 
+SECOND_REQUIREMENT = re.compile(r"duplicate requirement ID '([^']+)'")
 UNKNOWN_REQUIREMENT = re.compile(r"(satisfies|verifies)|[Rr]equirement")
 
 
@@ -15,7 +17,15 @@ def check(_model: Model, facts: Facts) -> list[Finding]:
         Finding(place, "syntax-error", text, "correct the code")
         for place, text in facts.syntax.errors
     ]
+    found += missing_paths(facts.root)
+    for problem in facts.declared.entries.problems:
+        found.append(Finding(problem.place, "design-entry", problem.text, problem.mend))
     for warning in facts.annotations.warnings:
+        double = SECOND_REQUIREMENT.search(warning.text)
+        if double:
+            text = f"{double[1]} is the id of another requirement already"
+            found.append(Finding(warning.place, "req-text", text, "give it an id of its own"))
+            continue
         unknown = UNKNOWN_REQUIREMENT.search(warning.text)
         known = "req-unknown" if unknown else "doc-warning"
         mend = "name a requirement that exists" if unknown else "correct the comment"

@@ -2,22 +2,36 @@
 
 from __future__ import annotations
 
-from traceability.model.execution import INTERRUPT, THREAD, handler_lines, way_to
+from traceability.model.execution import (
+    INTERRUPT,
+    START,
+    THREAD,
+    handler_lines,
+    line_priorities,
+    way_to,
+)
 from traceability.model.facts import Facts
-from traceability.model.schema import Finding, Model, Place
+from traceability.model.schema import ExecutionContext, Finding, Model, Place
 
 DECLARED = Place("design/execution.toml", 1)
+KINDS = (INTERRUPT, THREAD, START)
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
     if not facts.declared.contexts:
         return []
-    return _contexts(model, facts) + _interrupts(model, facts) + _shared(model, facts)
+    return (
+        _contexts(model, facts)
+        + _pipes(model, facts)
+        + _priorities(model, facts)
+        + _ends(facts)
+        + _interrupts(model, facts)
+        + _shared(model, facts)
+    )
 
 
 def _contexts(model: Model, facts: Facts) -> list[Finding]:
-    found: list[Finding] = []
-    declared = {one: c for c in model.contexts.values() for one in c.handlers}
+    declared, found = _handlers(model)
     lines = handler_lines(facts)
     for handler in sorted(set(lines) - set(declared)):
         text = f"the handler {handler} of line {lines[handler][0]} belongs to no context"
@@ -33,6 +47,28 @@ def _contexts(model: Model, facts: Facts) -> list[Finding]:
         if context.kind == THREAD and context.body not in facts.bodies:
             text = f"the thread {context.id} names the body {context.body}, which does not exist"
             found.append(_declared(context.place, text, "correct the name of the body"))
+    return found
+
+
+def _handlers(model: Model) -> tuple[dict[str, ExecutionContext], list[Finding]]:
+    """Handler -> its one context, of a kind that there is."""
+    declared: dict[str, ExecutionContext] = {}
+    found: list[Finding] = []
+    for context in model.contexts.values():
+        if context.kind not in KINDS:
+            text = f"{context.id} has the kind {context.kind}, and not one of: {', '.join(KINDS)}"
+            found.append(_declared(context.place, text, "correct the kind"))
+        for handler in context.handlers:
+            other = declared.setdefault(handler, context)
+            if other is not context:
+                for one, two in (context, other), (other, context):
+                    text = f"{one.id} has the handler {handler}, as {two.id} has"
+                    found.append(_declared(one.place, text, "leave it in one of the two"))
+    return declared, found
+
+
+def _pipes(model: Model, facts: Facts) -> list[Finding]:
+    found: list[Finding] = []
     for pipe in model.pipes:
         if pipe.id not in facts.declared.pipes:
             text = f"the pipe {pipe.id} has no name"
@@ -52,6 +88,38 @@ def _contexts(model: Model, facts: Facts) -> list[Finding]:
             text = f"the robot has no pipe {name}"
             found.append(_declared(pipe_text.place, text, "correct the name, or remove the entry"))
     return found
+
+
+def _priorities(model: Model, facts: Facts) -> list[Finding]:
+    """Each line of a context has the priority that the design gives to the context."""
+    names = line_priorities(facts)
+    found: dict[str, Finding] = {}
+    for context in model.contexts.values():
+        for name in {names[line] for line in context.lines if line in names}:
+            given = facts.syntax.constants[name]
+            if given != context.intended:
+                text = f"{context.id} has the priority {given} here, and {context.intended} in "
+                mend = "correct the priority, or change the design"
+                place = _place_of(name, facts)
+                found[name] = _declared(place, f"{text}{context.place.file}", mend)
+    return list(found.values())
+
+
+def _place_of(constant: str, facts: Facts) -> Place:
+    """Where a constant of a file first stands."""
+    file, _, name = constant.removeprefix("var ").partition(":")
+    lines = (facts.root / file).read_text(encoding="utf-8").splitlines()
+    return Place(file, next((n for n, line in enumerate(lines, 1) if name in line), 1))
+
+
+def _ends(facts: Facts) -> list[Finding]:
+    called = {call.target for body in facts.syntax.bodies for call in body.calls}
+    place = facts.declared.entries.place_of(facts.root / DECLARED.file, "ends")
+    return [
+        _declared(place, f"nothing calls {name}, which is to end the firmware", "correct the name")
+        for name in facts.declared.ends
+        if name not in called
+    ]
 
 
 def _declared(place: Place, text: str, mend: str) -> Finding:

@@ -13,11 +13,17 @@ from traceability.sources import DESIGN, files_below
 SHARED = "design/modules.toml"
 # Beside C++: texts on folders, and what the linker and the build of the K64 read.
 OTHERS = (".dox", ".ld", ".txt", ".cmake")
-DIRECTIVE = re.compile(r"\s*(?:#|%:|\?\?=)\s*(\w*)(.*)")
+DIRECTIVE = re.compile(r"\s*(?:(?:/\*)?.*?\*/\s*)?(?:#|%:|\?\?=)\s*(\w*)(.*)")
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
-    return _files(model, facts) + _outside(facts) + _preprocessor(facts.root) + _idle(facts)
+    return (
+        _files(model, facts)
+        + _outside(facts)
+        + _loose(facts)
+        + _preprocessor(facts.root)
+        + _idle(facts)
+    )
 
 
 def _finding(place: Place, text: str) -> Finding:
@@ -81,6 +87,18 @@ def _outside(facts: Facts) -> list[Finding]:
         and not fact.local
         and "::" not in fact.name
     ]
+    return found
+
+
+def _loose(facts: Facts) -> list[Finding]:
+    """An object that can change and belongs to no other object: all of its class share it."""
+    found: list[Finding] = []
+    for held in facts.syntax.objects:
+        module = facts.written_in.get(held.place.file)
+        if module in facts.modules:
+            text = f"{held.name} can change, and stands outside the objects of {module}"
+            mend = "make it a member, or a constant"
+            found.append(Finding(held.place, "module-file", text, mend))
     return found
 
 

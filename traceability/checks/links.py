@@ -1,4 +1,4 @@
-"""link-site: the built site has no dead link."""
+"""link-site: the built site has no dead link. link-doc: the files that pages name exist."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from traceability.model.schema import Finding, Model, Place
+from traceability.sources import files_below
 
+NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`")  # a path of the project, as it is written
+SOURCES = (".rst", ".dox", ".toml", ".tree", ".hpp", ".cpp", ".py")
 ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|'[^']*')""")
 
 
@@ -92,17 +95,75 @@ def dead_links(root: Path) -> list[tuple[Path, int, str, str]]:
 
 
 def check(model: Model, site: Path) -> list[Finding]:
+    """One finding for each link that is written somewhere, however many pages have it."""
     places = _sources(model)
     root = site.resolve()
+    texts = Texts(root.parent.parent)
+    pages: dict[tuple[str, int, str], list[tuple[str, str]]] = {}
+    for path, line, link, reason in dead_links(site):
+        page = str(path.relative_to(root))
+        target = re.sub(r"^(\.\./)+", "", link)
+        place = texts.place_of(target, page) or _place(path, line, root, places)
+        pages.setdefault((place.file, place.line, target), []).append((page, reason))
     return [
         Finding(
-            _place(path, line, root, places),
+            Place(file, line),
             "link-site",
-            f"dead link '{link}' in {path.relative_to(root)}: {reason}",
+            f"dead link '{target}' in {found[0][0]}{_others(found)}: {found[0][1]}",
             "correct the source of the page",
         )
-        for path, line, link, reason in dead_links(site)
+        for (file, line, target), found in pages.items()
     ]
+
+
+def _others(found: list[tuple[str, str]]) -> str:
+    count = len({page for page, _ in found}) - 1
+    return f" and {count} more" if count else ""
+
+
+class Texts:
+    """The texts that pages are made from, and that links are written in."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+        self.lines: dict[str, list[str]] = {}
+
+    def place_of(self, target: str, page: str) -> Place | None:
+        """Where a link stands as it is; nowhere when it is put together."""
+        own = Path("docs") / Path(page).with_suffix(".rst").name
+        written = re.compile(rf"""["'<](?:@/|(?:\.\./)*){re.escape(target)}["'>]""")
+        first = [str(own)] if (self.root / own).is_file() else []
+        for file in [*first, *self.templates]:
+            for number, line in enumerate(self.read(file), 1):
+                if written.search(line):
+                    return Place(file, number)
+        return None
+
+    @functools.cached_property
+    def templates(self) -> list[str]:
+        return [
+            str(p.relative_to(self.root)) for p in files_below(self.root, ("site",), (".html",))
+        ]
+
+    def read(self, file: str) -> list[str]:
+        if file not in self.lines:
+            self.lines[file] = (self.root / file).read_text(encoding="utf-8").splitlines()
+        return self.lines[file]
+
+
+def missing_paths(root: Path) -> list[Finding]:
+    """Files and folders of the project that a hand-written page names, and that there are not."""
+    found: list[Finding] = []
+    for path in files_below(root, ("README.md", "docs"), (".md", ".rst")):
+        file = str(path.relative_to(root))
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            for named in NAMED.findall(line):
+                top, name = named.split("/")[0], root / named
+                known = (root / top).is_dir() or name.suffix in SOURCES
+                if known and top != "build" and not name.exists():
+                    text, mend = f"there is no {named}", "name a file that exists"
+                    found.append(Finding(Place(file, number), "link-doc", text, mend))
+    return found
 
 
 def _sources(model: Model) -> dict[str, Place]:

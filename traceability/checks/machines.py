@@ -14,7 +14,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         found += problems
         if not problems:
             code = read_machine(machine, facts)
-            found += _code(machine, code)
+            found += _code(machine, code, facts)
             found += [] if model.results_stale else _seen(machine)
     return found
 
@@ -38,13 +38,14 @@ def _machines_missing(model: Model, facts: Facts) -> list[Finding]:
 def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
     """The names that a machine is made of."""
 
-    def finding(text: str, mend: str, step: Transition | None = None) -> Finding:
-        return Finding(step.place if step else machine.place, "fsm-declared", text, mend)
+    def finding(text: str, mend: str, name: str, step: Transition | None = None) -> Finding:
+        place = facts.declared.entries.line_in(step.place if step else machine.place, name)
+        return Finding(place, "fsm-declared", text, mend)
 
     known = facts.declared.applications.get(machine.application)
     if known is None or known.pattern != "State":
         text = f"{machine.id} names no application of the State pattern: {machine.application}"
-        return [finding(text, "correct the application")]
+        return [finding(text, "correct the application", "application")]
     found: list[Finding] = []
     wanted = set(known.roles.get("Concrete State", []))
     for name in sorted(wanted ^ set(machine.states.values())):
@@ -53,30 +54,33 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
             if name in wanted
             else f"{machine.id} has a state {name}, which is no Concrete State of {known.id}"
         )
-        found.append(finding(text, "correct the states of the machine"))
+        found.append(finding(text, "correct the states of the machine", f'"{name}"'))
     base = known.roles.get("State", [""])[0]
     for event, operation in machine.events.items():
         if facts.method(base, operation) is None:
             text = f"the event '{event}' calls {base}::{operation}, which does not exist"
-            found.append(finding(text, "name the operation of the state that is called"))
+            found.append(finding(text, "name the operation of the state that is called", event))
     if machine.initial not in machine.states:
         text = f"the initial state {machine.initial} is no state of {machine.id}"
-        found.append(finding(text, "name one of its states"))
+        found.append(finding(text, "name one of its states", "initial"))
     seen: set[tuple[str, str, str, str]] = set()
     for step in machine.transitions:
         names = [name for name in (step.source, step.target) if name not in machine.states]
-        found += [finding(f"there is no state {name}", "correct the name", step) for name in names]
+        found += [
+            finding(f"there is no state {name}", "correct the name", name, step) for name in names
+        ]
         if step.event not in machine.events:
             text = f"the event '{step.event}' has no operation"
-            found.append(finding(text, "name it in [events], or correct the event", step))
+            mend = "name it in [events], or correct the event"
+            found.append(finding(text, mend, step.event, step))
         for name in step.requirements:
             if name not in model.requirements:
                 text = f"there is no requirement {name}"
-                found.append(finding(text, "correct the id", step))
+                found.append(finding(text, "correct the id", name, step))
         row = (step.source, step.event, step.guard, step.target)
         if row in seen:
             text = f"the transition {words(step)} is declared twice"
-            found.append(finding(text, "leave one of the two", step))
+            found.append(finding(text, "leave one of the two", "from", step))
         seen.add(row)
     return found
 
@@ -86,25 +90,26 @@ def words(step: Transition) -> str:
     return f"{step.source} > {step.target} on {step.event}{guard}"
 
 
-def _code(machine: StateMachine, code: MachineCode) -> list[Finding]:
+def _code(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Finding]:
     if not code.composition or not code.holders:
         what = "class of the robot that holds all its states" if code.holders else "Context"
         text = f"the code has no {what}, so the transitions of {machine.id} cannot be compared"
         return [Finding(machine.place, "fsm-code", text, "compose the states in one class")]
-    found = _initial(machine, code)
+    found = _initial(machine, code, facts)
     for state in machine.states:
         for operation in code.operations:
             found += _operation(machine, code, state, operation)
     return found
 
 
-def _initial(machine: StateMachine, code: MachineCode) -> list[Finding]:
+def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Finding]:
     if code.initial == {machine.initial}:
         return []
     given = ", ".join(sorted(code.initial)) or "no state"
     text = f"{code.composition} begins with {given}, and the machine with {machine.initial}"
     mend = "correct 'initial', or give the first state to the Context"
-    return [Finding(machine.place, "fsm-code", text, mend)]
+    place = facts.declared.entries.line_in(machine.place, "initial")
+    return [Finding(place, "fsm-code", text, mend)]
 
 
 def _operation(

@@ -11,13 +11,21 @@ from traceability.model.schema import Finding, Method, Model, Module, Place, is_
 from traceability.sources import DESIGN, SRC
 
 FEWEST_WORDS = 3  # of a sentence that says something
-NUMBER = re.compile(r"\b(u?int\d+_t|size_t|int|unsigned|short|long)\b")
+NUMBER = re.compile(r"\b(u?int\d+_t|size_t|int|unsigned|short|long|float|double)\b")
 # What a number is: one with a unit, a count or a number of something, bytes, or what a field holds.
 MEANING = re.compile(
     r"\[.+?\]|\bunit\b|\bnumbers?\b|\bbytes?\b|\bfields?\b|\bcount|\bhow many\b|\bsteps?\b"
     r"|\bfactor\b|\braw\b|\bcheck sum\b|\bits value\b|\bidentif",
     re.IGNORECASE,
 )
+
+
+# Values with a unit; a text tells it, or that the value means nothing here.
+QUANTITY = re.compile(
+    r"(const )?(std::optional<)?(Velocity|Tension|Current|Angle|StepRate|DutyCycle|Microseconds)\b"
+)
+UNIT = re.compile(r"\[.+?\]|\bnot used\b|\bno meaning\b")
+INTERRUPT = re.compile(r"(yes|no)$|depends on ")  # what @isr says
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
@@ -35,7 +43,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         for method in module.methods:
             if method.access == "public":
                 found += _specification(method)
-    return found + _folders(model, facts) + _written(facts)
+    return found + _folders(model, facts) + _written(model, facts) + _nested(facts)
 
 
 def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
@@ -72,7 +80,7 @@ def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
     return found
 
 
-def _written(facts: Facts) -> list[Finding]:
+def _written(model: Model, facts: Facts) -> list[Finding]:
     """The modules of the design that are not there; their number is that of the paper."""
     names = facts.declared.names
     found = [
@@ -86,6 +94,16 @@ def _written(facts: Facts) -> list[Finding]:
         for name in listed
         if name not in facts.classes
         or str(Path(facts.classes[name].place.file).parent) != folder_of(folder)
+    ]
+    found += [
+        Finding(
+            module.place,
+            "module-count",
+            f"{module.name} says @datatype, and is a module of {module.logic} in the design",
+            "remove the mark, or correct the design",
+        )
+        for module in model.modules.values()
+        if module.datatype and module.name in names.get(module.logic, [])
     ]
     listed = [name for folder in names for name in names[folder]]
     total = facts.declared.total
@@ -103,13 +121,35 @@ def _function(module: Module, text: Text, functions: dict[str, str]) -> list[Fin
         wrong = f"{module.name} has no @brief"
     elif count != 1:
         wrong = f"{module.name} has {count or 'no'} @function"
-    elif module.function in functions:
-        wrong = f"{module.name} states the same function as {functions[module.function]}"
+    elif words_of(module.function) in functions:
+        wrong = f"{module.name} states the same function as {functions[words_of(module.function)]}"
     else:
-        functions[module.function] = module.name
+        functions[words_of(module.function)] = module.name
         return []
     mend = "say above the class what this module alone is for, once"
     return [Finding(module.place, "module-function", wrong, mend)]
+
+
+def words_of(text: str) -> str:
+    """A text without capitals and marks."""
+    return " ".join(re.findall(r"\w+", text.casefold()))
+
+
+def _nested(facts: Facts) -> list[Finding]:
+    """A class that a module lets others use says what it is."""
+    described = {name for name, item in facts.annotations.classes.items() if item.text.brief}
+    return [
+        Finding(
+            fact.place,
+            "module-spec",
+            f"{fact.name} is public, and has no @brief",
+            "make it private, or say above it what it is",
+        )
+        for fact in facts.syntax.classes
+        if fact.access == "public"
+        and fact.name.split("::")[0] in facts.modules
+        and fact.qualified not in described
+    ]
 
 
 def _secret(module: Module, text: Text, secrets: dict[str, str]) -> list[Finding]:
@@ -124,23 +164,30 @@ def _secret(module: Module, text: Text, secrets: dict[str, str]) -> list[Finding
                 "state above the class the one likely change that it hides, with @secret",
             )
         )
-    elif module.secret in secrets:
+    elif words_of(module.secret) in (words_of(module.function), words_of(module.brief)):
         found.append(
             Finding(
                 module.place,
                 "module-secret",
-                f"{module.name} states the same secret as {secrets[module.secret]}",
+                f"the secret of {module.name} is what it says of itself to everybody",
+                "state the one likely change that it hides",
+            )
+        )
+    elif words_of(module.secret) in secrets:
+        found.append(
+            Finding(
+                module.place,
+                "module-secret",
+                f"{module.name} states the same secret as {secrets[words_of(module.secret)]}",
                 "state what this module alone hides",
             )
         )
     else:
-        secrets[module.secret] = module.name
+        secrets[words_of(module.secret)] = module.name
     return found
 
 
 def _specification(method: Method) -> list[Finding]:
-    if method.name.startswith("operator") and not method.documented:
-        return []
     missing: list[str] = []
     if not method.brief:
         missing.append("@brief")
@@ -150,12 +197,17 @@ def _specification(method: Method) -> list[Finding]:
         for param in method.params
         if param.text and NUMBER.search(param.type) and not MEANING.search(param.text)
     ]
+    missing += [
+        f"unit of {param.name}"
+        for param in method.params
+        if param.text and QUANTITY.match(param.type) and not UNIT.search(param.text)
+    ]
     if _gives_result(method):
         if not method.returns:
             missing.append("@return")
         elif NUMBER.search(_result_of(method)) and not MEANING.search(method.returns):
             missing.append("unit or meaning of its result")
-    if method.kind != "constructor" and not method.interrupt:
+    if method.kind != "constructor" and not INTERRUPT.match(method.interrupt):
         missing.append("@isr{yes} or @isr{no}")
     return [
         Finding(

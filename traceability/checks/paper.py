@@ -60,7 +60,7 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
 def _stale(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
     return [
         Finding(
-            entry.place,
+            facts.declared.entries.line_in(entry.place, target),
             "paper-stale",
             f"the paper's {entry.kind} {entry.name} is said to be {target}, which does not exist",
             "name what stands for it now",

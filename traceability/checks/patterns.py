@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
+
 from traceability.checks.shapes import CLAUSES, Shape
 from traceability.model.annotations import Text
 from traceability.model.build import comment_places
-from traceability.model.declared import ClauseText
+from traceability.model.declared import ClauseText, KnownApplication
 from traceability.model.facts import Facts
 from traceability.model.schema import (
     Clause,
@@ -15,17 +17,21 @@ from traceability.model.schema import (
     Place,
     RoleBinding,
 )
+from traceability.sources import DESIGN, files_below
 
 ABSTRACTIONS = (
     *("State", "Strategy", "Component", "Decorator", "Command", "Abstract Class", "Builder"),
     *("Singleton", "Serializable", "Reader", "Writer"),
 )
 APPLICATIONS = "design/applications.toml"
+# In a comment that Doxygen reads.
+MARK = re.compile(r"^[ \t]*(?:///|//!|/\*|\*)[^\n]*?[@\\](role|patternapp)\{", re.MULTILINE)
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
     found = _roles(model, facts) + _declared_once(model, facts) + _heirs(model, facts)
     found += _required(facts) + _undeclared(model, facts) + _counts(facts)
+    found += _lost(model, facts) + _undecided(facts)
     for application in model.patterns.values():
         found += _known(application, facts)
         found += _missing_roles(application, model, facts)
@@ -74,11 +80,36 @@ def _declared_once(model: Model, facts: Facts) -> list[Finding]:
 def _roles(model: Model, facts: Facts) -> list[Finding]:
     found: list[Finding] = []
     for module in model.modules.values():
+        seen: set[tuple[str, str]] = set()
         for binding in module.roles:
             problem = _role_problem(binding, model, facts)
+            if problem is None and (binding.application, binding.role) in seen:
+                again = (
+                    f"{module.name} says twice that it is {binding.role} in {binding.application}"
+                )
+                problem = again, "leave one of the two"
+            seen.add((binding.application, binding.role))
             if problem:
                 text, mend = problem
                 found.append(Finding(binding.place, "pattern-role-unknown", text, mend))
+    return found
+
+
+def _lost(model: Model, facts: Facts) -> list[Finding]:
+    """Marks in comments that are not those above a module: no document shows them."""
+    roles = {(b.place.file, b.place.line) for m in model.modules.values() for b in m.roles}
+    declared = {(one.place.file, one.place.line) for one in model.patterns.values()}
+    above = {"role": roles, "patternapp": declared}
+    checks = {"role": "pattern-role-unknown", "patternapp": "pattern-known"}
+    found: list[Finding] = []
+    for path in files_below(facts.root, DESIGN, (".cpp", ".hpp")):
+        file = str(path.relative_to(facts.root))
+        text = path.read_text(encoding="utf-8")
+        for mark in MARK.finditer(text):
+            place = Place(file, text.count("\n", 0, mark.start()) + 1)
+            if (place.file, place.line) not in above[mark[1]]:
+                words = f"this @{mark[1]} stands above no module"
+                found.append(Finding(place, checks[mark[1]], words, "write it above the class"))
     return found
 
 
@@ -117,6 +148,33 @@ def _undeclared(model: Model, facts: Facts) -> list[Finding]:
     ]
 
 
+def _undecided(facts: Facts) -> list[Finding]:
+    """The clauses of the design are those that can be decided."""
+    clauses = facts.declared.clauses
+    if not clauses:
+        return []
+    absent = [
+        Finding(
+            Place("design/clauses.toml", 1),
+            "pattern-known",
+            f"no clause {name} is declared, so nothing decides it",
+            "declare the clause",
+        )
+        for name in CLAUSES
+        if name not in clauses
+    ]
+    return absent + [
+        Finding(
+            clause.place,
+            "pattern-known",
+            f"nothing decides the clause {clause.id}",
+            "correct the id, or write what decides it in traceability/checks/shapes.py",
+        )
+        for clause in clauses.values()
+        if clause.id not in CLAUSES
+    ]
+
+
 def _counts(facts: Facts) -> list[Finding]:
     """The number of applications of each pattern is that of the paper."""
     found: list[Finding] = []
@@ -138,23 +196,42 @@ def _required(facts: Facts) -> list[Finding]:
     patterns = {pattern.name: pattern.roles for pattern in facts.declared.patterns}
     for item in facts.declared.applications.values():
         roles = patterns.get(item.pattern, [])
-        problems = [
-            f"{item.id} binds nothing to the role {r}" for r in roles if not item.roles.get(r)
-        ]
+        if item.pattern not in patterns:
+            problems = [(f"there is no pattern {item.pattern} ({item.id})", "pattern")]
+        else:
+            problems = _roles_of(item, roles)
         problems += [
-            f"{role} is no role of {item.pattern} ({item.id})"
-            for role in item.roles
-            if role not in roles
-        ]
-        problems += [
-            f"there is no module {module}, which is to be {role} in {item.id}"
+            (f"there is no module {module}, which is to be {role} in {item.id}", module)
             for role, modules in item.roles.items()
             for module in modules
             if module not in facts.classes
         ]
         mend = f"bind each role of the pattern in {APPLICATIONS}"
-        found += [Finding(item.place, "pattern-role-required", text, mend) for text in problems]
+        found += [
+            Finding(
+                facts.declared.entries.line_in(item.place, word),
+                "pattern-role-required",
+                text,
+                mend,
+            )
+            for text, word in problems
+        ]
     return found
+
+
+def _roles_of(item: KnownApplication, roles: list[str]) -> list[tuple[str, str]]:
+    """What is wrong with the roles that an application binds, and the word in question."""
+    unbound = [
+        (f"{item.id} binds nothing to the role {role}", "roles")
+        for role in roles
+        if not item.roles.get(role)
+    ]
+    unknown = [
+        (f"{role} is no role of {item.pattern} ({item.id})", role)
+        for role in item.roles
+        if role not in roles
+    ]
+    return unbound + unknown
 
 
 def _missing_roles(application: PatternApplication, model: Model, facts: Facts) -> list[Finding]:
@@ -202,7 +279,7 @@ def _clauses(application: PatternApplication, model: Model, facts: Facts) -> lis
     application.clauses = []
     shape = Shape(application, facts)
     for clause in facts.declared.clauses.values():
-        if clause.pattern != application.pattern:
+        if clause.pattern != application.pattern or clause.id not in CLAUSES:
             continue
         broken = list({(p.file, p.line, t): (p, t) for p, t in CLAUSES[clause.id](shape)}.values())
         places = [place for place, _ in broken] or _about(application, clause, model)

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
+
 from traceability.model.declared import Block
 from traceability.model.facts import Facts
 from traceability.model.schema import Finding, Model, Place
+from traceability.model.units import is_board
 
 REGISTERS = "src/k64/registers.hpp"  # the table of all blocks
 REGISTER = "src/k64/Register.hpp"  # where a number becomes an address
@@ -12,7 +15,7 @@ OWNERS = "design/register_owners.toml"
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
-    found = _undeclared(facts) + _used(model, facts) + _past_the_table(facts)
+    found = _undeclared(facts) + _used(model, facts) + _past_the_table(facts) + _twice(facts)
     return found + [finding for block in facts.declared.blocks for finding in _idle(block, facts)]
 
 
@@ -77,11 +80,37 @@ def _past_the_table(facts: Facts) -> list[Finding]:
         and name.how == "type"
         and name.place.file not in (REGISTERS, REGISTER)
     ]
+    own += [
+        _finding(place, "an instruction of the processor reaches past the drivers", mend)
+        for place in facts.syntax.instructions
+        if not is_board(place.file)
+    ]
     return own + [
         _finding(place, "a number is made into an address", mend)
         for place in facts.syntax.casts
         if place.file != REGISTER
     ]
+
+
+def _twice(facts: Facts) -> list[Finding]:
+    """An address that stands in two blocks: the owners of one reach the registers of the other."""
+    path = facts.root / REGISTERS
+    found: list[Finding] = []
+    first: dict[int, str] = {}
+    block = ""
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    for number, line in enumerate(lines, 1):
+        opened = re.match(r"namespace (\w+)", line)
+        block = opened[1] if opened else block
+        address = re.search(r"\bRegister<[^>]*?\b(0x[\da-fA-F']+)", line)
+        if address is None:
+            continue
+        owner = first.setdefault(int(address[1].replace("'", ""), 16), block)
+        if owner != block:
+            text = f"the address {address[1]} of {block} stands in {owner} already"
+            mend = "leave it in the block that the manual names"
+            found.append(_finding(Place(REGISTERS, number), text, mend))
+    return found
 
 
 def _idle(block: Block, facts: Facts) -> list[Finding]:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import tomllib
 from dataclasses import dataclass
 from pathlib import Path
+
+from traceability.model.entries import Entries
 
 CLAUSES = Path(__file__).parents[2] / "design" / "clauses.toml"
 
@@ -31,6 +32,8 @@ class Check:
 # The first word of an id names its family.
 WHY = {
     "syntax": "All other checks read the syntax tree: they need one without errors.",
+    "design": "What design/ declares is compared with the code: what cannot be read is compared "
+    "with nothing.",
     "doc": "Every document is made from these texts: a text that cannot be read is missing there.",
     "module": "A module that is small, has a place of its own and says what it does can be found, "
     "understood and replaced without reading the others.",
@@ -75,6 +78,15 @@ _FIXED = [
         "correct the comment or the page as the message says.",
     ),
     Check(
+        "design-entry",
+        "The files of the design can be read",
+        "Every file of design/ is TOML; each entry has the keys that it needs and no others; what "
+        "has a name of its own has one entry.",
+        "whether what an entry says is true; the other checks compare it with the code. As long as "
+        "a file cannot be read, they wait.",
+        "correct the line, or the name of the key.",
+    ),
+    Check(
         "module-logic",
         "Each design module lies in a logic module",
         "Every class with its own header lies in a folder below src or extensions that has a "
@@ -100,8 +112,8 @@ _FIXED = [
     Check(
         "module-secret",
         "Each design module has one secret of its own",
-        "The comment above every design module has exactly one @secret, and no two modules state "
-        "the same.",
+        "The comment above every design module has exactly one @secret, which is not its function, "
+        "and no two modules state the same.",
         "whether the code hides what the secret names.",
         "state above the class the one likely change that the module hides.",
     ),
@@ -110,7 +122,8 @@ _FIXED = [
         "Each public method has a specification",
         "Every public method of a design module has a brief, a text for each parameter and one for "
         "its result, and says with @isr whether an interrupt may call it; its own or inherited "
-        "from the method that it overrides. A plain number says its unit or what it counts.",
+        "from the method that it overrides. A plain number says its unit or what it counts, a "
+        "parameter with a unit says it. A public class inside of a module has a brief.",
         _TEXT_BLIND,
         "write what is missing above the declaration.",
     ),
@@ -125,8 +138,8 @@ _FIXED = [
         "module-count",
         "The modules of the design, and no other",
         "Every design module below src is listed for its folder in design/modules.toml, every "
-        "listed one is there, and their number is that of the paper. Those of extensions are free: "
-        "they do not count.",
+        "listed one is there and is no data type, and their number is that of the paper. Those of "
+        "extensions are free: they do not count.",
         "whether the list is the right one.",
         "remove the module, mark a value type with @datatype, or change the design.",
     ),
@@ -134,15 +147,24 @@ _FIXED = [
         "pattern-known",
         "Known pattern applications",
         "Every @patternapp has an id and a pattern of design/applications.toml, a title, @why and "
-        "@changes, and is declared once; every application of the design is declared.",
+        "@changes, and is declared once, above a module; every application of the design is "
+        "declared, and so is every clause that can be decided.",
         _TEXT_BLIND,
         "correct the id or the pattern, or add the missing paragraph.",
     ),
     Check(
+        "pattern-change",
+        "Likely changes name what exists",
+        "Every pattern has a recipe in design/changes.toml, which names roles of the pattern; what "
+        "is particular to an application names one that exists, and modules that exist.",
+        "whether the steps are enough; the extensions show that for some.",
+        "correct the name.",
+    ),
+    Check(
         "pattern-role-unknown",
         "Known roles",
-        "Every @role names an application that is declared and a role of it, and stands above a "
-        "module that the design binds to that role, or above one of an extension.",
+        "Every @role names an application that is declared and a role of it, and stands once above "
+        "a module that the design binds to that role, or above one of an extension.",
         "a class that plays a role without saying so; the clauses of the pattern find some.",
         "correct the application or the role, or change the design.",
     ),
@@ -207,8 +229,9 @@ _FIXED = [
         "secret-registers",
         "A block of registers has owners",
         "A namespace of src/k64/registers.hpp is named only by the modules that own it in "
-        "design/register_owners.toml; each owner uses it; no other place of src makes a register "
-        "or makes a number into an address.",
+        "design/register_owners.toml; each owner uses it; no address stands in two of them; no "
+        "other place of src makes a register or makes a number into an address; instructions of "
+        "the processor stand with the drivers only.",
         "which channel or pin of a block an owner touches; the effect of a register on another "
         "block.",
         "call an operation of the owner, or change the design.",
@@ -232,15 +255,16 @@ _FIXED = [
     Check(
         "uses-unused",
         "No allowance without use",
-        "Every use that design/uses.toml allows occurs in the code, and every declared cycle is "
-        "one.",
+        "Every use that design/uses.toml allows occurs in the code and is allowed once, and every "
+        "declared cycle is one, within its folder.",
         "whether the reason given there is good.",
         "remove the entry.",
     ),
     Check(
         "arch-module",
         "The architecture names modules that exist",
-        "Every module of an element, a group or a connection of design/architecture.toml exists.",
+        "Every module of an element, a group or a connection of design/architecture.toml exists, "
+        "and so does the element of every connector.",
         "whether the element is refined into the right modules.",
         "correct the name.",
     ),
@@ -256,8 +280,8 @@ _FIXED = [
         "exec-declared",
         "Contexts, pipes and protections are declared",
         "Every handler in the table of vectors belongs to one context of design/execution.toml, "
-        "each handler and body named there exists, each pipe of the robot has a name, and each "
-        "member named there is shared.",
+        "each handler and body named there exists, the lines of a context have its priority, each "
+        "pipe of the robot has a name, and each member named there is shared.",
         "handlers of products that have other interrupts.",
         "correct the entry, or declare what is missing.",
     ),
@@ -275,8 +299,8 @@ _FIXED = [
         "A member that one context changes and another one touches is a Pipe, or has its "
         "protection in design/execution.toml. A pipe has one context that writes it and one that "
         "reads it.",
-        "changes through references and in the standard library; whether the protection is enough; "
-        "two threads of one kind.",
+        "changes through parameters that are references and in the standard library; whether the "
+        "protection is enough; two threads of one kind.",
         "put a Pipe between the contexts, or state the protection.",
     ),
     Check(
@@ -346,7 +370,7 @@ _FIXED = [
         "Every file belongs to a module",
         "Every file below src and extensions is that of a module, holds data types, belongs to a "
         "composition, or is listed as shared in design/modules.toml; no function or class beside "
-        "a module can be used without it.",
+        "a module can be used without it; what can change is in objects of a class.",
         "how long a file is.",
         "make the code a private detail of a module, or a module of its own.",
     ),
@@ -384,7 +408,7 @@ _FIXED = [
         "tree-node",
         "Trees name what exists",
         "Every tree belongs to a requirement, and every node is a method that its class has or "
-        "inherits.",
+        "inherits. A requirement has one tree.",
         "overloads: methods of one name are one node.",
         "correct the name in the tree.",
     ),
@@ -404,6 +428,14 @@ _FIXED = [
         "operations that the platform implements, such as those of a port, are not recorded; "
         "nothing is compared while results are stale.",
         "correct the tree, or test the requirement so that the calls are made.",
+    ),
+    Check(
+        "req-text",
+        "Requirements are whole",
+        "Every requirement has an id of its own, a sentence with a shall, @rationale, @source, "
+        "@verification and @priority.",
+        "whether the sentence is clear and can be verified.",
+        "write what is missing.",
     ),
     Check(
         "req-satisfied",
@@ -545,7 +577,8 @@ _FIXED = [
     Check(
         "link-doc",
         "Links of hand-written pages",
-        "Every reference in docs/ has a target.",
+        "Every reference in docs/ has a target, and every file that a page of docs/ or the README "
+        "names by its path is there.",
         "whether the target is the right one.",
         "correct the target.",
     ),
@@ -560,7 +593,10 @@ _FIXED = [
 
 
 def _clauses() -> list[Check]:
-    entries = tomllib.loads(CLAUSES.read_text(encoding="utf-8"))["clause"]
+    # What is wrong with the file, the model tells.
+    entries = Entries(CLAUSES.parents[1]).tables(
+        CLAUSES, "clause", {"id": str, "pattern": str, "says": str, "mend": str}, {"about": list}
+    )
     return [
         Check(
             entry["id"],
@@ -569,7 +605,7 @@ def _clauses() -> list[Check]:
             "intent: it compares the shape of the code only.",
             f"{entry['mend']}.",
         )
-        for entry in entries
+        for entry, _ in entries
     ]
 
 

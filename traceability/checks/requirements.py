@@ -19,6 +19,7 @@ _VERBS = {"method": "satisfies", "test": "verifies"}
 
 def check(model: Model, _facts: Facts) -> list[Finding]:
     parts = (
+        _texts,
         _tags,
         _requirements,
         _unknown,
@@ -30,6 +31,30 @@ def check(model: Model, _facts: Facts) -> list[Finding]:
         _suspects,
     )
     return [finding for part in parts for finding in part(model)]
+
+
+def _texts(model: Model) -> list[Finding]:
+    """A requirement is one sentence with a shall, and says why it is and how it is verified."""
+    found: list[Finding] = []
+    for requirement in model.requirements.values():
+        parts = {
+            "sentence with 'shall'": " shall " in requirement.text,
+            "@rationale": requirement.rationale,
+            "@source": requirement.source,
+            "@verification": requirement.verification,
+            "@priority": requirement.priority,
+        }
+        found += [
+            Finding(
+                requirement.place,
+                "req-text",
+                f"{requirement.id} has no {part}",
+                "write it below the @requirement",
+            )
+            for part, there in parts.items()
+            if not there
+        ]
+    return found
 
 
 def _without(model: Model) -> list[Finding]:

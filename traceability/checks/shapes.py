@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from traceability.model.code_facts import ANY_CLASS, BodyFact, FieldFact, MethodFact
+from traceability.model.code_facts import ANY_CLASS, BodyFact, CallFact, FieldFact, MethodFact
 from traceability.model.facts import Facts
 from traceability.model.schema import PatternApplication, Place
 
@@ -27,6 +27,13 @@ class Shape:
         """The operations that decorators of the application replace instead of extending them."""
         known = self.facts.declared.applications.get(self.application.id)
         return known.replaces if known else []
+
+    @property
+    def declared_at(self) -> Place:
+        """Where the design says which operations are replaced."""
+        known = self.facts.declared.applications.get(self.application.id)
+        place = known.place if known else self.application.place
+        return self.facts.declared.entries.line_in(place, "replaces")
 
     def playing(self, role: str) -> list[str]:
         return [item.module for item in self.application.roles if item.role == role]
@@ -108,6 +115,10 @@ class Shape:
 
 def owner_of(method: str) -> str:
     return method.split("::", maxsplit=1)[0]
+
+
+def last_of(method: str) -> str:
+    return method.rsplit("::", 1)[-1]
 
 
 def abstract(role: str) -> Callable[[Shape], Broken]:
@@ -214,29 +225,39 @@ def decorator_holds(shape: Shape) -> Broken:
                 yield shape.place(decorator), f"{decorator} holds no {component}"
 
 
+def on_wrapped(call: CallFact, decorators: set[str]) -> bool:
+    """Whether a call goes to what the Decorator holds: no other member is the component."""
+    return all(one.startswith("this ") or owner_of(one.split()[1]) in decorators for one in call.on)
+
+
+def forwards(body: BodyFact, wrapped: set[str], decorators: set[str]) -> bool:
+    return any(
+        owner_of(call.target) in wrapped
+        and last_of(call.target) == last_of(body.id)
+        and on_wrapped(call, decorators)
+        for call in body.calls
+    )
+
+
 def decorator_forwards(shape: Shape) -> Broken:
     components = set(shape.playing("Component"))
     decorators = set(shape.playing("Decorator"))
+    replaced: set[str] = set()
     for module in [*decorators, *shape.playing("Concrete Decorator")]:
         wrapped = components | (decorators - {module})
-        overriding = [
-            body
-            for body in shape.bodies(module)
-            if body.overrides and body.id.rsplit("::", 1)[-1] not in shape.replaced
-        ]
-        silent = [
-            body
-            for body in overriding
-            if not any(
-                owner_of(call.target) in wrapped
-                and call.target.rsplit("::", 1)[-1] == body.id.rsplit("::", 1)[-1]
-                for call in body.calls
-            )
-        ]
-        for body in silent:
-            yield body.place, f"{body.id} does not forward to the component"
-        if not overriding and module not in decorators:
+        overriding = [body for body in shape.bodies(module) if body.overrides]
+        for body in overriding:
+            if forwards(body, wrapped, decorators):
+                continue
+            if last_of(body.id) in shape.replaced:
+                replaced.add(last_of(body.id))
+            else:
+                yield body.place, f"{body.id} does not forward to the component"
+        extending = [body for body in overriding if last_of(body.id) not in shape.replaced]
+        if not extending and module not in decorators:
             yield shape.place(module), f"{module} extends no operation"
+    for name in sorted(set(shape.replaced) - replaced):
+        yield shape.declared_at, f"no decorator replaces {name}, as the design says"
 
 
 def primitives_called(shape: Shape, module: str) -> dict[str, set[str]]:
@@ -451,6 +472,9 @@ def singleton_copy(shape: Shape) -> Broken:
         copies = [kind == f"const {module}&" for m in deleted for _, kind in m.params]
         if sum(copies) < 2:
             yield shape.place(module), f"{module} can be copied"
+        for method in shape.methods(module):
+            if any(kind == f"{module}&&" for _, kind in method.params):
+                yield method.place, f"{module} can be moved"
 
 
 def serializer_used(shape: Shape) -> Broken:

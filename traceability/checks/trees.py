@@ -10,8 +10,7 @@ from traceability.model.trees import accepted
 
 def check(model: Model, facts: Facts) -> list[Finding]:
     found = [
-        Finding(place, "tree-node", text, "write 'FR-n', or 'Class::method' with its indentation")
-        for place, text in facts.declared.tree_errors
+        Finding(place, "tree-node", text, mend) for place, text, mend in facts.declared.tree_errors
     ]
     for name, (place, _) in facts.declared.trees.items():
         if name not in model.requirements:
@@ -55,7 +54,13 @@ def _nodes(requirement: Requirement) -> list[Finding]:
 def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> list[Finding]:
     found: list[Finding] = []
     for child in node.children:
-        if child.reachable is False and node.resolved and child.resolved:
+        if child.reachable is False and child.otherwise:
+            kind, mark = (
+                ("a post", "with 'post '") if child.kind == "call" else ("a call", "as one")
+            )
+            text = f"{node.label} reaches {child.label} by {kind} (tree of {requirement.id})"
+            found.append(Finding(child.place, "tree-static", text, f"write it {mark}"))
+        elif child.reachable is False and node.resolved and child.resolved:
             verb = "posts" if child.kind == "post" else "calls"
             tree = f"{child.place.file}:{child.place.line}"
             found.append(

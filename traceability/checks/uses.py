@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from traceability.model.facts import Facts
-from traceability.model.schema import AllowedUse, Finding, Model, Use, is_extension
+from traceability.model.schema import AllowedUse, Finding, Model, Place, Use, is_extension
 from traceability.model.syntax import includes_of
 from traceability.model.units import is_board
 from traceability.sources import DESIGN, files_below
@@ -99,7 +99,18 @@ def _unused(model: Model) -> list[Finding]:
         )
         for allowed in model.allowed_uses
         if not any(_covers(allowed, use) for use in model.uses)
-    ]
+    ] + _allowed_twice(model)
+
+
+def _allowed_twice(model: Model) -> list[Finding]:
+    first: dict[tuple[str, str], Place] = {}
+    found: list[Finding] = []
+    for allowed in model.allowed_uses:
+        place = first.setdefault((allowed.source, allowed.target), allowed.place)
+        if place != allowed.place:
+            text = f"{allowed.source} may use {allowed.target} by the entry in line {place.line}"
+            found.append(Finding(allowed.place, "uses-unused", text, "remove the entry"))
+    return found
 
 
 def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
@@ -166,6 +177,16 @@ def _idle_cycles(model: Model, facts: Facts) -> list[Finding]:
         for one in cycle.modules
         if one not in _reached(graph, cycle.modules[0])
         or cycle.modules[0] not in _reached(graph, one)
+    ] + [
+        Finding(
+            cycle.place,
+            "uses-unused",
+            f"{one} does not lie within {cycle.within}",
+            "correct the folder",
+        )
+        for cycle in facts.declared.cycles
+        for one in cycle.modules
+        if one.split("/")[0] != cycle.within
     ]
 
 

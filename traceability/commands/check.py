@@ -147,10 +147,19 @@ def make_anew(
             steps.skip(title, "there is no model")
         return findings, False
     whole = steps.run("checks", run_all)
+    if whole and is_unreadable(model):
+        for title in PARTS[2:]:
+            steps.skip(title, "a file of the design cannot be read")
+        return findings, False
     if not steps.run("site", make_site):
         steps.skip("links", "the site was not built")
         return findings, False
     return findings, steps.run("links", check_links) and whole
+
+
+def is_unreadable(model: Model | None) -> bool:
+    """Whether a part of the design is missing, and every page would show less than there is."""
+    return bool(model and model.facts and model.facts.declared.entries.unreadable)
 
 
 def count_changes(before: dict[str, str], now: dict[str, str]) -> int:

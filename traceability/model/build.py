@@ -49,6 +49,7 @@ from traceability.model.verification import add_verification
 from traceability.sources import DESIGN, SRC, files_below, source_hash
 
 DRIVERS = f"{SRC}/k64/"
+COMMENT = ("///", "//!", "*", "/*")  # how a line of a comment that Doxygen reads begins
 
 
 def build(root: Path) -> Model:
@@ -66,6 +67,9 @@ def build(root: Path) -> Model:
         sources_hash=source_hash(root),
         results_hashes={},
     )
+    model.facts = facts
+    if facts.declared.entries.unreadable:
+        return model
     _add_logic_modules(model, facts)
     _add_modules(model, facts)
     _add_calls(model, facts)
@@ -99,13 +103,12 @@ def build(root: Path) -> Model:
     add_verification(model, facts, coverage)
     model.mutation = read_mutation(root, model.sources_hash)
     justify(model, facts.declared.justified)
-    add_reviews(model, root)
+    add_reviews(model, root, facts.declared.entries)
     set_states(model)
     model.paper = facts.declared.concordance.entries
     model.paper_places = facts.declared.concordance.places
     add_changes(model, facts.declared.changes)
     model.files = source_files(root)
-    model.facts = facts
     return model
 
 
@@ -235,12 +238,12 @@ def comment_places(root: Path, place: Place, pattern: str) -> list[Place]:
     """The lines of the comment above a declaration that match."""
     lines = (root / place.file).read_text(encoding="utf-8").splitlines()
     number = place.line - 1
-    while number > 0 and not lines[number - 1].lstrip().startswith(("///", "*", "/*")):
+    while number > 0 and not lines[number - 1].lstrip().startswith(COMMENT):
         if lines[number - 1].rstrip().endswith((";", "}")):
             return []
         number -= 1
     found: list[Place] = []
-    while number > 0 and lines[number - 1].lstrip().startswith(("///", "*", "/*")):
+    while number > 0 and lines[number - 1].lstrip().startswith(COMMENT):
         found += [Place(place.file, number) for _ in re.findall(pattern, lines[number - 1])]
         number -= 1
     return found[::-1]

@@ -7,11 +7,11 @@ the present ones are named, and nowhere else.
 
 from __future__ import annotations
 
-import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from traceability.model.schema import LikelyChange, Model, PatternApplication
+from traceability.model.entries import Entries
+from traceability.model.schema import LikelyChange, Model, PatternApplication, Place
 from traceability.model.traces import nodes_of
 
 FILE = Path("design/changes.toml")
@@ -25,6 +25,7 @@ class Recipe:
     adds: str = ""  # role of a new class
     derives: str = ""  # role that a new class derives from
     steps: list[str] = field(default_factory=list)
+    place: Place = field(default_factory=lambda: Place(str(FILE), 1))
 
 
 @dataclass
@@ -34,6 +35,7 @@ class Particular:
     derives: list[str] = field(default_factory=list)
     examples: list[str] = field(default_factory=list)
     steps: list[str] = field(default_factory=list)
+    place: Place = field(default_factory=lambda: Place(str(FILE), 1))
 
 
 @dataclass
@@ -42,14 +44,25 @@ class ChangeTexts:
     particulars: dict[str, Particular] = field(default_factory=dict)
 
 
-def read_change_texts(root: Path) -> ChangeTexts:
+def read_change_texts(root: Path, entries: Entries) -> ChangeTexts:
     path = root / FILE
-    if not path.exists():
-        return ChangeTexts()
-    data = tomllib.loads(path.read_text(encoding="utf-8"))
-    recipes = {item.pop("pattern"): Recipe(**item) for item in data["recipe"]}
+    recipes = entries.tables(
+        path,
+        "recipe",
+        {"pattern": str, "alters": list},
+        {"adds": str, "derives": str, "steps": list},
+        own="pattern",
+    )
+    particulars = entries.tables(
+        path,
+        "application",
+        {"id": str},
+        {"derives": list, "examples": list, "steps": list},
+        own="id",
+    )
     return ChangeTexts(
-        recipes, {item.pop("id"): Particular(**item) for item in data["application"]}
+        {item.pop("pattern"): Recipe(place=place, **item) for item, place in recipes},
+        {item.pop("id"): Particular(place=place, **item) for item, place in particulars},
     )
 
 

@@ -54,6 +54,7 @@ class ClassFact:
     end: int
     abstract: bool = False
     local: bool = False  # in an anonymous namespace, or in a function
+    access: str = "invalid"  # of a nested class
     bases: list[str] = field(default_factory=list)
     base_places: list[Place] = field(default_factory=list)
     methods: list[MethodFact] = field(default_factory=list)
@@ -125,6 +126,8 @@ class Syntax:
     includes: list[IncludeFact] = field(default_factory=list)
     blocks: list[BlockFact] = field(default_factory=list)
     casts: list[Place] = field(default_factory=list)  # numbers made into addresses
+    instructions: list[Place] = field(default_factory=list)  # of an assembler
+    objects: list[FieldFact] = field(default_factory=list)  # that can change, and no class holds
     flows: list[FlowFact] = field(default_factory=list)
     constants: dict[str, int] = field(default_factory=dict)  # var -> value of a plain number
     variables: dict[str, FieldFact] = field(default_factory=dict)  # file:name or function name
@@ -138,6 +141,8 @@ class Syntax:
         self.includes += other.includes
         self.blocks += other.blocks
         self.casts += other.casts
+        self.instructions += other.instructions
+        self.objects += other.objects
         self.flows += other.flows
         self.constants |= other.constants
         self.variables |= other.variables
@@ -184,6 +189,10 @@ def facts_from(data: dict[str, Any]) -> Syntax:
         item["place"] = _place_from(item["place"])
         facts.variables[name] = FieldFact(**item)
     facts.casts = [_place_from(place) for place in data["casts"]]
+    facts.instructions = [_place_from(place) for place in data["instructions"]]
+    for item in data["objects"]:
+        item["place"] = _place_from(item["place"])
+        facts.objects.append(FieldFact(**item))
     for item in data["friends"]:
         item["place"] = _place_from(item["place"])
         facts.friends.append(NameFact(**item))

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from traceability.model.entries import Entries
 from traceability.model.schema import PaperElement, PaperPlace, Place
 
 PAPER = Path("design/paper.toml")
@@ -23,23 +23,24 @@ class Concordance:
     entries: list[PaperElement] = field(default_factory=list)
 
 
-def read_concordance(root: Path) -> Concordance:
+def read_concordance(root: Path, entries: Entries) -> Concordance:
     """An entry says where it is named as well; one that the paper does not name has no place."""
     if not (root / PAPER).exists() or not (root / CONCORDANCE).exists():
         return Concordance()
-    found = _paper(root)
-    found.entries = _entries(root)
+    found = _paper(root, entries)
+    found.entries = _entries(root, entries)
     for entry in found.entries:
         entry.where = found.named.get((entry.kind, entry.name), [])
     return found
 
 
-def _paper(root: Path) -> Concordance:
-    text = (root / PAPER).read_text(encoding="utf-8")
+def _paper(root: Path, entries: Entries) -> Concordance:
     found = Concordance()
-    lines = text.splitlines()
-    for item in tomllib.loads(text)["place"]:
-        start = next(n for n, line in enumerate(lines) if line == f'id = "{item["id"]}"')
+    entries.value(root / PAPER, "source", "")
+    lines = (root / PAPER).read_text(encoding="utf-8").splitlines()
+    needs = {"id": str, "kind": str, "title": str}
+    for item, header in entries.tables(root / PAPER, "place", needs, {"names": dict}, own="id"):
+        start = header.line  # the id stands below the header
         place = Place(str(PAPER), start + 1)
         found.places.append(PaperPlace(item["id"], item["kind"], item["title"], place))
         own = (item["kind"], item["id"])
@@ -52,22 +53,21 @@ def _paper(root: Path) -> Concordance:
     return found
 
 
-def _entries(root: Path) -> list[PaperElement]:
-    text = (root / CONCORDANCE).read_text(encoding="utf-8")
-    lines = text.splitlines()
-    data = tomllib.loads(text)
-    same = lines.index("[same]")
+def _entries(root: Path, entries: Entries) -> list[PaperElement]:
+    path = root / CONCORDANCE
+    lines = path.read_text(encoding="utf-8").splitlines()
+    same = next((n for n, line in enumerate(lines) if line.startswith("[same]")), 0)
     found = [
         PaperElement(
             kind, name, [f"{kind}:{name}"], place=Place(str(CONCORDANCE), _line(lines, name, same))
         )
-        for kind, names in data["same"].items()
+        for kind, names in entries.value(path, "same", {}).items()
         for name in names
     ]
-    starts = [number for number, line in enumerate(lines, 1) if line == "[[entry]]"]
-    for item, line in zip(data["entry"], starts, strict=True):
-        words = {key: item.get(key, "") for key in ("alias", "deviation", "note")}
-        place = Place(str(CONCORDANCE), line)
+    words_of = dict.fromkeys(("alias", "deviation", "note"), str)
+    needs = {"kind": str, "name": str, "here": list}
+    for item, place in entries.tables(path, "entry", needs, words_of):
+        words = {key: item.get(key, "") for key in words_of}
         found.append(PaperElement(item["kind"], item["name"], item["here"], place=place, **words))
     return found
 

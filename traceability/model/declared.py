@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 from traceability.model.changes import ChangeTexts, read_change_texts
 from traceability.model.concordance import Concordance, read_concordance
+from traceability.model.entries import Entries, Problem
 from traceability.model.schema import (
     AllowedUse,
     Apart,
@@ -25,6 +24,7 @@ from traceability.model.schema import (
     Transition,
     TreeNode,
 )
+from traceability.sources import files_below
 
 PACKAGE_DESIGN = Path(__file__).parents[2] / "design"
 
@@ -36,6 +36,7 @@ class ClauseText:
     says: str
     mend: str
     about: list[str]  # roles whose modules the clause speaks of
+    place: Place
 
 
 @dataclass
@@ -97,6 +98,7 @@ class Protection:
 
 @dataclass
 class Declared:
+    entries: Entries = field(default_factory=lambda: Entries(Path()))
     machines: dict[str, StateMachine] = field(default_factory=dict)
     architecture: list[ArchitectureElement] = field(default_factory=list)
     groups: list[ArchitectureGroup] = field(default_factory=list)
@@ -104,7 +106,7 @@ class Declared:
     allowed: list[AllowedUse] = field(default_factory=list)
     cycles: list[Cycle] = field(default_factory=list)
     trees: dict[str, tuple[Place, TreeNode | None]] = field(default_factory=dict)
-    tree_errors: list[tuple[Place, str]] = field(default_factory=list)
+    tree_errors: list[tuple[Place, str, str]] = field(default_factory=list)  # what would mend it
     applications: dict[str, KnownApplication] = field(default_factory=dict)
     clauses: dict[str, ClauseText] = field(default_factory=dict)
     patterns: list[KnownPattern] = field(default_factory=list)
@@ -125,96 +127,131 @@ class Declared:
 
 
 def read_declared(root: Path) -> Declared:
-    declared = Declared()
+    entries = Entries(root)
+    declared = Declared(entries=entries)
     design = root / "design"
-    for path in sorted((design / "fsm").glob("*.toml")):
-        machine = _machine(root, path)
-        declared.machines[machine.id] = machine
-    declared.architecture = [
-        ArchitectureElement(
-            item["id"], item["kind"], item["name"], item["text"], item["modules"], place
-        )
-        for item, place in _tables(root, design / "architecture.toml", "element")
-    ]
-    declared.groups = [
-        ArchitectureGroup(item["name"], item["module"], item["modules"], place)
-        for item, place in _tables(root, design / "architecture.toml", "group")
-    ]
-    declared.connections = [
-        Connection(item["kind"], item["from"], item["to"], item.get("connector", ""), place)
-        for item, place in _tables(root, design / "architecture.toml", "connection")
-    ]
-    declared.allowed = [
-        AllowedUse(item["from"], item["to"], item["why"], place)
-        for item, place in _tables(root, design / "uses.toml", "allow")
-    ]
-    declared.cycles = [
-        Cycle(item["within"], item["modules"], item["pattern"], place)
-        for item, place in _tables(root, design / "uses.toml", "cycle")
-    ]
+    _machines(root, entries, declared)
+    _architecture(design / "architecture.toml", entries, declared)
+    _uses(design / "uses.toml", entries, declared)
     for path in sorted((design / "trees").glob("*.tree")):
         _trees(root, path, declared)
-    for item, place in _tables(root, design / "applications.toml", "application"):
-        known = KnownApplication(
-            item["id"], item["pattern"], item["roles"], place, item.get("replaces", [])
-        )
-        declared.applications[known.id] = known
-    for item, _ in _tables(root, design / "clauses.toml", "clause"):
-        clause = ClauseText(**item)
-        declared.clauses[clause.id] = clause
+    _patterns(design, entries, declared)
     declared.blocks = [
         Block(item["name"], item["owners"], place)
-        for item, place in _tables(root, design / "register_owners.toml", "block")
+        for item, place in entries.tables(
+            design / "register_owners.toml", "block", {"name": str, "owners": list}, own="name"
+        )
     ]
-    _execution(root, design / "execution.toml", declared)
-    for item, place in _tables(root, design / "board_findings.toml", "finding"):
+    _execution(design / "execution.toml", entries, declared)
+    for item, place in entries.tables(
+        design / "board_findings.toml", "finding", {"id": str, "says": str}, own="id"
+    ):
         declared.board_findings[item["id"]] = BoardFinding(item["id"], item["says"], place)
     declared.justified = [
         Justified(kind, item["names"], item["why"], place)
         for kind in ("method", "test", "line")
-        for item, place in _tables(root, design / "justified.toml", kind)
+        for item, place in entries.tables(
+            design / "justified.toml", kind, {"names": list, "why": str}
+        )
     ]
-    declared.concordance = read_concordance(root)
-    declared.changes = read_change_texts(root)
-    for item, place in _tables(root, design / "modules.toml", "logic"):
+    declared.concordance = read_concordance(root, entries)
+    declared.changes = read_change_texts(root, entries)
+    _modules(design / "modules.toml", entries, declared)
+    entries.others()
+    for path in files_below(root, ("design", "requirements"), (".toml",)):
+        entries.whole(path)  # others read it too
+    return declared
+
+
+def _architecture(path: Path, entries: Entries, declared: Declared) -> None:
+    needs = {"id": str, "kind": str, "name": str, "text": str, "modules": list}
+    declared.architecture = [
+        ArchitectureElement(
+            item["id"], item["kind"], item["name"], item["text"], item["modules"], place
+        )
+        for item, place in entries.tables(path, "element", needs, own="id")
+    ]
+    declared.groups = [
+        ArchitectureGroup(item["name"], item["module"], item["modules"], place)
+        for item, place in entries.tables(
+            path, "group", {"name": str, "module": str, "modules": list}, own="name"
+        )
+    ]
+    declared.connections = [
+        Connection(item["kind"], item["from"], item["to"], item.get("connector", ""), place)
+        for item, place in entries.tables(
+            path, "connection", {"kind": str, "from": str, "to": str}, {"connector": str}
+        )
+    ]
+
+
+def _uses(path: Path, entries: Entries, declared: Declared) -> None:
+    declared.allowed = [
+        AllowedUse(item["from"], item["to"], item["why"], place)
+        for item, place in entries.tables(path, "allow", {"from": str, "to": str, "why": str})
+    ]
+    declared.cycles = [
+        Cycle(item["within"], item["modules"], item["pattern"], place)
+        for item, place in entries.tables(
+            path, "cycle", {"within": str, "modules": list, "pattern": str}
+        )
+    ]
+    declared.apart = [
+        Apart(item["modules"], item["others"], item["why"], place)
+        for item, place in entries.tables(
+            path, "apart", {"modules": list, "others": list, "why": str}
+        )
+    ]
+
+
+def _patterns(design: Path, entries: Entries, declared: Declared) -> None:
+    for item, place in entries.tables(
+        design / "applications.toml",
+        "application",
+        {"id": str, "pattern": str, "roles": dict},
+        {"replaces": list},
+        own="id",
+    ):
+        known = KnownApplication(
+            item["id"], item["pattern"], item["roles"], place, item.get("replaces", [])
+        )
+        declared.applications[known.id] = known
+    clauses = design / "clauses.toml"
+    needs = {"id": str, "pattern": str, "says": str, "mend": str, "about": list}
+    for item, place in entries.tables(clauses, "clause", needs, own="id"):
+        declared.clauses[item["id"]] = ClauseText(place=place, **item)
+    declared.patterns = [
+        KnownPattern(item["name"], item["applications"], item["roles"], place)
+        for item, place in entries.tables(
+            clauses, "pattern", {"name": str, "applications": int, "roles": list}, own="name"
+        )
+    ]
+
+
+def _modules(path: Path, entries: Entries, declared: Declared) -> None:
+    declared.total = entries.value(path, "total", None)
+    for item, place in entries.tables(
+        path, "logic", {"folder": str, "modules": list}, own="folder"
+    ):
         declared.names[item["folder"]] = item["modules"]
         declared.name_places[item["folder"]] = place
     declared.shared = [
         SharedFunctions(item["file"], item["why"], place)
-        for item, place in _tables(root, design / "modules.toml", "shared")
+        for item, place in entries.tables(path, "shared", {"file": str, "why": str}, own="file")
     ]
-    declared.total = _total(design / "modules.toml")
-    declared.patterns = [
-        KnownPattern(item["name"], item["applications"], item["roles"], place)
-        for item, place in _tables(root, design / "clauses.toml", "pattern")
-    ]
-    declared.apart = [
-        Apart(item["modules"], item["others"], item["why"], place)
-        for item, place in _tables(root, design / "uses.toml", "apart")
-    ]
-    return declared
 
 
-def _total(path: Path) -> int | None:
-    text = path.read_text(encoding="utf-8") if path.exists() else ""
-    total = tomllib.loads(text).get("total")
-    return int(total) if total is not None else None
+def _machines(root: Path, entries: Entries, declared: Declared) -> None:
+    for path in sorted((root / "design" / "fsm").glob("*.toml")):
+        machine = _machine(Place(str(path.relative_to(root)), 1), path, entries)
+        if machine is not None and machine.id in declared.machines:
+            text = f"{declared.machines[machine.id].place.file} has a machine {machine.id} already"
+            entries.problems.append(Problem(machine.place, text, "give each machine its own id"))
+        elif machine is not None:
+            declared.machines[machine.id] = machine
 
 
-def _tables(root: Path, path: Path, name: str) -> list[tuple[dict[str, Any], Place]]:
-    """The entries ``[[name]]`` of a file, each with its line."""
-    if not path.exists():
-        return []
-    text = path.read_text(encoding="utf-8")
-    header = f"[[{name}]]"
-    numbers = [number for number, line in enumerate(text.splitlines(), 1) if line.strip() == header]
-    file = str(path.relative_to(root))
-    entries = tomllib.loads(text).get(name, [])
-    return [(entry, Place(file, number)) for entry, number in zip(entries, numbers, strict=True)]
-
-
-def _machine(root: Path, path: Path) -> StateMachine:
-    data = tomllib.loads(path.read_text(encoding="utf-8"))
+def _machine(place: Place, path: Path, entries: Entries) -> StateMachine | None:
     transitions = [
         Transition(
             item["from"],
@@ -222,33 +259,40 @@ def _machine(root: Path, path: Path) -> StateMachine:
             item.get("guard", ""),
             item["to"],
             item.get("action", ""),
-            place,
+            at,
             item.get("requirements", []),
         )
-        for item, place in _tables(root, path, "transition")
+        for item, at in entries.tables(
+            path,
+            "transition",
+            {"from": str, "on": str, "to": str},
+            {"guard": str, "action": str, "requirements": list},
+        )
     ]
-    return StateMachine(
-        id=data["id"],
-        title=data["title"],
-        application=data["application"],
-        initial=data["initial"],
-        states=data["states"],
-        transitions=transitions,
-        place=Place(str(path.relative_to(root)), 1),
-        events=data.get("events", {}),
-    )
+    needs = {"id": str, "title": str, "application": str, "initial": str, "states": dict}
+    data = {name: entries.value(path, name, None) for name in (*needs, "events")}
+    data["events"] = data["events"] or {}
+    if not entries.fits(data, place, needs, {"events": dict}):
+        return None
+    return StateMachine(transitions=transitions, place=place, **data)
 
 
-def _execution(root: Path, path: Path, declared: Declared) -> None:
-    if not path.exists():
-        return
-    declared.ends = tomllib.loads(path.read_text(encoding="utf-8"))["ends"]
-    for item, place in _tables(root, path, "context"):
+def _execution(path: Path, entries: Entries, declared: Declared) -> None:
+    declared.ends = entries.value(path, "ends", [])
+    needs = {"id": str, "kind": str, "name": str, "says": str, "handlers": list}
+    for item, place in entries.tables(
+        path, "context", needs, {"body": str, "priority": int}, own="id"
+    ):
         item.setdefault("body", "")
+        item["intended"] = item.pop("priority", None)
         declared.contexts[item["id"]] = ExecutionContext(place=place, **item)
-    for item, place in _tables(root, path, "pipe"):
+    for item, place in entries.tables(
+        path, "pipe", {"object": str, "name": str, "says": str}, own="object"
+    ):
         declared.pipes[item["object"]] = PipeText(item["name"], item["says"], place)
-    for item, place in _tables(root, path, "shared"):
+    for item, place in entries.tables(
+        path, "shared", {"members": list, "protection": str, "why": str}
+    ):
         for member in item["members"]:
             declared.protections[member] = Protection(item["protection"], item["why"], place)
 
@@ -264,11 +308,15 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
         place = Place(file, number)
         if re.fullmatch(r"N?FR-\d+", words):
             current, stack = words, []
+            if words in declared.trees:
+                text = f"{words} has a tree in {_told(declared.trees[words][0])} already"
+                declared.tree_errors.append((place, text, "leave one of the two"))
             declared.trees[current] = (place, None)
             continue
         match = re.fullmatch(r"((?:  )*)(post )?([\w:~]+)::(~?\w+)", words)
         if match is None or not current:
-            declared.tree_errors.append((place, "this line is neither an id nor a node"))
+            mend = "write 'FR-n', or 'Class::method' with its indentation"
+            declared.tree_errors.append((place, "this line is neither an id nor a node", mend))
             continue
         depth = len(match[1]) // 2
         node = TreeNode(
@@ -279,6 +327,11 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
             kind="post" if match[2] else "call",
             place=place,
         )
+        if depth > (stack[-1][0] + 1 if stack else 0):
+            text = f"{node.label} stands too far to the right"
+            declared.tree_errors.append(
+                (place, text, "put it two blanks to the right of its caller")
+            )
         while stack and stack[-1][0] >= depth:
             stack.pop()
         if stack:
@@ -287,6 +340,11 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
             node.kind = "root"
             declared.trees[current] = (declared.trees[current][0], node)
         else:
-            declared.tree_errors.append((place, f"the tree of {current} has a second root"))
+            text = f"the tree of {current} has a second root"
+            declared.tree_errors.append((place, text, "leave one root"))
             continue
         stack.append((depth, node))
+
+
+def _told(place: Place) -> str:
+    return f"{place.file}:{place.line}"

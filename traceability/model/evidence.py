@@ -5,7 +5,7 @@ from __future__ import annotations
 import fnmatch
 import re
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import Any
 
 from traceability.model.schema import Evidence, Finding, Model, Place
@@ -22,15 +22,17 @@ def read_evidence(text: str, place: Place) -> Evidence:
     return Evidence(match[1], match[2], float(match[3]), match[4] or "", place)
 
 
-def settle_evidence(model: Model, figures: Mapping[str, Any], findings: Iterable[Finding]) -> None:
+def settle_evidence(
+    model: Model, figures: Mapping[str, Any], findings: Iterable[Finding], checks: Collection[str]
+) -> None:
     """Gives each evidence the figure that was measured. What was not measured stays missing."""
     counts = Counter(finding.check for finding in findings)
     for requirement in model.requirements.values():
         for evidence in requirement.evidence:
             if evidence.figure.startswith(CHECKS):
                 pattern = evidence.figure.removeprefix(CHECKS)
-                found = fnmatch.filter(counts, pattern)
-                evidence.value = float(sum(counts[name] for name in found))
+                known = fnmatch.filter(checks, pattern)
+                evidence.value = float(sum(counts[one] for one in known)) if known else None
             else:
                 evidence.value = figure_of(figures, evidence.figure)
 

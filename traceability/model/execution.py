@@ -45,7 +45,8 @@ def add_execution(model: Model, facts: Facts) -> None:
     priorities = line_priorities(facts)
     for context in facts.declared.contexts.values():
         context.lines = sorted({n for one in context.handlers for n in code.lines.get(one, [])})
-        known = {priorities[line] for line in context.lines if line in priorities}
+        names = {priorities[line] for line in context.lines if line in priorities}
+        known = {facts.syntax.constants[name] for name in names}
         context.priority = next(iter(known)) if len(known) == 1 else None
         narrowed = {DISPATCH: context.body} if context.body else {}
         reached = facts.references.reached(context.handlers, narrowed, facts.declared.ends)
@@ -83,8 +84,8 @@ def handler_lines(facts: Facts) -> dict[str, list[int]]:
     return found
 
 
-def line_priorities(facts: Facts) -> dict[int, int]:
-    """Interrupt line -> priority, from the calls that enable the lines."""
+def line_priorities(facts: Facts) -> dict[int, str]:
+    """Interrupt line -> constant of its priority, from the calls that enable the lines."""
     constants = facts.syntax.constants
     behind: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
@@ -93,12 +94,12 @@ def line_priorities(facts: Facts) -> dict[int, int]:
     for handlers in handler_lines(facts).values():
         for line in handlers:
             following[str(line)] = line
-    found: dict[int, int] = {}
+    found: dict[int, str] = {}
     for body in facts.syntax.bodies:
         for call in body.calls:
             if call.target != ENABLE or len(call.args) != 2:
                 continue
-            values = [constants[one] for one in call.args[1] if one in constants]
+            values = [one for one in call.args[1] if one in constants]
             named = [p for one in call.args[0] for p in (one, *behind.get(one, []))]
             for line in [constants[one] for one in named if one in constants]:
                 for value in values:

@@ -57,7 +57,13 @@ class Facts:
 
     def user(self, owner: str, place: Place) -> str:
         """The class that code belongs to: what stands beside a class is its detail."""
-        return owner.split("::", maxsplit=1)[0] or self.written_in.get(place.file, "")
+        outer = owner.split("::", maxsplit=1)[0]
+        return outer if outer in self.with_file else self.written_in.get(place.file, outer)
+
+    @functools.cached_property
+    def with_file(self) -> set[str]:
+        """The classes that a file is named after."""
+        return set(self.written_in.values())
 
     @functools.cached_property
     def references(self) -> References:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from clang.cindex import Cursor, CursorKind, LinkageKind
+from clang.cindex import Cursor, CursorKind, LinkageKind, TypeKind
 
 from traceability.model.cursors import FUNCTIONS, class_name, function_id, is_function
 from traceability.model.schema import Place
@@ -187,7 +187,15 @@ class FlowReader:
             return self.members(cursor) if counts else []
         if kind == CursorKind.CALL_EXPR and cursor.referenced is not None:
             return self.changed_by(cursor)
+        if kind == CursorKind.VAR_DECL and cursor.type.kind == TypeKind.LVALUEREFERENCE:
+            return self.referred(cursor)
         return []
+
+    def referred(self, variable: Cursor) -> list[str]:
+        """The member that a reference may be used to change."""
+        value = next(reversed(list(variable.get_children())), None)
+        constant = variable.type.get_pointee().is_const_qualified()
+        return [] if constant or value is None else self.members(value)
 
     def changed_by(self, call: Cursor) -> list[str]:
         """A member that a method changes: one that is not const, called on a value."""

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from traceability.model.code_facts import ANY_CLASS
 from traceability.model.kept import code_of, kept
 from traceability.model.schema import HOST, Model, Place, StateMachine, Transition
 from traceability.model.traces import Traces
@@ -125,6 +126,9 @@ class _Changes:
         self.names = {module: state for state, module in machine.states.items()}
         self.states = machine.states
         self.family = {base, *facts.heirs.get(base, [])}
+        methods = set(code.holders.values())
+        # In a template the operation has no class.
+        self.changers = methods | {f"{ANY_CLASS}::{one.rpartition('::')[2]}" for one in methods}
 
     def of(self, state: str, operation: str) -> list[Change]:
         method = self.code.runs[state].get(operation)
@@ -142,18 +146,22 @@ class _Changes:
         for body in self.references.own_bodies(method):
             for call in body.calls:
                 args = [[p for one in arg for p in given.get(one, [one])] for arg in call.args]
-                if call.target in self.code.holders.values():
+                if call.target in self.changers:
                     for target in self._targets(args[0] if args else []):
                         yield target, call.place, path, call.sometimes
-                elif self._is_own(call) and call.target not in path:
+                elif self._is_own(call, body.place.file) and call.target not in path:
                     inner = {f"param {call.target} {k}": arg for k, arg in enumerate(args)}
                     for target, place, way, rarely in self._below(
                         call.target, (*path, call.target), inner
                     ):
                         yield target, place, way, rarely or call.sometimes
 
-    def _is_own(self, call: CallFact) -> bool:
-        """A call of the state on itself, of a method that no heir may replace."""
+    def _is_own(self, call: CallFact, file: str) -> bool:
+        """A call of the state on itself, of a method that no heir may replace; or of a function
+        beside it."""
+        beside = self.references.own_bodies(call.target)
+        if beside and all(not one.owner and one.place.file == file for one in beside):
+            return True
         on_itself = not call.on or all(one.startswith("this ") for one in call.on)
         return on_itself and not call.virtual and call.target.rpartition("::")[0] in self.family
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from clang import cindex
-from clang.cindex import Cursor, CursorKind, LinkageKind, TypeKind
+from clang.cindex import Cursor, CursorKind, LinkageKind, StorageClass, TypeKind
 
 from traceability.model import flow
 from traceability.model.code_facts import (
@@ -49,6 +49,9 @@ _CASTS = {
     CursorKind.CSTYLE_CAST_EXPR,
     CursorKind.CXX_FUNCTIONAL_CAST_EXPR,
 }
+_WRAPPING = {CursorKind.UNEXPOSED_EXPR, CursorKind.PAREN_EXPR, CursorKind.UNARY_OPERATOR}
+_HOLDERS = ("optional", "array", "pair", "tuple", "variant")  # of the library: by value
+_MAKERS = ("construct_at", "make_optional", "make_unique", "make_shared")
 _NUMBERS = {
     TypeKind.INT, TypeKind.UINT, TypeKind.LONG, TypeKind.ULONG, TypeKind.LONGLONG,
     TypeKind.ULONGLONG, TypeKind.SHORT, TypeKind.USHORT, TypeKind.ENUM, TypeKind.DEPENDENT,
@@ -124,8 +127,10 @@ class Reader:
         self.address(cursor, place)
         self.uses(cursor, body, owner, place)
         self.flow.note(cursor, self.function, place)
-        if kind == CursorKind.VAR_DECL and body is None:
-            self.constant(cursor)
+        if kind == CursorKind.VAR_DECL:
+            self.object(cursor, body, place)
+            if body is None:
+                self.constant(cursor)
         if body is not None:
             self.assignment(cursor, body, place)
             self.touch(cursor, body)
@@ -142,6 +147,16 @@ class Reader:
             digits = next((token.spelling for token in value.get_tokens()), "")
             if digits.isdigit():
                 self.facts.constants[self.flow.node(cursor)] = int(digits)
+
+    def object(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
+        """One that can change and lives as long as the program."""
+        inside = cursor.semantic_parent.kind in CLASSES
+        lasts = cursor.storage_class == StorageClass.STATIC if body else not inside
+        held = self.field_fact(cursor, place)
+        if lasts and not held.constant and "&" not in held.type:
+            marks = [p for p in cursor.get_children() if p.kind == CursorKind.UNEXPOSED_ATTR]
+            placed = any("section" in _words(mark) for mark in marks)  # it outlives a reset
+            self.facts.objects += [] if placed else [held]
 
     def touch(self, cursor: Cursor, body: BodyFact) -> None:
         if cursor.kind == CursorKind.MEMBER_REF_EXPR:
@@ -167,6 +182,8 @@ class Reader:
             self.unresolved(cursor, body, place)
             return
         if self.place(target) is None:
+            if cursor.kind == CursorKind.CALL_EXPR:
+                self.made_by_library(cursor, target, owner, place)
             return
         self.block(target.semantic_parent, place, declares=False)
         if cursor.kind in (CursorKind.TYPE_REF, CursorKind.TEMPLATE_REF):
@@ -191,6 +208,17 @@ class Reader:
             if call is not None:
                 call.on, call.args = self.flow.receiver(cursor), args
                 call.sometimes = self.chances > 0 or self.left
+
+    def made_by_library(self, cursor: Cursor, target: Cursor, owner: str, place: Place) -> None:
+        """The library makes what it holds by value, and what it is told to make."""
+        constructs = target.kind == CursorKind.CONSTRUCTOR and target.spelling in _HOLDERS
+        if not constructs and target.spelling not in _MAKERS:
+            return
+        kind = cursor.type.get_canonical()
+        kind = kind.get_pointee() if kind.kind == TypeKind.POINTER else kind
+        count = max(0, kind.get_num_template_arguments())
+        for made in (kind, *map(kind.get_template_argument_type, range(count))):
+            self.name(owner, made.get_declaration(), "construct", place)
 
     def named(self, target: Cursor, body: BodyFact | None, place: Place) -> None:
         """Whoever has the address of a function may call it. The name in a call is not counted."""
@@ -225,12 +253,20 @@ class Reader:
             self.facts.variables[self.flow.node(cursor).removeprefix("var ")] = held
 
     def friend(self, cursor: Cursor, owner: str, place: Place) -> None:
+        """A friend that the class defines itself is a part of it."""
         for part in cursor.get_children():
+            inside = part.is_definition() or "default" in _words(part)
+            if part.kind in FUNCTIONS and not inside:
+                self.facts.friends.append(NameFact(owner, function_id(part), "friend", place))
+            elif part.kind == CursorKind.CLASS_TEMPLATE:
+                self.facts.friends.append(NameFact(owner, class_name(part), "friend", place))
             named = part.referenced if part.kind == CursorKind.TYPE_REF else None
             if named is not None and self.place(named) is not None:
                 self.facts.friends.append(NameFact(owner, class_name(named), "friend", place))
 
     def address(self, cursor: Cursor, place: Place) -> None:
+        if cursor.kind in (CursorKind.ASM_STMT, CursorKind.MS_ASM_STMT):
+            self.facts.instructions.append(place)
         bits = cursor.kind == CursorKind.CALL_EXPR and cursor.spelling == "bit_cast"
         if bits or cursor.kind in _CASTS:
             value = next(reversed(list(cursor.get_children())), cursor)
@@ -291,18 +327,37 @@ class Reader:
                     owner = class_name(part.referenced.semantic_parent)
                     body.assigns.append((f"{owner}::{part.spelling}", place.line))
             return
+        if cursor.kind == CursorKind.VAR_DECL:
+            left = self.other_name_of(cursor)
+        else:
+            left = self.left_side(cursor)
+        if left is not None and left.referenced is not None:
+            changed = f"{class_name(left.referenced.semantic_parent)}::{left.spelling}"
+            body.assigns.append((changed, place.line))
+
+    def left_side(self, cursor: Cursor) -> Cursor | None:
+        """The member that an assignment changes."""
         operator = cursor.kind == CursorKind.CALL_EXPR and cursor.spelling == "operator="
         if not operator and cursor.kind != CursorKind.BINARY_OPERATOR:
-            return
-        left = next(cursor.get_children(), None)
-        while left is not None and left.kind == CursorKind.UNEXPOSED_EXPR:
-            left = next(left.get_children(), None)
-        if left is None or left.kind != CursorKind.MEMBER_REF_EXPR or left.referenced is None:
-            return
-        if not operator and _operator_after(cursor, left) != "=":
-            return
-        changed = f"{class_name(left.referenced.semantic_parent)}::{left.spelling}"
-        body.assigns.append((changed, place.line))
+            return None
+        side = next(cursor.get_children(), None)
+        if side is None or (not operator and _operator_after(cursor, side) != "="):
+            return None
+        left = bare(side)
+        if left is not None and left.spelling == "operator=":  # called by its name
+            left = bare(next(left.get_children(), None))
+        return left if left is not None and left.kind == CursorKind.MEMBER_REF_EXPR else None
+
+    def other_name_of(self, variable: Cursor) -> Cursor | None:
+        """The member that a variable refers to: it can be changed by that name."""
+        kind = variable.type.get_canonical()
+        meant = kind.get_pointee()
+        if kind.kind not in _REFERRING or meant.is_const_qualified():
+            return None
+        given = [bare(part) for part in variable.get_children() if not part.kind.is_reference()]
+        held = next((one for one in given if one is not None and self.is_field(one)), None)
+        same = held is not None and held.type.get_canonical().spelling == meant.spelling
+        return held if same else None
 
     def class_fact(self, cursor: Cursor, place: Place) -> ClassFact:
         name = class_name(cursor)
@@ -314,11 +369,12 @@ class Reader:
             end=cursor.extent.end.line,
             abstract=cursor.is_abstract_record(),
             local=is_local(cursor),
+            access=cursor.access_specifier.name.lower(),
         )
         for child in cursor.get_children():
             at = self.place(child) or place
             if child.kind == CursorKind.CXX_BASE_SPECIFIER:
-                base = child.referenced
+                base = unaliased(child)
                 if base is not None and self.place(base) is not None:
                     fact.bases.append(class_name(base))
                     fact.base_places.append(at)
@@ -400,6 +456,17 @@ class Reader:
         )
 
 
+def bare(cursor: Cursor | None) -> Cursor | None:
+    """An expression without brackets, and without what takes or follows its address."""
+    while cursor is not None and cursor.kind in _WRAPPING:
+        cursor = next(cursor.get_children(), None)
+    return cursor
+
+
+def _words(cursor: Cursor) -> list[str]:
+    return [token.spelling for token in cursor.get_tokens()]
+
+
 def is_local(cursor: Cursor) -> bool:
     return bool(cursor.linkage in _LOCAL)
 
@@ -411,6 +478,14 @@ def aliased(cursor: Cursor) -> Iterator[Cursor]:
         count = max(0, meant.get_num_template_arguments())
         for part in (meant, *map(meant.get_template_argument_type, range(count))):
             yield (part.get_pointee() if part.kind in _REFERRING else part).get_declaration()
+
+
+def unaliased(cursor: Cursor) -> Cursor | None:
+    """The class that a base means."""
+    named = cursor.referenced
+    if named is not None and named.kind in (CursorKind.TYPE_ALIAS_DECL, CursorKind.TYPEDEF_DECL):
+        return cursor.type.get_canonical().get_declaration()
+    return named
 
 
 def _arguments_of(cursor: Cursor) -> Iterator[Cursor]:

@@ -6,11 +6,11 @@ The file of reviews holds hashes of what was reviewed, and git the texts themsel
 from __future__ import annotations
 
 import json
-import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from traceability.model.entries import Entries, Keys
 from traceability.model.link_texts import (
     hash_of_text,
     specification_at,
@@ -28,6 +28,8 @@ HEADING = """\
 # requirement, the specifications of the methods that satisfy it, the bodies of the tests that
 # verify it. Written by ./wr review.
 """
+NEEDS: Keys = {"reviewer": str, "date": str, "text": str}
+MAY: Keys = {"methods": dict, "tests": dict}
 KINDS = ("requirement", "method", "test")
 
 
@@ -89,10 +91,10 @@ def _specification(method: Method, sources: Sources) -> str:
     return specification_at(lines, method.place.line)
 
 
-def read_reviews(root: Path) -> dict[str, Review]:
-    path = root / REVIEWS
-    if not path.exists():
-        return {}
+def read_reviews(root: Path, entries: Entries | None = None) -> dict[str, Review]:
+    """The reviews that have all that a review needs."""
+    entries = entries or Entries(root)
+    begin = Place(str(REVIEWS), 1)
     return {
         name: Review(
             entry["reviewer"],
@@ -103,7 +105,8 @@ def read_reviews(root: Path) -> dict[str, Review]:
                 "test": entry.get("tests", {}),
             },
         )
-        for name, entry in tomllib.loads(path.read_text(encoding="utf-8")).items()
+        for name, entry in entries.whole(root / REVIEWS).items()
+        if entries.fits(entry, entries.line_in(begin, f"[{name}]"), NEEDS, MAY)
     }
 
 
@@ -136,8 +139,8 @@ def hashes(texts: Iterable[LinkText]) -> dict[str, dict[str, str]]:
     return found
 
 
-def add_reviews(model: Model, root: Path) -> None:
-    reviews = read_reviews(root)
+def add_reviews(model: Model, root: Path, entries: Entries) -> None:
+    reviews = read_reviews(root, entries)
     sources = Sources(root)
     for requirement in model.requirements.values():
         requirement.review = reviews.get(requirement.id)

@@ -218,6 +218,7 @@ class TreeNode:
     )  # binding with a recorded test -> so far
     outside: list[str] = field(default_factory=list)  # bindings that implement it out of the trace
     children: list[TreeNode] = field(default_factory=list)
+    otherwise: bool = False  # reached by a post instead of a call, or the other way round
 
     @property
     def ran(self) -> bool | None:
@@ -469,6 +470,7 @@ class ExecutionContext:
     priority: int | None = None
     first: list[str] = field(default_factory=list)  # methods with which it begins
     methods: list[str] = field(default_factory=list)  # methods of modules that it may reach
+    intended: int | None = None  # the priority that the design gives it
 
 
 @dataclass

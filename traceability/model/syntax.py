@@ -168,7 +168,7 @@ def includes_of(root: Path, file: str) -> list[IncludeFact]:
     found: list[IncludeFact] = []
     lines = (root / file).read_text(encoding="utf-8").splitlines()
     for number, line in enumerate(lines, 1):
-        written = re.match(r'\s*#\s*include\s*[<"]([^>"]+)[>"]', line)
+        written = re.match(r'\s*#\s*include\s*(?:/\*.*?\*/\s*)?[<"]([^>"]+)[>"]', line)
         if written is None:
             continue
         for folder in ((root / file).parent, *(root / name for name in DESIGN), root):

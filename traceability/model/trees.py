@@ -97,10 +97,10 @@ def _reach(tree: TreeNode, facts: Facts) -> None:
         }
         for child in node.children:
             wanted = accepted(child, facts) | {child.resolved or ""}
-            if child.kind == "post":
-                child.reachable = "ControlThread::post" in targets and _is_activated(wanted, facts)
-            else:
-                child.reachable = bool(wanted & targets)
+            called = bool(wanted & targets)
+            posted = "ControlThread::post" in targets and _is_activated(wanted, facts)
+            child.reachable = posted if child.kind == "post" else called
+            child.otherwise = not child.reachable and (posted or called)
 
 
 def _is_activated(wanted: set[str], facts: Facts) -> bool:

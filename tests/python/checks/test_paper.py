@@ -11,6 +11,7 @@ from tests.python.model.small_tree import write_tree
 from traceability.checks import paper
 from traceability.model.build import build
 from traceability.model.concordance import read_concordance
+from traceability.model.entries import Entries
 from traceability.model.schema import Model
 
 PAPER = """\
@@ -74,9 +75,10 @@ def tree(tmp_path: Path) -> Path:
 
 
 def found(built: Model, root: Path) -> list[tuple[str, str, int]]:
-    concordance = read_concordance(root)
+    concordance = read_concordance(root, Entries(root))
     assert built.facts is not None
     built.facts.declared.concordance = concordance
+    built.facts.declared.entries = Entries(root)
     built.paper = concordance.entries
     return [
         (one.check, one.place.file.removeprefix("design/"), one.place.line)
@@ -96,7 +98,9 @@ def test_a_complete_concordance_has_no_finding(built: Model, tree: Path) -> None
 
 
 def test_an_element_knows_every_place_that_names_it(tree: Path) -> None:
-    where = {element.name: element.where for element in read_concordance(tree).entries}
+    where = {
+        element.name: element.where for element in read_concordance(tree, Entries(tree)).entries
+    }
     assert where["Mode"] == ["Figure 1", "Table I"]
     assert where["Figure 1"] == []
 
@@ -112,10 +116,10 @@ def test_an_element_knows_every_place_that_names_it(tree: Path) -> None:
         (("concordance.toml", 'name = "Figure 1"', 'name = "Figure 2"'),
          ("paper-complete", "concordance.toml", 15)),
         (("concordance.toml", "module:RC", "module:Remote"),
-         ("paper-stale", "concordance.toml", 9)),
-        (("concordance.toml", "FR-15", "FR-16"), ("paper-stale", "concordance.toml", 15)),
+         ("paper-stale", "concordance.toml", 12)),
+        (("concordance.toml", "FR-15", "FR-16"), ("paper-stale", "concordance.toml", 18)),
         (("concordance.toml", "reading-modes", "read-modes"),
-         ("paper-stale", "concordance.toml", 15)),
+         ("paper-stale", "concordance.toml", 18)),
         (("concordance.toml", 'alias = "Two spellings."\n', ""),
          ("paper-alias", "concordance.toml", 9)),
         (("concordance.toml", 'here = ["module:RC"]', 'here = ["module:CR", "module:RC"]'),
@@ -132,7 +136,7 @@ def test_a_fault_is_found_at_its_line(
 def test_a_module_that_was_renamed_leaves_its_entry_stale(built: Model, tree: Path) -> None:
     modules = {name: module for name, module in built.modules.items() if name != "RC"}
     renamed = dataclasses.replace(built, modules=modules)
-    assert ("paper-stale", "concordance.toml", 9) in found(renamed, tree)
+    assert ("paper-stale", "concordance.toml", 12) in found(renamed, tree)
 
 
 def test_a_page_that_the_site_does_not_have_is_found(

@@ -21,7 +21,15 @@ def test_ids_are_unique_and_texts_are_whole_sentences() -> None:
 def test_every_clause_of_the_design_has_code_and_the_other_way_round() -> None:
     declared = {name for name in KNOWN if name in CLAUSES}
     assert declared == set(CLAUSES)
-    other = {"known", "role-unknown", "role-missing", "role-required", "count", "heir-unbound"}
+    other = {
+        "known",
+        "change",
+        "role-unknown",
+        "role-missing",
+        "role-required",
+        "count",
+        "heir-unbound",
+    }
     patterns = {name.removeprefix("pattern-") for name in KNOWN if name.startswith("pattern-")}
     assert patterns - other == {name.removeprefix("pattern-") for name in CLAUSES}
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from traceability.checks.registry import KNOWN
 from traceability.checks.requirements import unmet
 from traceability.model.build import set_states
 from traceability.model.evidence import read_evidence, reasons, settle_evidence
@@ -41,6 +42,7 @@ def model_with(text: str) -> Model:
         ("bench.scenarios.avg_ms at most 9", ["bench.scenarios.avg_ms was not measured"]),
         ("firmware.flash_bytes at most 9", ["firmware.flash_bytes was not measured"]),
         ("patterns.by_pattern at most 9", ["patterns.by_pattern was not measured"]),
+        ("checks.module-names at most 0", ["checks.module-names was not measured"]),
         ("nothing at most 9", ["nothing was not measured"]),
         ("coverage.line above 98", ["its evidence cannot be read: coverage.line above 98"]),
         ("checks.uses-extension exactly 0 findings", []),
@@ -51,7 +53,7 @@ def model_with(text: str) -> Model:
 def test_evidence_holds_or_says_why_not(text: str, wrong: list[str]) -> None:
     model = model_with(text)
     found = [Finding(PLACE, check, "", "") for check in ("module-name", "module-spec")]
-    settle_evidence(model, FIGURES, found)
+    settle_evidence(model, FIGURES, found, KNOWN)
     set_states(model)
     requirement = model.requirements["NFR-9"]
     assert reasons(requirement.evidence[0]) == wrong

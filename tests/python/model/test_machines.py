@@ -75,6 +75,21 @@ def test_a_machine_as_the_code_is_has_no_finding(tmp_path: Path) -> None:
             "On::wait changes On to Off, which lamp-states does not declare",
         ),
         (
+            "Lamp_cpp",
+            "void On::wait(Lamp& lamp) {\n -> static void go(Lamp& lamp, LampState& next) "
+            "{ lamp.changeState(next); }\nvoid On::wait(Lamp& lamp) {\n  go(lamp, off_);\n",
+            "fsm-code",
+            "On::wait changes On to Off, which lamp-states does not declare",
+        ),
+        (
+            "Lamp_cpp",
+            "void On::wait(Lamp& lamp) {\n -> template <class Any> static void go(Any& lamp, "
+            "LampState& to) { lamp.changeState(to); }\nvoid On::wait(Lamp& lamp) {\n"
+            "  go(lamp, off_);\n",
+            "fsm-code",
+            "On::wait changes to a state that the composition does not tell",
+        ),
+        (
             "start_cpp",
             "off(on), on(off) -> off(on), on(on)",
             "fsm-code",
