@@ -141,10 +141,10 @@ def verify(portal: Portal) -> list[Entry]:
         Entry("trees", "Invocation trees", "trees.html", "", trees),
         Entry("tests", "Tests", "tests.html", "T", len(portal.model.tests)),
         Entry("mutation", "Mutants", "mutation.html"),
-        Entry("reverse", "Reverse direction", "reverse.html"),
+        Entry("reverse", "From code to requirements", "reverse.html"),
         Entry("closed_loop", "Closed loop", "closed_loop.html", "", len(portal.model.closed_loop)),
         Entry("bench", "Bench", "bench.html"),
-        Entry("virtual_k64", "Findings of the board", "virtual_k64.html"),
+        Entry("virtual_k64", "Findings of the virtual K64", "virtual_k64.html"),
         Entry("checks", "Checks", "checks/index.html", "", len(portal.checks)),
         Entry("drift", "Drift test", "checks/drift.html", "", len(portal.faults)),
     ]

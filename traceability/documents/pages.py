@@ -114,7 +114,7 @@ def tests_page(portal: Portal) -> Page:
 
 def reverse_page(portal: Portal) -> Page:
     rows = reverse_rows(portal)
-    return portal.page("reverse", "Reverse direction", "reverse", "reverse", rows=rows)
+    return portal.page("reverse", "From code to requirements", "reverse", "reverse", rows=rows)
 
 
 def home_page(portal: Portal) -> Page:
