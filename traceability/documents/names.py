@@ -117,7 +117,7 @@ class Names:
     def types(self, code: str, own: str = "") -> Markup:
         """A type or a signature, with the modules and value types in it as links."""
         known = self.model.modules
-        parts = re.split(r"(\w+)", code)
+        parts = re.split(r"(\w+)", code.replace("< ", "<").replace(" >", ">"))
         return Markup("").join(
             anchor(self.links.module(one), one, "type") if one in known and one != own else one
             for one in parts

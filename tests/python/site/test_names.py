@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from typing import Any
 
 import pytest
@@ -50,3 +51,12 @@ def test_a_name_set_as_code_is_a_link(page: str, model: dict[str, Any]) -> None:
         if code.text in known and not code.linked and not code.listing
     ]
     assert loose == []
+
+
+def test_types_in_a_signature_are_links() -> None:
+    links = content("modules/Wheel.html").links
+    assert links.count("datatypes.html#Tension") == 2  # of setTension, in interface and guide
+
+
+def test_a_call_of_a_function_outside_classes_has_its_name_alone() -> None:
+    assert not re.search(r"\w::\s", content("execution.html").text)
