@@ -17,12 +17,11 @@ from traceability.model.schema import HOST, Finding, Model, Place
 _VERBS = {"method": "satisfies", "test": "verifies"}
 
 
-def check(model: Model, _facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> list[Finding]:
     parts = (
         _texts,
         _tags,
         _requirements,
-        _unknown,
         _stale,
         _results,
         _without,
@@ -30,7 +29,7 @@ def check(model: Model, _facts: Facts) -> list[Finding]:
         _lines,
         _suspects,
     )
-    return [finding for part in parts for finding in part(model)]
+    return [finding for part in parts for finding in part(model)] + _unknown(model, facts)
 
 
 def _texts(model: Model) -> list[Finding]:
@@ -166,7 +165,7 @@ def _results(model: Model) -> list[Finding]:
     ]
 
 
-def _unknown(model: Model) -> list[Finding]:
+def _unknown(model: Model, facts: Facts) -> list[Finding]:
     tagged = [(test.place, name) for test in model.tests.values() for name in test.verifies]
     for module in model.modules.values():
         for method in module.methods:
@@ -176,7 +175,7 @@ def _unknown(model: Model) -> list[Finding]:
             tagged += [(transition.place, name) for name in transition.requirements]
     for scenario in model.closed_loop:
         names = [figure.requirement for figure in scenario.figures if figure.requirement]
-        tagged += [(scenario.place, name) for name in names]
+        tagged += [(facts.declared.entries.line_in(scenario.place, name), name) for name in names]
     return [
         Finding(place, "req-unknown", f"there is no requirement {name}", "correct the id")
         for place, name in tagged

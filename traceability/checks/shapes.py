@@ -459,8 +459,8 @@ def singleton_constructor(shape: Shape) -> Broken:
         if not constructors:
             yield shape.place(module), f"{module} has the public constructor of the compiler"
         for method in constructors:
-            if method.access == "public":
-                yield method.place, f"a constructor of {module} is public"
+            if method.access != "private":
+                yield method.place, f"a constructor of {module} is {method.access}"
         for friend in shape.facts.syntax.friends:
             if friend.by == module:
                 yield friend.place, f"{friend.target} can construct {module}"

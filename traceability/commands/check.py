@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from traceability.model.schema import Finding, Model
 
 STEPS = 4
+WRITTEN = ("src", "extensions", "sim", "tests", "requirements", "design", "docs", "README.md")
 PARTS = ("model", "checks", "site", "links")
 # Changed files -> the figure that the time for model, checks, site and links is then.
 MEASURED = {None: "build.cold_s", 1: "build.edit_s"}
@@ -120,7 +121,11 @@ def make_anew(
 
     def make_model(_log: TextIO) -> str:
         nonlocal model
-        model = build_model(root)
+        try:
+            model = build_model(root)
+        except UnicodeDecodeError as error:
+            findings.extend(not_text(root))
+            raise FailureError("a file is not UTF-8") from error
         return f"{len(model.modules)} modules, {len(model.requirements)} requirements"
 
     def run_all(_log: TextIO) -> str:
@@ -157,6 +162,23 @@ def make_anew(
     return findings, steps.run("links", check_links) and whole
 
 
+def not_text(root: Path) -> list[Finding]:
+    """The first line of each source that is not UTF-8."""
+    from traceability.model.schema import Finding, Place
+    from traceability.sources import files_below
+
+    found: list[Finding] = []
+    for path in files_below(root, WRITTEN):
+        data = path.read_bytes()
+        try:
+            data.decode()
+        except UnicodeDecodeError as error:
+            place = Place(str(path.relative_to(root)), data.count(b"\n", 0, error.start) + 1)
+            text = f"the byte {data[error.start]:#x} is not UTF-8"
+            found.append(Finding(place, "doc-warning", text, "write the file in UTF-8"))
+    return found
+
+
 def is_unreadable(model: Model | None) -> bool:
     """Whether a part of the design is missing, and every page would show less than there is."""
     return bool(model and model.facts and model.facts.declared.entries.unreadable)
@@ -174,7 +196,8 @@ def report(findings: list[Finding], steps: Steps) -> int:
     """Prints the findings and the failed steps; returns the exit code."""
     from traceability.checks import message, sort
 
-    for finding in sort(findings):
+    first = ("syntax-error", "design-entry")  # what others may follow from
+    for finding in sorted(sort(findings), key=lambda one: one.check not in first):
         print(message(finding))
     if steps.failed:
         print(f"failed: {', '.join(steps.failed)}")

@@ -139,7 +139,9 @@ class Copy:
         return [_outcome(*pair, new, error) for pair in zip(faults, lines, strict=True)]
 
     def _cached(self) -> list[Path]:
-        return sorted((self.tree / "build" / "model").rglob("*.json"))
+        """What is kept of each file. What Doxygen said belongs to its XML, which stays."""
+        found = sorted((self.tree / "build" / "model").rglob("*.json"))
+        return [path for path in found if path.name != "doxygen.json"]
 
     def _stamps(self) -> dict[Path, int]:
         return {path: path.stat().st_mtime_ns for path in self._cached()}

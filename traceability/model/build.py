@@ -91,7 +91,7 @@ def build(root: Path) -> Model:
         recordings.vectors = set(model.functions) - called
     add_tests(model, facts)
     add_board_findings(model, facts)
-    model.closed_loop = read_closed_loop(root, model.sources_hash)
+    model.closed_loop = read_closed_loop(root, model.sources_hash, facts.declared.entries)
     add_executed_modules(model, traces)
     add_machines(model, facts, traces, build_folder / "cache")
     add_execution(model, facts)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import csv
-import tomllib
 from collections.abc import Sequence
+from numbers import Real
 from pathlib import Path
 from typing import Any
 
+from traceability.model.entries import Entries, Keys
 from traceability.model.results import RESULTS, read_json
 from traceability.model.schema import (
     HOST,
@@ -27,6 +28,18 @@ FOLDER = RESULTS / "closed_loop"
 SHORT = {HOST: "host", VIRTUAL_K64: "k64"}
 MEAN_MS = 1000
 CURVES = ("set_point", "measured", "truth")
+SCENARIO: Keys = {"name": str, "title": str, "says": str}
+PARTS: dict[str, tuple[Keys, Keys]] = {
+    "plot": (
+        {"title": str, "unit": str, "scale": Real},
+        {**dict.fromkeys(CURVES, str), "from": Real},
+    ),
+    "figure": (
+        {"title": str, "unit": str, "kind": str, "column": str}
+        | dict.fromkeys(("from", "to", "limit"), Real),
+        {"requirement": str} | dict.fromkeys(("target", "band", "scale"), Real),
+    ),
+}
 
 Rows = list[dict[str, str]]
 Points = list[tuple[float, float]]
@@ -37,20 +50,31 @@ def csv_of(scenario: str, binding: str) -> Path:
     return FOLDER / f"{scenario}-{SHORT[binding]}.csv"
 
 
-def declared(root: Path) -> list[dict[str, Any]]:
-    path = root / DECLARED
-    if not path.is_file():
-        return []
-    found: list[dict[str, Any]] = tomllib.loads(path.read_text(encoding="utf-8"))["scenario"]
-    return found
+def declared(root: Path, entries: Entries | None = None) -> list[dict[str, Any]]:
+    """The scenarios with those of their plots and figures that have what each needs."""
+    entries = entries or Entries(root)
+    may: Keys = {"plot": list, "figure": list}
+    found = entries.tables(root / DECLARED, "scenario", SCENARIO, may, own="name")
+    for item, place in found:
+        for part, (needs, others) in PARTS.items():
+            item[part] = [
+                one
+                for one in item.get(part, [])
+                if entries.fits(
+                    one, entries.line_in(place, f'"{one.get("title", "")}"'), needs, others
+                )
+            ]
+    return [item for item, _ in found]
 
 
-def read_closed_loop(root: Path, sources: str) -> list[LoopScenario]:
+def read_closed_loop(
+    root: Path, sources: str, entries: Entries | None = None
+) -> list[LoopScenario]:
     """The scenarios; their curves and values are there when they ran with these sources."""
     outcomes = read_json(root / OUTCOMES)
     fresh = isinstance(outcomes, dict) and outcomes.get("sources") == sources
     runs = outcomes["runs"] if fresh else {}
-    return [_scenario(root, item, runs.get(item["name"], {})) for item in declared(root)]
+    return [_scenario(root, item, runs.get(item["name"], {})) for item in declared(root, entries)]
 
 
 def _scenario(root: Path, item: dict[str, Any], runs: dict[str, Any]) -> LoopScenario:
@@ -75,7 +99,8 @@ def _scenario(root: Path, item: dict[str, Any], runs: dict[str, Any]) -> LoopSce
 
 def _place(root: Path, name: str) -> Place:
     lines = (root / DECLARED).read_text(encoding="utf-8").splitlines()
-    return Place(str(DECLARED), lines.index(f'name = "{name}"') + 1)
+    number = lines.index(f'name = "{name}"')
+    return Place(str(DECLARED), max(n for n in range(number) if lines[n] == "[[scenario]]") + 1)
 
 
 def read_rows(path: Path) -> Rows:

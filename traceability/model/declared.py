@@ -269,6 +269,8 @@ def _machine(place: Place, path: Path, entries: Entries) -> StateMachine | None:
             {"guard": str, "action": str, "requirements": list},
         )
     ]
+    if place.file in entries.unreadable:
+        return None
     needs = {"id": str, "title": str, "application": str, "initial": str, "states": dict}
     data = {name: entries.value(path, name, None) for name in (*needs, "events")}
     data["events"] = data["events"] or {}

@@ -9,6 +9,7 @@ import re
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from numbers import Real
 from pathlib import Path
 from typing import Any
 
@@ -102,8 +103,10 @@ class Entries:
         path = self.root / place.file
         lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
         wanted = re.compile(rf"(?<![\w-]){re.escape(words)}(?![\w-])")
+        header = lines[place.line - 1] if place.line <= len(lines) else ""
+        below = header.strip().rstrip("]") + "."  # its parts: [[entry.part]]
         for number, line in enumerate(lines[place.line - 1 :], place.line):
-            if number > place.line and line.lstrip().startswith("[["):
+            if number > place.line and line.startswith("[[") and not line.startswith(below):
                 break
             if wanted.search(line.split(" #")[0]) and not line.startswith("#"):
                 return Place(place.file, number)
@@ -124,4 +127,4 @@ class Entries:
         return Place(str(path.relative_to(self.root)), line)
 
 
-_WORDS = {str: "a text", list: "a list", dict: "a table", int: "a number"}
+_WORDS = {str: "a text", list: "a list", dict: "a table", int: "a number", Real: "a number"}

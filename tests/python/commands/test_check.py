@@ -79,3 +79,12 @@ def test_only_a_first_run_and_an_edit_of_one_file_are_measured() -> None:
     assert set(check.measured(0.0, 1)) == {"build.edit_s"}
     assert check.measured(0.0, 2) == {}
     assert check.count_changes({"a": "1", "b": "1"}, {"a": "2", "c": "1"}) == 3
+
+
+def test_a_file_that_is_not_text_is_found_at_its_line(tmp_path: Path) -> None:
+    (tmp_path / "src").mkdir()
+    (tmp_path / "src" / "Lamp.hpp").write_bytes(b"// one\n// tw\xf6\n")
+    (tmp_path / "src" / "Pipe.hpp").write_text("// größer\n", encoding="utf-8")
+    (found,) = check.not_text(tmp_path)
+    assert (found.place.file, found.place.line) == ("src/Lamp.hpp", 2)
+    assert found.text == "the byte 0xf6 is not UTF-8"

@@ -25,7 +25,9 @@ if "fails" in scenario:
 @pytest.fixture
 def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (tmp_path / "design").mkdir()
-    (tmp_path / "design/closed_loop.toml").write_text('[[scenario]]\nname = "one"\n')
+    (tmp_path / "design/closed_loop.toml").write_text(
+        '[[scenario]]\nname = "one"\ntitle = "One"\nsays = "It is the one."\n'
+    )
     for folder in ("build/results", "build/host/sim", "build/k64", "sim/scenario/examples"):
         (tmp_path / folder).mkdir(parents=True)
     for name in ("weeding_robot_host", "weeding_robot_board"):

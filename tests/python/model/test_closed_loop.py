@@ -7,7 +7,12 @@ from typing import Any
 import pytest
 
 from traceability.checks.requirements import check
+from traceability.model.annotations import Annotations
 from traceability.model.closed_loop import csv_of, declared, measure, read_closed_loop
+from traceability.model.code_facts import Syntax
+from traceability.model.declared import Declared
+from traceability.model.entries import Entries
+from traceability.model.facts import gather_facts
 from traceability.model.schema import HOST, VIRTUAL_K64
 
 ROOT = Path(__file__).parents[3]
@@ -123,10 +128,13 @@ def test_a_figure_of_a_requirement_that_is_none_is_found(tmp_path: Path) -> None
     from tests.python.documents.fixture import make_model
 
     model = make_model()
-    model.closed_loop = read_closed_loop(project(tmp_path, ROWS), "hash")
-    # This check reads no facts.
-    found = [one for one in check(model, None) if one.check == "req-unknown"]  # type: ignore[arg-type]
-    assert any("FR-1" in one.text and one.place.file == "design/closed_loop.toml" for one in found)
+    root = project(tmp_path, ROWS)
+    model.closed_loop = read_closed_loop(root, "hash")
+    facts = gather_facts(root, Annotations(), Syntax(), Declared(entries=Entries(root)))
+    unknown = [one for one in check(model, facts) if one.check == "req-unknown"]
+    found = next(one for one in unknown if one.place.file == "design/closed_loop.toml")
+    lines = (root / found.place.file).read_text().splitlines()
+    assert lines[found.place.line - 1] == 'requirement = "FR-1"'
 
 
 def test_each_scenario_of_the_project_is_a_file_and_names_columns_that_exist() -> None:
