@@ -80,8 +80,8 @@ _FIXED = [
     Check(
         "design-entry",
         "The files of the design can be read",
-        "Every file of design/ is TOML; each entry has the keys that it needs and no others; what "
-        "has a name of its own has one entry.",
+        "Every file of design/ is there and is TOML; each entry has the keys that it needs and no "
+        "others; what has a name of its own has one entry.",
         "whether what an entry says is true; the other checks compare it with the code. As long as "
         "a file cannot be read, they wait.",
         "correct the line, or the name of the key.",

@@ -126,6 +126,14 @@ class Declared:
     changes: ChangeTexts = field(default_factory=ChangeTexts)
 
 
+# The files of a whole design, beside its trees and state machines.
+FILES = (
+    *("applications", "architecture", "board_findings", "changes", "clauses", "closed_loop"),
+    *("concordance", "execution", "justified", "modules", "paper", "questions"),
+    *("register_owners", "stack", "uses"),
+)
+
+
 def read_declared(root: Path) -> Declared:
     entries = Entries(root)
     declared = Declared(entries=entries)
@@ -160,6 +168,8 @@ def read_declared(root: Path) -> Declared:
     entries.others()
     for path in files_below(root, ("design", "requirements"), (".toml",)):
         entries.whole(path)  # others read it too
+    if declared.total is not None:
+        entries.absent(design / f"{name}.toml" for name in FILES)
     return declared
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from numbers import Real
 from pathlib import Path
@@ -118,6 +118,13 @@ class Entries:
             for name in self._read.get(path, {}).keys() - asked:
                 text = f"nothing reads what stands under {name}"
                 self.problems.append(Problem(self.place_of(path, name), text, "correct the name"))
+
+    def absent(self, files: Iterable[Path]) -> None:
+        """Notes the files that should be there, and are not."""
+        for path in [path for path in files if not path.exists()]:
+            place = Place(str(path.relative_to(self.root)), 1)
+            text, mend = "there is no such file", "write it: a whole design has it"
+            self.problems.append(Problem(place, text, mend))
 
     def place_of(self, path: Path, name: str) -> Place:
         """Where a name of its own first stands."""

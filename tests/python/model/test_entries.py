@@ -80,3 +80,18 @@ def test_a_file_that_is_no_toml_hides_the_other_checks(tmp_path: Path) -> None:
     (root / "design" / "stack.toml").write_text("faults = [\n", encoding="utf-8")
     model = build(root)
     assert {finding.check for finding in run_checks(model)} == {"design-entry"}
+
+
+def test_a_file_that_a_whole_design_lacks_is_told(tmp_path: Path) -> None:
+    root = write_tree(tmp_path)
+    lacks = "design/concordance.toml:1 there is no such file"
+    assert lacks not in told(root)
+    design = root / "design/modules.toml"
+    text = design.read_text(encoding="utf-8") if design.exists() else ""
+    design.write_text(f"total = 133\n{text}", encoding="utf-8")
+    assert lacks in told(root)
+
+
+def told(root: Path) -> list[str]:
+    found = [f for f in run_checks(build(root)) if f.check == "design-entry"]
+    return [f"{f.place.file}:{f.place.line} {f.text}" for f in found]
