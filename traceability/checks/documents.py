@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 from traceability.checks.links import missing_paths
 from traceability.model.facts import Facts
-from traceability.model.schema import Finding, Model
+from traceability.model.schema import Finding, Model, Place
+from traceability.sources import files_below
 
+READ = ("src", "extensions", "sim", "tests", "requirements", "design", "docs", "README.md")
 SECOND_REQUIREMENT = re.compile(r"duplicate requirement ID '([^']+)'")
 UNKNOWN_REQUIREMENT = re.compile(r"(satisfies|verifies)|[Rr]equirement")
 
@@ -30,4 +33,18 @@ def check(_model: Model, facts: Facts) -> list[Finding]:
         known = "req-unknown" if unknown else "doc-warning"
         mend = "name a requirement that exists" if unknown else "correct the comment"
         found.append(Finding(warning.place, known, warning.text.rstrip(" ."), mend))
+    return found
+
+
+def not_text(root: Path) -> list[Finding]:
+    """The first line of each source that is not UTF-8."""
+    found: list[Finding] = []
+    for path in files_below(root, READ):
+        data = path.read_bytes()
+        try:
+            data.decode()
+        except UnicodeDecodeError as error:
+            place = Place(str(path.relative_to(root)), data.count(b"\n", 0, error.start) + 1)
+            text = f"the byte {data[error.start]:#x} is not UTF-8"
+            found.append(Finding(place, "doc-warning", text, "write the file in UTF-8"))
     return found

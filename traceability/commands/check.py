@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from traceability.model.schema import Finding, Model
 
 STEPS = 4
-WRITTEN = ("src", "extensions", "sim", "tests", "requirements", "design", "docs", "README.md")
 PARTS = ("model", "checks", "site", "links")
 # Changed files -> the figure that the time for model, checks, site and links is then.
 MEASURED = {None: "build.cold_s", 1: "build.edit_s"}
@@ -124,6 +123,8 @@ def make_anew(
         try:
             model = build_model(root)
         except UnicodeDecodeError as error:
+            from traceability.checks.documents import not_text
+
             findings.extend(not_text(root))
             raise FailureError("a file is not UTF-8") from error
         return f"{len(model.modules)} modules, {len(model.requirements)} requirements"
@@ -160,23 +161,6 @@ def make_anew(
         steps.skip("links", "the site was not built")
         return findings, False
     return findings, steps.run("links", check_links) and whole
-
-
-def not_text(root: Path) -> list[Finding]:
-    """The first line of each source that is not UTF-8."""
-    from traceability.model.schema import Finding, Place
-    from traceability.sources import files_below
-
-    found: list[Finding] = []
-    for path in files_below(root, WRITTEN):
-        data = path.read_bytes()
-        try:
-            data.decode()
-        except UnicodeDecodeError as error:
-            place = Place(str(path.relative_to(root)), data.count(b"\n", 0, error.start) + 1)
-            text = f"the byte {data[error.start]:#x} is not UTF-8"
-            found.append(Finding(place, "doc-warning", text, "write the file in UTF-8"))
-    return found
 
 
 def is_unreadable(model: Model | None) -> bool:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from traceability.checks.documents import not_text
 from traceability.commands import check
 from traceability.commands.steps import Steps
 from traceability.made import RECORD, SITE, read_made
@@ -85,6 +86,6 @@ def test_a_file_that_is_not_text_is_found_at_its_line(tmp_path: Path) -> None:
     (tmp_path / "src").mkdir()
     (tmp_path / "src" / "Lamp.hpp").write_bytes(b"// one\n// tw\xf6\n")
     (tmp_path / "src" / "Pipe.hpp").write_text("// größer\n", encoding="utf-8")
-    (found,) = check.not_text(tmp_path)
+    (found,) = not_text(tmp_path)
     assert (found.place.file, found.place.line) == ("src/Lamp.hpp", 2)
     assert found.text == "the byte 0xf6 is not UTF-8"
