@@ -31,7 +31,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _contexts(model: Model, facts: Facts) -> list[Finding]:
-    declared, found = _handlers(model)
+    declared, found = _handlers(model, facts)
     lines = handler_lines(facts)
     for handler in sorted(set(lines) - set(declared)):
         text = f"the handler {handler} of line {lines[handler][0]} belongs to no context"
@@ -50,7 +50,7 @@ def _contexts(model: Model, facts: Facts) -> list[Finding]:
     return found
 
 
-def _handlers(model: Model) -> tuple[dict[str, ExecutionContext], list[Finding]]:
+def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], list[Finding]]:
     """Handler -> its one context, of a kind that there is."""
     declared: dict[str, ExecutionContext] = {}
     found: list[Finding] = []
@@ -58,6 +58,16 @@ def _handlers(model: Model) -> tuple[dict[str, ExecutionContext], list[Finding]]
         if context.kind not in KINDS:
             text = f"{context.id} has the kind {context.kind}, and not one of: {', '.join(KINDS)}"
             found.append(_declared(context.place, text, "correct the kind"))
+        if (context.kind == THREAD) != bool(context.body):
+            held = "a body" if context.body else "no body"
+            text = f"{context.id} is of the kind {context.kind}, and has {held}"
+            key = "body" if context.body else "kind"
+            place = facts.declared.entries.line_in(context.place, key)
+            found.append(_declared(place, text, "a thread has one, and nothing else"))
+        if len(set(context.handlers)) != len(context.handlers):
+            text = f"{context.id} names a handler twice"
+            place = facts.declared.entries.line_in(context.place, "handlers")
+            found.append(_declared(place, text, "leave one of the two"))
         for handler in context.handlers:
             other = declared.setdefault(handler, context)
             if other is not context:

@@ -12,7 +12,9 @@ from traceability.sources import DESIGN, files_below
 
 SHARED = "design/modules.toml"
 # Beside C++: texts on folders, and what the linker and the build of the K64 read.
-OTHERS = (".dox", ".ld", ".txt", ".cmake")
+OTHERS = ("module.dox", "CMakeLists.txt")
+OTHER_ENDINGS = (".ld", ".cmake")
+NAMED = re.compile(r'\s*(<|"[^"]+\.hpp")')  # a header
 DIRECTIVE = re.compile(r"\s*(?:(?:/\*)?.*?\*/\s*)?(?:#|%:|\?\?=)\s*(\w*)(.*)")
 
 
@@ -42,7 +44,9 @@ def _files(model: Model, facts: Facts) -> list[Finding]:
         file = str(path.relative_to(facts.root))
         header = str(Path(file).with_suffix(".hpp"))
         folder = str(Path(file).parent)
-        if path.suffix in OTHERS or file in known or header in known or _composes(model, folder):
+        if path.name in OTHERS or path.suffix in OTHER_ENDINGS:
+            continue
+        if file in known or header in known or _composes(model, folder):
             continue
         if path.suffix in (".cpp", ".hpp"):
             found.append(_finding(Place(file, 1), f"{file} belongs to no module"))
@@ -116,7 +120,7 @@ def _preprocessor(root: Path) -> list[Finding]:
     for path in files_below(root, DESIGN, (".cpp", ".hpp")):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             match = DIRECTIVE.match(line)
-            if match is None or (match[1] == "include" and match[2].strip()[:1] in ("<", '"')):
+            if match is None or (match[1] == "include" and NAMED.match(match[2])):
                 continue
             if (match[1], match[2].strip()) == ("pragma", "once"):
                 continue

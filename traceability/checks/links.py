@@ -14,7 +14,9 @@ from urllib.parse import unquote
 from traceability.model.schema import Finding, Model, Place
 from traceability.sources import files_below
 
-NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`")  # a path of the project, as it is written
+# A path of the project, as it is written; or as a link of the README.
+NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^)]*)?\)")
+URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # in a sheet of styles
 SOURCES = (".rst", ".dox", ".toml", ".tree", ".hpp", ".cpp", ".py")
 ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|'[^']*')""")
 
@@ -31,6 +33,9 @@ def _text(file: str) -> str:
 
 def _read(file: str) -> _Page:
     text, page = _text(file), _Page({"", "top"}, {})
+    if file.endswith(".css"):
+        page.links |= {found[1]: found.start() for found in URL.finditer(text)}
+        return page
     for attribute in ATTRIBUTE.finditer(text):
         start = text.rfind("<", 0, attribute.start())
         if start < text.rfind(">", 0, attribute.start()):
@@ -49,7 +54,7 @@ class _Site:
     def __init__(self, root: Path) -> None:
         self.root = str(root.resolve())
         self.files = {str(path) for path in Path(self.root).rglob("*") if path.is_file()}
-        names = [file for file in sorted(self.files) if file.endswith((".html", ".svg"))]
+        names = [file for file in sorted(self.files) if file.endswith((".html", ".svg", ".css"))]
         with get_context("fork").Pool() as pool:
             self.pages = dict(zip(names, pool.map(_read, names), strict=True))
         self.away = functools.cache(self._away)
@@ -131,7 +136,9 @@ class Texts:
     def place_of(self, target: str, page: str) -> Place | None:
         """Where a link stands as it is; nowhere when it is put together."""
         own = Path("docs") / Path(page).with_suffix(".rst").name
-        written = re.compile(rf"""["'<](?:@/|(?:\.\./)*){re.escape(target)}["'>]""")
+        written = re.compile(
+            rf"""["'<](?:@/|\{{\{{ root \}}\}}|(?:\.\./)*){re.escape(target)}["'>]"""
+        )
         first = [str(own)] if (self.root / own).is_file() else []
         for file in [*first, *self.templates]:
             for number, line in enumerate(self.read(file), 1):
@@ -157,7 +164,7 @@ def missing_paths(root: Path) -> list[Finding]:
     for path in files_below(root, ("README.md", "docs"), (".md", ".rst")):
         file = str(path.relative_to(root))
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            for named in NAMED.findall(line):
+            for named in filter(None, sum(NAMED.findall(line), ())):
                 top, name = named.split("/")[0], root / named
                 known = (root / top).is_dir() or name.suffix in SOURCES
                 if known and top != "build" and not name.exists():
@@ -182,4 +189,7 @@ def _place(path: Path, line: int, site: Path, places: dict[str, Place]) -> Place
     page = site.parent.parent / "docs" / Path(name).with_suffix(".rst").name
     if page.is_file():
         return Place(f"docs/{page.name}", 1)
+    style = site.parent.parent / "site" / "theme" / "static" / path.name
+    if path.suffix == ".css" and style.is_file():
+        return Place(f"site/theme/static/{path.name}", line)
     return Place(f"build/site/{name}", line)

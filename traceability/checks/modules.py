@@ -6,11 +6,13 @@ import re
 from pathlib import Path
 
 from traceability.model.annotations import Text
+from traceability.model.code_facts import MethodFact
 from traceability.model.facts import Facts
 from traceability.model.schema import Finding, Method, Model, Module, Place, is_extension
 from traceability.sources import DESIGN, SRC
 
 FEWEST_WORDS = 3  # of a sentence that says something
+FEWEST_OF_BRIEF = 2  # what is done, and with what
 NUMBER = re.compile(r"\b(u?int\d+_t|size_t|int|unsigned|short|long|float|double)\b")
 # What a number is: one with a unit, a count or a number of something, bytes, or what a field holds.
 MEANING = re.compile(
@@ -25,6 +27,7 @@ QUANTITY = re.compile(
     r"(const )?(std::optional<)?(Velocity|Tension|Current|Angle|StepRate|DutyCycle|Microseconds)\b"
 )
 UNIT = re.compile(r"\[.+?\]|\bnot used\b|\bno meaning\b")
+PROMISE = re.compile(r"\b(to be (written|done|defined|decided)|TODO|TBD|FIXME)\b", re.IGNORECASE)
 INTERRUPT = re.compile(r"(yes|no)$|depends on ")  # what @isr says
 
 
@@ -40,10 +43,13 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         found += _place_and_name(module, facts)
         found += _function(module, text, functions)
         found += _secret(module, text, secrets)
+        found += _constants(module, facts)
         for method in module.methods:
             if method.access == "public":
                 found += _specification(method)
-    return found + _folders(model, facts) + _written(model, facts) + _nested(facts)
+    return (
+        found + _folders(model, facts) + _written(model, facts) + _nested(facts) + _functions(facts)
+    )
 
 
 def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
@@ -130,6 +136,11 @@ def _function(module: Module, text: Text, functions: dict[str, str]) -> list[Fin
     return [Finding(module.place, "module-function", wrong, mend)]
 
 
+def says(text: str) -> bool:
+    """Whether a text is a sentence, and no promise of one."""
+    return len(text.split()) >= FEWEST_WORDS and not PROMISE.search(text)
+
+
 def words_of(text: str) -> str:
     """A text without capitals and marks."""
     return " ".join(re.findall(r"\w+", text.casefold()))
@@ -138,23 +149,69 @@ def words_of(text: str) -> str:
 def _nested(facts: Facts) -> list[Finding]:
     """A class that a module lets others use says what it is."""
     described = {name for name, item in facts.annotations.classes.items() if item.text.brief}
+    nested = [
+        fact
+        for fact in facts.syntax.classes
+        if fact.access == "public" and fact.name.split("::")[0] in facts.modules
+    ]
+    silent = [(fact.name, fact.place) for fact in nested if fact.qualified not in described]
+    silent += [(m.id, m.place) for fact in nested for m in fact.methods if _is_silent(m, facts)]
     return [
         Finding(
-            fact.place,
+            place,
             "module-spec",
-            f"{fact.name} is public, and has no @brief",
+            f"{name} is public, and has no @brief",
             "make it private, or say above it what it is",
         )
-        for fact in facts.syntax.classes
-        if fact.access == "public"
-        and fact.name.split("::")[0] in facts.modules
-        and fact.qualified not in described
+        for name, place in silent
     ]
+
+
+def _constants(module: Module, facts: Facts) -> list[Finding]:
+    """What a module lets others read says what it is."""
+    described = facts.annotations.classes.get(module.qualified)
+    words = {part.name: part.text for part in described.parts} if described else {}
+    return [
+        Finding(
+            field.place,
+            "module-spec",
+            f"{module.name}::{field.name} is public, and has no @brief",
+            "make it private, or say above it what it is",
+        )
+        for field in facts.classes[module.name].fields
+        if field.access == "public" and not words.get(field.name)
+    ]
+
+
+def _functions(facts: Facts) -> list[Finding]:
+    """A function of a header that several modules share says what it is."""
+    shared = {item.file for item in facts.declared.shared}
+    found: list[Finding] = []
+    for body in facts.syntax.bodies:
+        if body.owner or body.place.file not in shared or not body.place.file.endswith(".hpp"):
+            continue
+        lines = (facts.root / body.place.file).read_text(encoding="utf-8").splitlines()
+        above = [line.strip() for line in lines[max(0, body.place.line - 3) : body.place.line - 1]]
+        if not any(line.startswith("///") for line in above):
+            text, mend = f"{body.id} has no @brief", "write it above the function"
+            found.append(Finding(body.place, "module-spec", text, mend))
+    return found
+
+
+def _is_silent(method: MethodFact, facts: Facts) -> bool:
+    """Whether a method of a nested class that others can call has no words."""
+    if method.access != "public" or method.deleted or method.defaulted or method.overrides:
+        return False
+    item = next(
+        (c for n, c in facts.annotations.classes.items() if n.endswith(f"::{method.owner}")), None
+    )
+    lines = {member.place.line for member in item.members if member.text.brief} if item else set()
+    return method.place.line not in lines
 
 
 def _secret(module: Module, text: Text, secrets: dict[str, str]) -> list[Finding]:
     found: list[Finding] = []
-    count = len([secret for secret in text.all("Secret") if len(secret.split()) >= FEWEST_WORDS])
+    count = len([secret for secret in text.all("Secret") if says(secret)])
     if count != 1:
         found.append(
             Finding(
@@ -189,8 +246,9 @@ def _secret(module: Module, text: Text, secrets: dict[str, str]) -> list[Finding
 
 def _specification(method: Method) -> list[Finding]:
     missing: list[str] = []
-    if not method.brief:
+    if len(method.brief.split()) < FEWEST_OF_BRIEF:
         missing.append("@brief")
+    missing += [f"name of the parameter {param.type}" for param in method.params if not param.name]
     missing += [f"@param {param.name}" for param in method.params if param.name and not param.text]
     missing += [
         f"unit or meaning of the number {param.name}"
@@ -238,12 +296,20 @@ def folder_of(logic: str) -> str:
 
 def _folders(model: Model, facts: Facts) -> list[Finding]:
     found: list[Finding] = []
+    secrets: dict[str, str] = {}
     for logic in model.logic_modules.values():
         if logic.id not in facts.annotations.folders and not logic.place.file.endswith(".dox"):
             missing = ["@dir"]
         else:
             texts = {"@brief": logic.brief, "@function": logic.function, "@secret": logic.secret}
             missing = [name for name, text in texts.items() if not text]
+            if not missing and not says(logic.secret):
+                missing = ["@secret that says something"]
+            secret = words_of(logic.secret)
+            if not missing and secret in (words_of(logic.function), words_of(logic.brief)):
+                missing = ["@secret beside what it says of itself to everybody"]
+            elif not missing and secrets.setdefault(secret, logic.id) != logic.id:
+                missing = [f"@secret of its own: it is that of {secrets[secret]}"]
         found += [
             Finding(
                 logic.place,

@@ -12,10 +12,13 @@ from traceability.model.units import is_board
 REGISTERS = "src/k64/registers.hpp"  # the table of all blocks
 REGISTER = "src/k64/Register.hpp"  # where a number becomes an address
 OWNERS = "design/register_owners.toml"
+START_UP = "/start_up/"  # before it, and after it, there is no driver
+MEMORY = re.compile(r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]')  # what reads or writes
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
     found = _undeclared(facts) + _used(model, facts) + _past_the_table(facts) + _twice(facts)
+    found += _borrowed(facts)
     return found + [finding for block in facts.declared.blocks for finding in _idle(block, facts)]
 
 
@@ -83,13 +86,20 @@ def _past_the_table(facts: Facts) -> list[Finding]:
     own += [
         _finding(place, "an instruction of the processor reaches past the drivers", mend)
         for place in facts.syntax.instructions
-        if not is_board(place.file)
+        if not is_board(place.file) or _reaches(place, facts)
     ]
     return own + [
         _finding(place, "a number is made into an address", mend)
         for place in facts.syntax.casts
         if place.file != REGISTER
     ]
+
+
+def _reaches(place: Place, facts: Facts) -> bool:
+    """Whether an instruction of a driver reads or writes an address of its own."""
+    lines = (facts.root / place.file).read_text(encoding="utf-8").splitlines()[place.line - 1 :]
+    words = "\n".join(lines).partition(";")[0]
+    return START_UP not in place.file and MEMORY.search(words) is not None
 
 
 def _twice(facts: Facts) -> list[Finding]:
@@ -102,8 +112,12 @@ def _twice(facts: Facts) -> list[Finding]:
     for number, line in enumerate(lines, 1):
         opened = re.match(r"namespace (\w+)", line)
         block = opened[1] if opened else block
-        address = re.search(r"\bRegister<[^>]*?\b(0x[\da-fA-F']+)", line)
+        address = re.search(r"\bRegister<[^>]*?\b(0x[\da-fA-F']+)\s*[,>]", line)
         if address is None:
+            if re.search(r"\bRegister\s*<", line.split("//")[0]):
+                text = "the address of the register is no number"
+                mend = "write the number that the manual gives"
+                found.append(_finding(Place(REGISTERS, number), text, mend))
             continue
         owner = first.setdefault(int(address[1].replace("'", ""), 16), block)
         if owner != block:
@@ -111,6 +125,27 @@ def _twice(facts: Facts) -> list[Finding]:
             mend = "leave it in the block that the manual names"
             found.append(_finding(Place(REGISTERS, number), text, mend))
     return found
+
+
+def _borrowed(facts: Facts) -> list[Finding]:
+    """A block of the table that gives what another block holds."""
+    own: dict[int, str] = {}
+    path = facts.root / REGISTERS
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    for number, line in enumerate(lines, 1):
+        opened = re.match(r"namespace (\w+)", line)
+        own[number] = opened[1] if opened else own.get(number - 1, "")
+    return [
+        _finding(
+            fact.place,
+            f"the block {own[fact.place.line]} names what belongs to {fact.block}",
+            "let the owner of that block use it",
+        )
+        for fact in facts.syntax.blocks
+        if fact.place.file == REGISTERS
+        and fact.file == REGISTERS
+        and fact.block != own[fact.place.line]
+    ]
 
 
 def _idle(block: Block, facts: Facts) -> list[Finding]:

@@ -104,12 +104,21 @@ def _unused(model: Model) -> list[Finding]:
 
 def _allowed_twice(model: Model) -> list[Finding]:
     first: dict[tuple[str, str], Place] = {}
+    everybody = {(one.source, one.target): one.place for one in model.allowed_uses}
     found: list[Finding] = []
     for allowed in model.allowed_uses:
         place = first.setdefault((allowed.source, allowed.target), allowed.place)
         if place != allowed.place:
             text = f"{allowed.source} may use {allowed.target} by the entry in line {place.line}"
             found.append(Finding(allowed.place, "uses-unused", text, "remove the entry"))
+        if allowed.source != "*" and ("*", allowed.target) in everybody:
+            text = (
+                f"everybody may use {allowed.target}, and {allowed.source} by an entry of its own"
+            )
+            place = everybody["*", allowed.target]
+            found.append(
+                Finding(place, "uses-unused", text, "name who uses it, or remove the other")
+            )
     return found
 
 

@@ -5,7 +5,12 @@ from __future__ import annotations
 from clang.cindex import Cursor, CursorKind
 
 NAMESPACE = "wr"
-CLASSES = {CursorKind.CLASS_DECL, CursorKind.STRUCT_DECL, CursorKind.CLASS_TEMPLATE}
+CLASSES = {
+    CursorKind.CLASS_DECL,
+    CursorKind.STRUCT_DECL,
+    CursorKind.UNION_DECL,
+    CursorKind.CLASS_TEMPLATE,
+}
 METHODS = {
     CursorKind.CXX_METHOD,
     CursorKind.CONSTRUCTOR,

@@ -15,6 +15,7 @@ from typing import Any
 
 from traceability.model.schema import Place
 
+MAY_BE_EMPTY = ("guard", "action")  # of a transition
 Keys = Mapping[str, type[Any]]
 Entry = tuple[dict[str, Any], Place]
 
@@ -92,6 +93,10 @@ class Entries:
         for key in missing:
             text = f"the entry has no {key}, which is {_WORDS[needs[key]]}"
             self.problems.append(Problem(place, text, "write it, or correct its name"))
+        for key in [key for key, value in item.items() if _is_blank(key, value)]:
+            text = f"{key} says nothing"
+            mend = "write what it is to say, or remove the key"
+            self.problems.append(Problem(self.line_in(place, key), text, mend))
         for key in [key for key in item if key not in known]:
             text = f"the entry has a key {key}, which nothing reads"
             self.problems.append(Problem(self.line_in(place, key), text, "correct its name"))
@@ -132,6 +137,12 @@ class Entries:
         lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
         line = next((n for n, one in enumerate(lines, 1) if begins.match(one)), 1)
         return Place(str(path.relative_to(self.root)), line)
+
+
+def _is_blank(key: str, value: object) -> bool:
+    if value == "" and key in MAY_BE_EMPTY:
+        return False
+    return isinstance(value, str) and not value.strip()
 
 
 _WORDS = {str: "a text", list: "a list", dict: "a table", int: "a number", Real: "a number"}

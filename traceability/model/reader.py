@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 from collections.abc import Iterator
 from pathlib import Path
@@ -51,6 +52,7 @@ _CASTS = {
 }
 _WRAPPING = {CursorKind.UNEXPOSED_EXPR, CursorKind.PAREN_EXPR, CursorKind.UNARY_OPERATOR}
 _HOLDERS = ("optional", "array", "pair", "tuple", "variant")  # of the library: by value
+_COPIES = ("memcpy", "memmove", "__builtin_memcpy", "__builtin_memmove")
 _MAKERS = ("construct_at", "make_optional", "make_unique", "make_shared")
 _NUMBERS = {
     TypeKind.INT, TypeKind.UINT, TypeKind.LONG, TypeKind.ULONG, TypeKind.LONGLONG,
@@ -144,9 +146,9 @@ class Reader:
         while value is not None and value.kind == CursorKind.UNEXPOSED_EXPR:
             value = next(value.get_children(), None)
         if value is not None and value.kind == CursorKind.INTEGER_LITERAL:
-            digits = next((token.spelling for token in value.get_tokens()), "")
-            if digits.isdigit():
-                self.facts.constants[self.flow.node(cursor)] = int(digits)
+            digits = next((token.spelling for token in value.get_tokens()), "").rstrip("uUlL")
+            with contextlib.suppress(ValueError):  # one that Python writes in another way
+                self.facts.constants[self.flow.node(cursor)] = int(digits.replace("'", ""), 0)
 
     def object(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
         """One that can change and lives as long as the program."""
@@ -265,8 +267,10 @@ class Reader:
                 self.facts.friends.append(NameFact(owner, class_name(named), "friend", place))
 
     def address(self, cursor: Cursor, place: Place) -> None:
-        if cursor.kind in (CursorKind.ASM_STMT, CursorKind.MS_ASM_STMT):
+        if cursor.kind in (CursorKind.ASM_STMT, CursorKind.MS_ASM_STMT) or _is_bare_asm(cursor):
             self.facts.instructions.append(place)
+        if _makes_address(cursor):
+            self.facts.casts.append(place)
         bits = cursor.kind == CursorKind.CALL_EXPR and cursor.spelling == "bit_cast"
         if bits or cursor.kind in _CASTS:
             value = next(reversed(list(cursor.get_children())), cursor)
@@ -465,6 +469,39 @@ def bare(cursor: Cursor | None) -> Cursor | None:
 
 def _words(cursor: Cursor) -> list[str]:
     return [token.spelling for token in cursor.get_tokens()]
+
+
+def _is_bare_asm(cursor: Cursor) -> bool:
+    """An instruction outside of a function."""
+    bare_kind = cursor.kind == CursorKind.UNEXPOSED_DECL
+    return bare_kind and _words(cursor)[:1] in (["asm"], ["__asm__"], ["__asm"])
+
+
+def _makes_address(cursor: Cursor) -> bool:
+    """A pointer that shares its bits with something else, is copied, or begins at nothing."""
+    if cursor.kind == CursorKind.UNION_DECL:
+        return any(part.get_canonical().kind == TypeKind.POINTER for part in _types_in(cursor))
+    if cursor.kind == CursorKind.CXX_STATIC_CAST_EXPR:
+        return any(part.kind == CursorKind.CXX_NULL_PTR_LITERAL_EXPR for part in _parts(cursor))
+    if cursor.kind == CursorKind.CALL_EXPR and cursor.spelling in _COPIES:
+        target = next(cursor.get_arguments(), None)
+        while target is not None and target.kind == CursorKind.UNEXPOSED_EXPR:
+            target = next(target.get_children(), None)
+        kind = target.type.get_canonical().get_pointee() if target is not None else None
+        return kind is not None and kind.kind == TypeKind.POINTER
+    return False
+
+
+def _types_in(union: Cursor) -> list[Any]:
+    return [one.type for one in union.get_children() if one.kind == CursorKind.FIELD_DECL]
+
+
+def _parts(cursor: Cursor) -> Iterator[Cursor]:
+    """What is cast, without what the compiler puts around it."""
+    for child in cursor.get_children():
+        yield child
+        if child.kind == CursorKind.UNEXPOSED_EXPR:
+            yield from child.get_children()
 
 
 def is_local(cursor: Cursor) -> bool:

@@ -160,6 +160,12 @@ def parse(root: Path, unit: str, files: list[str], known: Path) -> tuple[Syntax,
     return reader.facts, included
 
 
+# Also as the preprocessor lets it be written: after a comment, or with other letters for the mark.
+INCLUDE = re.compile(
+    r'\s*(?:(?:/\*)?.*?\*/\s*)?(?:#|%:|\?\?=)\s*include\s*(?:/\*.*?\*/\s*)?[<"]([^>"]+)[>"]'
+)
+
+
 def includes_of(root: Path, file: str) -> list[IncludeFact]:
     """The files of the project that a file includes, as written.
 
@@ -168,7 +174,7 @@ def includes_of(root: Path, file: str) -> list[IncludeFact]:
     found: list[IncludeFact] = []
     lines = (root / file).read_text(encoding="utf-8").splitlines()
     for number, line in enumerate(lines, 1):
-        written = re.match(r'\s*#\s*include\s*(?:/\*.*?\*/\s*)?[<"]([^>"]+)[>"]', line)
+        written = INCLUDE.match(line)
         if written is None:
             continue
         for folder in ((root / file).parent, *(root / name for name in DESIGN), root):

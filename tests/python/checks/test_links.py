@@ -102,3 +102,14 @@ def test_paths_of_the_project_that_pages_name_exist(tmp_path: Path) -> None:
         ("README.md", 3, "there is no doc/gone.rst"),
         ("docs/page.rst", 1, "there is no src/gone.hpp"),
     ]
+
+
+def test_sheet_of_styles_names_files_that_exist(site: Path) -> None:
+    (site / "look.css").write_text(".a { background: url('none.svg'); }")
+    assert reasons(site) == [("look.css", "none.svg")]
+
+
+def test_link_of_the_readme_names_a_file_that_exists(tmp_path: Path) -> None:
+    (tmp_path / "docs").mkdir()
+    (tmp_path / "README.md").write_text("Read [it](docs/none.rst#part).\n")
+    assert [finding.text for finding in missing_paths(tmp_path)] == ["there is no docs/none.rst"]

@@ -120,3 +120,22 @@ def test_a_base_is_what_its_alias_means(tmp_path: Path) -> None:
 def test_an_instruction_is_noted(tmp_path: Path) -> None:
     found = read(tmp_path, body='asm volatile("nop"); (void)next;')
     assert [one.line for one in found.instructions] == [6]
+
+
+def test_an_instruction_outside_of_functions_is_noted(tmp_path: Path) -> None:
+    assert [one.line for one in read(tmp_path, beside='asm("nop");').instructions] == [4]
+
+
+@pytest.mark.parametrize(
+    ("body", "noted"),
+    [
+        ("union { unsigned long number; int* place; } both{4}; *both.place = 1;", True),
+        ("union { unsigned long number; float share; } both{4}; (void)both;", False),
+        ("*(static_cast<char*>(nullptr) + 4) = 1;", True),
+        ("int* place; long number = 4; __builtin_memcpy(&place, &number, sizeof place);", True),
+        ("int copy; long number = 4; __builtin_memcpy(&copy, &number, sizeof copy);", False),
+    ],
+)
+def test_each_way_to_make_an_address_is_noted(tmp_path: Path, body: str, noted: bool) -> None:
+    found = read(tmp_path, body=f"{body} (void)next;")
+    assert bool(found.casts) is noted

@@ -95,3 +95,8 @@ def test_a_file_that_a_whole_design_lacks_is_told(tmp_path: Path) -> None:
 def told(root: Path) -> list[str]:
     found = [f for f in run_checks(build(root)) if f.check == "design-entry"]
     return [f"{f.place.file}:{f.place.line} {f.text}" for f in found]
+
+
+def test_a_text_of_blanks_says_nothing(tmp_path: Path) -> None:
+    text = SOUND.replace("It shows that all is well.", " ")
+    assert problems(tmp_path, text) == [(11, "why says nothing")]
