@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from traceability.model.changes import Particular, Recipe
 from traceability.model.facts import Facts
 from traceability.model.schema import Finding, Model, Place
+
+STANDING = {"derives", "edits", "id"}  # words of a step that the model replaces
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
@@ -36,9 +39,13 @@ def _recipe(name: str, recipe: Recipe, facts: Facts) -> Iterator[tuple[Place, st
     if name not in known:
         yield recipe.place, name, f"there is no pattern {name}"
         return
-    for role in [*recipe.alters, recipe.derives]:
+    added = re.split(r", | or ", recipe.adds)
+    for role in [*recipe.alters, *added, recipe.derives]:
         if role and role not in known[name]:
             yield recipe.place, role, f"{role} is no role of {name}"
+    for step in recipe.steps:
+        for word in set(re.findall(r"\{([^{}]*)\}", step)) - STANDING:
+            yield recipe.place, step, f"nothing stands for {{{word}}} in a step"
 
 
 def _particular(
@@ -49,3 +56,17 @@ def _particular(
     for module in [*particular.derives, *particular.examples]:
         if module not in model.modules:
             yield particular.place, module, f"there is no module {module}"
+    application = model.patterns.get(name)
+    bound = {one.module for one in application.roles} if application else set()
+    for module in particular.derives:
+        if module in model.modules and not bound & {module, *_above(module, facts)}:
+            yield particular.place, module, f"{module} has no role in {name}"
+    for module in particular.examples:
+        if module in model.modules and not model.modules[module].extension:
+            yield particular.place, module, f"{module} is part of the robot, and no example"
+
+
+def _above(module: str, facts: Facts) -> Iterator[str]:
+    for base in facts.classes[module].bases if module in facts.classes else []:
+        yield base
+        yield from _above(base, facts)

@@ -6,6 +6,11 @@ from traceability.model.facts import Facts
 from traceability.model.machines import Change, MachineCode, is_stay, read_machine
 from traceability.model.schema import Finding, Model, StateMachine, Transition
 
+_ALIKE = (
+    "another transition of this state has the same event, and no guard tells the two apart",
+    "leave one of the two, or give each a guard of its own",
+)
+
 
 def check(model: Model, facts: Facts) -> list[Finding]:
     found = _machines_missing(model, facts)
@@ -63,7 +68,6 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
     if machine.initial not in machine.states:
         text = f"the initial state {machine.initial} is no state of {machine.id}"
         found.append(finding(text, "name one of its states", "initial"))
-    seen: set[tuple[str, str, str, str]] = set()
     for step in machine.transitions:
         names = [name for name in (step.source, step.target) if name not in machine.states]
         found += [
@@ -77,12 +81,30 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
             if name not in model.requirements:
                 text = f"there is no requirement {name}"
                 found.append(finding(text, "correct the id", name, step))
-        row = (step.source, step.event, step.guard, step.target)
-        if row in seen:
-            text = f"the transition {words(step)} is declared twice"
-            found.append(finding(text, "leave one of the two", "from", step))
-        seen.add(row)
-    return found
+    return (
+        found
+        + [
+            finding(*_ALIKE, "from", step)
+            for number, step in enumerate(machine.transitions)
+            if _like_another(step, number, machine)
+        ]
+        + [
+            finding(f"no transition is made on the event '{event}'", "remove it", event)
+            for event in machine.events
+            if event not in {step.event for step in machine.transitions}
+        ]
+    )
+
+
+def _like_another(step: Transition, number: int, machine: StateMachine) -> bool:
+    """Whether nothing tells a transition from another one of its state and its event."""
+    others = [
+        (other.guard, place)
+        for place, other in enumerate(machine.transitions)
+        if place != number and (other.source, other.event) == (step.source, step.event)
+    ]
+    same = any(guard == step.guard and place < number for guard, place in others)
+    return same or (not step.guard and any(guard for guard, _ in others))
 
 
 def words(step: Transition) -> str:

@@ -23,6 +23,8 @@ ABSTRACTIONS = (
     *("State", "Strategy", "Component", "Decorator", "Command", "Abstract Class", "Builder"),
     *("Singleton", "Serializable", "Reader", "Writer"),
 )
+# Above an abstraction stands what it is for; where it serves several applications, above its heir.
+DECLARING = (*ABSTRACTIONS, "Concrete Command", "Concrete Decorator", "Concrete Builder")
 APPLICATIONS = "design/applications.toml"
 # In a comment that Doxygen reads.
 MARK = re.compile(r"^[ \t]*(?:///|//!|/\*|\*)[^\n]*?[@\\](role|patternapp)\{", re.MULTILINE)
@@ -52,6 +54,10 @@ def _known(application: PatternApplication, facts: Facts) -> list[Finding]:
                 "correct the pattern",
             )
         )
+    module = application.module
+    if not any(b.module == module and b.role in DECLARING for b in application.roles):
+        text = f"{module} is not the abstraction of {application.id}"
+        problems.append((text, "write the @patternapp above the abstraction"))
     texts = {"title": application.title, "@why": application.why, "@changes": application.changes}
     problems += [
         (f"the application {application.id} has no {name}", "write it below the @patternapp")
@@ -164,14 +170,27 @@ def _undecided(facts: Facts) -> list[Finding]:
         if name not in clauses
     ]
     return absent + [
-        Finding(
-            clause.place,
-            "pattern-known",
-            f"nothing decides the clause {clause.id}",
-            "correct the id, or write what decides it in traceability/checks/shapes.py",
-        )
+        Finding(facts.declared.entries.line_in(clause.place, word), "pattern-known", text, mend)
         for clause in clauses.values()
-        if clause.id not in CLAUSES
+        for text, word, mend in _clause_problems(clause, facts)
+    ]
+
+
+def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, str]]:
+    """What is wrong with a clause, the word in question, and what mends it."""
+    found: list[tuple[str, str, str]] = []
+    if clause.id not in CLAUSES:
+        mend = "correct the id, or write what decides it in traceability/checks/shapes.py"
+        found.append((f"nothing decides the clause {clause.id}", clause.id, mend))
+    if not clause.id.startswith(f"pattern-{clause.pattern.split()[0].lower()}-"):
+        text = f"{clause.id} is no clause of the pattern {clause.pattern}"
+        found.append((text, clause.pattern, "correct the pattern"))
+        return found
+    roles = next((one.roles for one in facts.declared.patterns if one.name == clause.pattern), [])
+    return found + [
+        (f"{role} is no role of {clause.pattern}", role, "correct the role")
+        for role in clause.about
+        if role not in roles
     ]
 
 
@@ -226,12 +245,17 @@ def _roles_of(item: KnownApplication, roles: list[str]) -> list[tuple[str, str]]
         for role in roles
         if not item.roles.get(role)
     ]
+    twice = [
+        (f"{item.id} binds {module} to the role {role} twice", f'"{module}"')
+        for role, modules in item.roles.items()
+        for module in {name for name in modules if modules.count(name) > 1}
+    ]
     unknown = [
         (f"{role} is no role of {item.pattern} ({item.id})", role)
         for role in item.roles
         if role not in roles
     ]
-    return unbound + unknown
+    return unbound + twice + unknown
 
 
 def _missing_roles(application: PatternApplication, model: Model, facts: Facts) -> list[Finding]:

@@ -12,8 +12,15 @@ from traceability.model.facts import Facts
 from traceability.model.results import RESULTS, RUNS
 from traceability.model.reverse import methods_without, tests_without
 from traceability.model.reviews import REVIEWS
-from traceability.model.schema import HOST, Finding, Model, Place
+from traceability.model.schema import HOST, Finding, Justified, Model, Place
+from traceability.sources import files_below
 
+TAGGED = ("src", "extensions", "tests")
+MORE_THAN_ONE = re.compile(
+    r"^[ \t]*(?:///|//!|/\*|\*)[^\n]*?[@\\](satisfies|verifies)[ \t]+\S+[ \t,;]+[^\s*]",
+    re.MULTILINE,
+)
+PRIORITIES = ("high", "medium", "low")
 _VERBS = {"method": "satisfies", "test": "verifies"}
 
 
@@ -29,7 +36,10 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         _lines,
         _suspects,
     )
-    return [finding for part in parts for finding in part(model)] + _unknown(model, facts)
+    return [finding for part in parts for finding in part(model)] + [
+        *_unknown(model, facts),
+        *_listed_ids(facts),
+    ]
 
 
 def _texts(model: Model) -> list[Finding]:
@@ -41,7 +51,7 @@ def _texts(model: Model) -> list[Finding]:
             "@rationale": requirement.rationale,
             "@source": requirement.source,
             "@verification": requirement.verification,
-            "@priority": requirement.priority,
+            f"@priority ({', '.join(PRIORITIES)})": requirement.priority in PRIORITIES,
         }
         found += [
             Finding(
@@ -87,12 +97,19 @@ def _unneeded(model: Model) -> list[Finding]:
         Finding(
             item.place,
             "req-justified",
-            f"no {item.kind} needs this: {', '.join(item.names)}",
-            "remove the entry, or correct its names",
+            f"no {item.kind} needs this: {', '.join(spare)}",
+            "remove the names, or correct them",
         )
         for item in model.justified
-        if not item.covers and not (item.kind == "line" and model.stale_on(HOST))
+        if (spare := _spare(item)) and not (item.kind == "line" and model.stale_on(HOST))
     ]
+
+
+def _spare(item: Justified) -> list[str]:
+    """The names that nothing needs. A path is needed when anything is."""
+    if not item.covers:
+        return item.names
+    return [name for name in item.names if "/" not in name and name not in item.covers]
 
 
 def _stale(model: Model) -> list[Finding]:
@@ -181,6 +198,19 @@ def _unknown(model: Model, facts: Facts) -> list[Finding]:
         for place, name in tagged
         if name not in model.requirements
     ]
+
+
+def _listed_ids(facts: Facts) -> list[Finding]:
+    """A tag names one requirement: what stands behind it would be lost."""
+    found: list[Finding] = []
+    for path in files_below(facts.root, TAGGED, (".cpp", ".hpp")):
+        text = path.read_text(encoding="utf-8")
+        for tag in MORE_THAN_ONE.finditer(text):
+            file = str(path.relative_to(facts.root))
+            place = Place(file, text.count("\n", 0, tag.start()) + 1)
+            words = f"this @{tag[1]} names more than one requirement"
+            found.append(Finding(place, "req-unknown", words, "write a tag for each"))
+    return found
 
 
 def _tags(model: Model) -> list[Finding]:

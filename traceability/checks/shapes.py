@@ -239,6 +239,15 @@ def forwards(body: BodyFact, wrapped: set[str], decorators: set[str]) -> bool:
     )
 
 
+def operations_of(shape: Shape, components: set[str]) -> set[str]:
+    return {
+        method.name
+        for component in components
+        for method in shape.methods(component)
+        if method.virtual and "~" not in method.name
+    }
+
+
 def decorator_forwards(shape: Shape) -> Broken:
     components = set(shape.playing("Component"))
     decorators = set(shape.playing("Decorator"))
@@ -246,6 +255,10 @@ def decorator_forwards(shape: Shape) -> Broken:
     for module in [*decorators, *shape.playing("Concrete Decorator")]:
         wrapped = components | (decorators - {module})
         overriding = [body for body in shape.bodies(module) if body.overrides]
+        if module in decorators:
+            own = {last_of(body.id) for body in overriding}
+            for operation in sorted(operations_of(shape, components) - own - set(shape.replaced)):
+                yield shape.place(module), f"{module} does not forward {operation}"
         for body in overriding:
             if forwards(body, wrapped, decorators):
                 continue
@@ -287,7 +300,7 @@ def template_nonvirtual(shape: Shape) -> Broken:
                 yield method.place, f"{method.id} calls primitives and is virtual itself"
         called = set().union(*plain.values())
         for method in shape.methods(module):
-            if plain and method.pure and method.access != "public" and method.id not in called:
+            if plain and method.virtual and method.access != "public" and method.id not in called:
                 yield method.place, f"no template method calls the primitive {method.id}"
 
 
@@ -421,6 +434,9 @@ def builder_director(shape: Shape) -> Broken:
     concrete = shape.playing("Concrete Builder")
     built = {*products, *parts_of(shape, concrete)}
     for director in shape.playing("Director"):
+        for place, target in shape.named(director, [*products, *concrete]):
+            if target not in builders:
+                yield place, f"{director} names {target}"
         if not any(owner_of(target) in builders for target, _ in shape.calls(director)):
             yield shape.place(director), f"{director} does not call {', '.join(builders)}"
         for target, place in shape.calls(director):
@@ -504,13 +520,19 @@ CLAUSES: dict[str, Callable[[Shape], Broken]] = {
     "pattern-state-held": held("State"),
     "pattern-state-called": called("State"),
     "pattern-state-unnamed": unnamed("Context", "Concrete State"),
-    "pattern-state-successor": unnamed("Concrete State", "Concrete State"),
+    "pattern-state-successor": together(
+        unnamed("State", "Concrete State"),
+        unnamed("Concrete State", "Concrete State"),
+    ),
     "pattern-state-change": state_change,
     "pattern-strategy-abstract": abstract("Strategy"),
     "pattern-strategy-derives": derived("Concrete Strategy", "Strategy"),
     "pattern-strategy-held": held("Strategy"),
     "pattern-strategy-called": called("Strategy"),
-    "pattern-strategy-unnamed": unnamed("Context", "Concrete Strategy"),
+    "pattern-strategy-unnamed": together(
+        unnamed("Context", "Concrete Strategy"),
+        unnamed("Strategy", "Concrete Strategy"),
+    ),
     "pattern-decorator-component": together(
         abstract("Component"),
         derived("Decorator", "Component"),

@@ -6,11 +6,12 @@ The file of reviews holds hashes of what was reviewed, and git the texts themsel
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from traceability.model.entries import Entries, Keys
+from traceability.model.entries import Entries, Keys, Problem
 from traceability.model.link_texts import (
     hash_of_text,
     specification_at,
@@ -95,6 +96,11 @@ def read_reviews(root: Path, entries: Entries | None = None) -> dict[str, Review
     """The reviews that have all that a review needs."""
     entries = entries or Entries(root)
     begin = Place(str(REVIEWS), 1)
+    for name, entry in entries.whole(root / REVIEWS).items():
+        if not re.fullmatch(r"\d{4}-[01]\d-[0-3]\d", str(entry.get("date", ""))):
+            place = entries.line_in(begin, f"[{name}]")
+            text = f"the review of {name} has no date of the form 2026-01-31"
+            entries.problems.append(Problem(place, text, "review it again"))
     return {
         name: Review(
             entry["reviewer"],

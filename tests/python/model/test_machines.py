@@ -119,6 +119,12 @@ def test_a_machine_as_the_code_is_has_no_finding(tmp_path: Path) -> None:
             "fsm-declared",
             "lamp-states has no state for On, a Concrete State of lamp-states",
         ),
+        (
+            "lamp_toml",
+            'from = "Off"\non = "press"\nto = "On" -> from = "On"\non = "press"\nto = "On"',
+            "fsm-declared",
+            "another transition of this state has the same event, and no guard tells the two apart",
+        ),
     ],
 )
 def test_a_difference_is_found(
