@@ -81,7 +81,8 @@ _FIXED = [
         "design-entry",
         "The files of the design can be read",
         "Every file of design/ is there and is TOML; each entry has the keys that it needs and no "
-        "others; what has a name of its own has one entry.",
+        "others, and no needed text is empty; what has a name of its own has one entry; each "
+        "review has a date.",
         "whether what an entry says is true; the other checks compare it with the code. As long as "
         "a file cannot be read, they wait.",
         "correct the line, or the name of the key.",
@@ -147,8 +148,9 @@ _FIXED = [
         "pattern-known",
         "Known pattern applications",
         "Every @patternapp has an id and a pattern of design/applications.toml, a title, @why and "
-        "@changes, and is declared once, above a module; every application of the design is "
-        "declared, and so is every clause that can be decided.",
+        "@changes, and is declared once, above an abstraction that it has; every application of "
+        "the design is declared, and so is every clause that can be decided, with its pattern "
+        "and roles of it.",
         _TEXT_BLIND,
         "correct the id or the pattern, or add the missing paragraph.",
     ),
@@ -156,7 +158,8 @@ _FIXED = [
         "pattern-change",
         "Likely changes name what exists",
         "Every pattern has a recipe in design/changes.toml, which names roles of the pattern; what "
-        "is particular to an application names one that exists, and modules that exist.",
+        "is particular to an application names one that exists, and modules that exist: those with "
+        "a role in it, and examples of an extension.",
         "whether the steps are enough; the extensions show that for some.",
         "correct the name.",
     ),
@@ -332,7 +335,8 @@ _FIXED = [
         "State machines name what exists",
         "Every application of the State pattern has a machine in design/fsm. Its states are the "
         "Concrete States of the application; each event names an operation of the State, and each "
-        "transition states, an event and requirements that exist, once.",
+        "transition states, an event and requirements that exist. Each event is used, and a guard "
+        "tells the transitions of a state at one event apart.",
         "guards and actions, which are words.",
         "correct the entry, or declare the machine.",
     ),
@@ -433,7 +437,7 @@ _FIXED = [
         "req-text",
         "Requirements are whole",
         "Every requirement has an id of its own, a sentence with a shall, @rationale, @source, "
-        "@verification and @priority.",
+        "@verification and a @priority: high, medium or low.",
         "whether the sentence is clear and can be verified.",
         "write what is missing.",
     ),
@@ -470,7 +474,7 @@ _FIXED = [
     Check(
         "req-justified",
         "Justifications are needed",
-        "Every entry of design/justified.toml names a method or a test that serves no requirement.",
+        "Every name in design/justified.toml is that of a method, a test or a line that needs it.",
         "whether the reason is good.",
         "remove the entry, or correct its names.",
     ),
@@ -492,7 +496,7 @@ _FIXED = [
     Check(
         "req-unknown",
         "Tags name requirements that exist",
-        "Every @satisfies and @verifies names a requirement of requirements/.",
+        "Every @satisfies and @verifies names one requirement of requirements/.",
         "a tag with the wrong existing id.",
         "correct the id.",
     ),
