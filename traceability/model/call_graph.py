@@ -45,11 +45,14 @@ class Function:
     indirect: list[Place] = field(default_factory=list)
 
 
-def read_graph(root: Path, folder: Path, elf: Path) -> dict[str, Function]:
-    """Symbol -> function, of all functions that the image holds."""
+def read_graph(root: Path, elf: Path) -> dict[str, Function]:
+    """Symbol -> function, of all functions that the image holds.
+
+    ``root`` is the tree that the image was built from, below the folder of the image.
+    """
     told: dict[str, Function] = {}
-    for file in sorted(folder.rglob("*.ci")):
-        _read_unit(root, file.read_text(encoding="utf-8"), told)
+    for file in sorted(elf.parent.rglob("*.ci")):
+        _read_unit(root, elf.parent, file.read_text(encoding="utf-8"), told)
     listing = _run("arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(elf))
     held = _read_listing(listing)
     found = {
@@ -80,14 +83,14 @@ def symbol_value(elf: Path, name: str) -> int:
     return int(match[1], 16) if match else 0
 
 
-def _read_unit(root: Path, text: str, told: dict[str, Function]) -> None:
+def _read_unit(root: Path, folder: Path, text: str, told: dict[str, Function]) -> None:
     for line in text.splitlines():
         if node := NODE.match(line):
             if frame := FRAME.search(node["label"]):
                 _note_frame(told, _symbol(node["title"]), frame)
         elif (edge := EDGE.match(line)) and (source := told.get(_symbol(edge["source"]))):
             if edge["target"] == INDIRECT:
-                source.indirect.append(_place(root, edge["label"] or ""))
+                source.indirect.append(_place(root, folder, edge["label"] or ""))
             else:
                 source.calls.append(_symbol(edge["target"]))
 
@@ -104,9 +107,10 @@ def _note_frame(told: dict[str, Function], symbol: str, frame: re.Match[str]) ->
     function.dynamic |= "dynamic" in frame["kind"] and "bounded" not in frame["kind"]
 
 
-def _place(root: Path, label: str) -> Place:
+def _place(root: Path, folder: Path, label: str) -> Place:
+    """Compilers name files in full, or from the folder of the build that they run in."""
     file, line, _column = label.rsplit(":", 2)
-    path = Path(file)
+    path = (folder / file).resolve()
     return Place(str(path.relative_to(root)) if path.is_relative_to(root) else file, int(line))
 
 

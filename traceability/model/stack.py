@@ -59,7 +59,8 @@ def prove(root: Path, model: Model, facts: Facts) -> StackProof | None:
     fresh = isinstance(record, dict) and record.get("sources") == sources_of_image(root)
     if not fresh or not elf.exists() or not model.contexts:
         return None
-    graph = read_graph(elf.resolve().parents[2], root / BUILD, elf)
+    built = elf.resolve()
+    graph = read_graph(built.parents[2], built)
     frame = FRAME_WITH_FLOATS if uses_floats(elf) else FRAME
     proof = Prover(graph, facts, model, read_declared(root)).prove(frame)
     proof.limit = symbol_value(elf, "stackSize")

@@ -128,11 +128,13 @@ def test_a_chain_passes_once_through_each_concrete_decorator() -> None:
     assert proof.total == 8 + 4 + 16 + 4 + 32
 
 
-def test_the_graph_of_the_compiler_is_read(tmp_path: Path) -> None:
+@pytest.mark.parametrize("written", ["{root}/a.cpp", "../../a.cpp"])
+def test_the_graph_of_the_compiler_is_read(tmp_path: Path, written: str) -> None:
     told: dict[str, Function] = {}
-    file = tmp_path / "a.cpp"
+    file = written.format(root=tmp_path)
     _read_unit(
         tmp_path,
+        tmp_path / "build" / "k64",
         f"""graph: {{ title: "a.cpp"
 node: {{ title: "_ZN2wr4Lamp2onEv" label: "void wr::Lamp::on()\\na.cpp:1:1\\n24 bytes (static)" }}
 node: {{ title: "a.cpp:_ZL3offv" label: "void off()\\na.cpp:2:1\\n8 bytes (dynamic)" }}
