@@ -20,7 +20,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         if not problems:
             code = read_machine(machine, facts)
             found += _code(machine, code, facts)
-            found += [] if model.results_stale else _seen(machine)
+            found += [] if model.results_stale else _seen(machine) + _shown(machine, model, facts)
     return found
 
 
@@ -77,6 +77,9 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
             text = f"the event '{step.event}' has no operation"
             mend = "name it in [events], or correct the event"
             found.append(finding(text, mend, step.event, step))
+        if not step.requirements:
+            text = f"{words(step)} serves no requirement"
+            found.append(finding(text, "name the requirements of it", "requirements", step))
         for name in step.requirements:
             if name not in model.requirements:
                 text = f"there is no requirement {name}"
@@ -204,3 +207,18 @@ def _seen(machine: StateMachine) -> list[Finding]:
         mend = "declare the transition, or correct the code"
         found.append(Finding(machine.place, "fsm-seen", text, mend))
     return found
+
+
+def _shown(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
+    """A requirement of a transition is one whose tests make it."""
+    return [
+        Finding(
+            facts.declared.entries.line_in(step.place, name),
+            "fsm-seen",
+            f"no passing test of {name} makes the transition {words(step)}",
+            f"correct the requirement, or let a test of {name} make it",
+        )
+        for step in machine.transitions
+        for name in step.requirements
+        if step.tests and set(model.requirements[name].verified_by).isdisjoint(step.tests)
+    ]

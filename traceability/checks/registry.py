@@ -335,8 +335,8 @@ _FIXED = [
         "State machines name what exists",
         "Every application of the State pattern has a machine in design/fsm. Its states are the "
         "Concrete States of the application; each event names an operation of the State, and each "
-        "transition states, an event and requirements that exist. Each event is used, and a guard "
-        "tells the transitions of a state at one event apart.",
+        "transition states, an event and at least one requirement that exist. Each event is used, "
+        "and a guard tells the transitions of a state at one event apart.",
         "guards and actions, which are words.",
         "correct the entry, or declare the machine.",
     ),
@@ -355,11 +355,12 @@ _FIXED = [
         "fsm-seen",
         "Each transition is made in a test",
         "In the recorded calls of a test that passed on the host the Context calls the operation "
-        "of the state, and the next call of a state fits the successor only. No test makes a "
-        "change that is not declared.",
+        "of the state, and the next call of a state fits the successor only. Each requirement "
+        "that a transition names has such a test. No test makes a change that is not declared.",
         "which guard let a state stay; the last state of a test that calls no state afterwards; "
         "nothing is compared while results are stale.",
-        "test the transition through its Context, or correct the machine.",
+        "test the transition through its Context, in a test of its requirement, or correct the "
+        "machine.",
     ),
     Check(
         "uses-apart",

@@ -187,23 +187,27 @@ wait = "wait"
 from = "Off"
 on = "press"
 to = "On"
+requirements = ["FR-1"]
 
 [[transition]]
 from = "On"
 on = "press"
 to = "Off"
+requirements = ["FR-1"]
 
 [[transition]]
 from = "On"
 on = "wait"
 guard = "less than 3 times"
 to = "On"
+requirements = ["FR-1"]
 
 [[transition]]
 from = "On"
 on = "wait"
 guard = "3 times"
 to = "Off"
+requirements = ["FR-1"]
 """,
     "design/execution.toml": """\
 ends = []

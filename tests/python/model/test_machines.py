@@ -10,7 +10,7 @@ from tests.python.model.lamp_tree import facts_of, write_lamp
 from traceability.checks import machines
 from traceability.model.facts import Facts
 from traceability.model.machines import MachineCode, Seen, Watcher, read_machine
-from traceability.model.schema import HOST, Model, PatternApplication, Place
+from traceability.model.schema import HOST, Model, PatternApplication, Place, Requirement
 
 
 @pytest.fixture(scope="module")
@@ -23,9 +23,12 @@ def code(facts: Facts) -> MachineCode:
     return read_machine(facts.declared.machines["lamp-states"], facts)
 
 
-def findings(root: Path, *, fresh: bool = False, seen: bool = False) -> list[tuple[str, str]]:
+def findings(
+    root: Path, *, fresh: bool = False, seen: bool = False, verified: str = "Test.One"
+) -> list[tuple[str, str]]:
     facts = facts_of(root)
     model = Model("", "", "hash", {HOST: "hash" if fresh else "old"})
+    model.requirements["FR-1"] = Requirement("FR-1", "", "", Place("x", 1), verified_by=[verified])
     model.machines = facts.declared.machines
     model.patterns = {
         name: PatternApplication(name, "State", "", "", "", "LampState", Place("x", 1))
@@ -109,6 +112,12 @@ def test_a_machine_as_the_code_is_has_no_finding(tmp_path: Path) -> None:
         ),
         (
             "lamp_toml",
+            'requirements = ["FR-1"] -> requirements = []',
+            "fsm-declared",
+            "Off > On on press serves no requirement",
+        ),
+        (
+            "lamp_toml",
             'press = "press" -> press = "push"',
             "fsm-declared",
             "the event 'press' calls LampState::push, which does not exist",
@@ -147,6 +156,13 @@ def test_transitions_must_be_seen_when_results_are_fresh(tmp_path: Path) -> None
     assert len(unseen) == 4
     assert ("fsm-seen", "no passing test makes the transition Off > On on press") in unseen
     assert findings(root, fresh=True, seen=True) == []
+
+
+def test_a_requirement_of_a_transition_has_a_test_that_makes_it(tmp_path: Path) -> None:
+    found = findings(write_lamp(tmp_path), fresh=True, seen=True, verified="Test.Other")
+    assert len(found) == 4
+    text = "no passing test of FR-1 makes the transition Off > On on press"
+    assert ("fsm-seen", text) in found
 
 
 # ---- what recorded calls show ------------------------------------------------
