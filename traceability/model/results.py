@@ -21,6 +21,7 @@ COVERAGE_RUN = RESULTS / "coverage.hash"
 BOARD_ONLY = ("tests/sim/k64/", "tests/torture/", "tests/k64/", "tests/system/board/")
 HOST_ONLY = "tests/system/host/"
 BOTH = "tests/system/"
+COMPARED = "tests/usual_design/"  # run by the comparison of the designs, and only there
 
 
 @dataclass
@@ -41,7 +42,9 @@ def read_json(path: Path) -> Any:
 
 
 def bindings_of(file: str) -> list[str]:
-    """The bindings that a test is built for, by its folder."""
+    """The bindings that a test of the firmware is built for, by its folder."""
+    if file.startswith(COMPARED):
+        return []
     if file.startswith(BOARD_ONLY):
         return [VIRTUAL_K64]
     if file.startswith(BOTH) and not file.startswith(HOST_ONLY):

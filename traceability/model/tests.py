@@ -35,6 +35,8 @@ def add_tests(model: Model, facts: Facts) -> None:
     lines: dict[str, list[str]] = {}
     for member in facts.annotations.tests:
         file = member.place.file
+        if not bindings_of(file):
+            continue
         if file not in lines:
             lines[file] = (facts.root / file).read_text(encoding="utf-8").splitlines()
         macro = _test_name(lines[file], member.place.line)

@@ -29,6 +29,7 @@ def test_a_folder_of_tests_has_its_bindings() -> None:
     assert bindings_of("tests/system/OrdersTest.cpp") == [HOST, VIRTUAL_K64]
     assert bindings_of("tests/system/host/RcTest.cpp") == [HOST]
     assert bindings_of("tests/system/board/LineTest.cpp") == [VIRTUAL_K64]
+    assert bindings_of("tests/usual_design/BehaviourTest.cpp") == []
 
 
 def test_one_failed_instance_fails_a_parameterised_test(tmp_path: Path) -> None:
