@@ -18,7 +18,7 @@ RECORD = Path("build/model/made.json")
 SITE = Path("build/site")
 READ = (
     *(*DESIGN, "sim", "tests", "requirements", "design", "docs", "site", "traceability"),
-    *("setup", "README.md", "CMakeLists.txt", "CMakePresets.json", str(RESULTS)),
+    *("setup", "wr", "README.md", "CMakeLists.txt", "CMakePresets.json", str(RESULTS)),
 )
 # Beside the results: what the documents themselves write there, and what no document shows.
 WRITTEN = ("verification.json", "verification.xml")

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from collections.abc import Iterator
 from pathlib import Path
+
+from traceability.documents.tables import comma_separated
 
 HEADER = Path("src/k64/pins.hpp")
 COLUMNS = ("pin", "connected to", "use", "signal", "on the FRDM-K64F", "what it does")
@@ -26,14 +26,10 @@ class PinMapError(ValueError):
 def pin_map(root: Path) -> str:
     """The table as comma-separated values, with a line of titles."""
     text = (root / HEADER).read_text(encoding="utf-8")
-    table = io.StringIO()
-    writer = csv.writer(table, lineterminator="\n")
-    writer.writerow(COLUMNS)
     rows = list(entries(text, roles(text)))
     if not rows:
         raise PinMapError(f"{HEADER}: the table kPinTable has no entry")
-    writer.writerows(rows)
-    return table.getvalue()
+    return comma_separated(COLUMNS, rows)
 
 
 def roles(text: str) -> dict[str, str]:

@@ -15,11 +15,19 @@ from traceability.documents.pin_map import HEADER as PINS
 from traceability.documents.pin_map import pin_map
 from traceability.documents.portal import SITE, Portal
 from traceability.documents.sphinx_warnings import WarningCollector
+from traceability.documents.tables import COMMANDS, PACKAGES, command_table, package_table
 from traceability.documents.writing import remove_others, write_changed
 from traceability.model.schema import Finding, Module
 from traceability.sources import files_below, hash_of
 
 SCENARIO = Path("sim/scenario/examples/stop.scenario")
+# What hand-written pages include from other folders: the file, its name beside them, the text.
+INCLUDED = (
+    (PINS, "pin_map.csv", pin_map),
+    (SCENARIO, "example.scenario", lambda root: (root / SCENARIO).read_text("utf-8")),
+    (COMMANDS, "commands.csv", command_table),
+    (PACKAGES, "packages.csv", package_table),
+)
 UNKNOWN_TO_BREATHE = re.compile(
     r"\s*<(satisfies|verifies|innerclass)\b.*?</\1>|<wr-[^>]*/>", re.DOTALL
 )
@@ -77,10 +85,9 @@ def headline(title: str) -> str:
 
 def write_included(root: Path, target: Path) -> None:
     """What hand-written pages include from other folders of the project."""
-    if (root / PINS).exists():
-        write_changed(target / "pin_map.csv", pin_map(root))
-    if (root / SCENARIO).exists():
-        write_changed(target / "example.scenario", (root / SCENARIO).read_bytes())
+    for source, name, text_of in INCLUDED:
+        if (root / source).exists():
+            write_changed(target / name, text_of(root))
 
 
 def copy_doxygen(portal: Portal, modules: list[Module], target: Path) -> None:

@@ -1,0 +1,50 @@
+"""The tables on hand-written pages that are read from files of the project."""
+
+import csv
+from pathlib import Path
+
+from traceability.documents.tables import (
+    COMMANDS,
+    PACKAGES,
+    comma_separated,
+    command_table,
+    package_table,
+)
+
+USAGE = """\
+usage() {
+    cat <<'TEXT'
+usage: ./wr <command> [options]
+
+  portal    build and serve
+  test      run every test
+
+./wr <command> --help explains the options.
+TEXT
+}
+  other     no command
+"""
+
+
+def test_each_command_of_the_help_is_a_row(tmp_path: Path) -> None:
+    (tmp_path / COMMANDS).write_text(USAGE)
+    assert list(csv.reader(command_table(tmp_path).splitlines())) == [
+        ["command", "what it does"],
+        ["``./wr portal``", "build and serve"],
+        ["``./wr test``", "run every test"],
+    ]
+
+
+def test_each_package_is_a_row_and_no_comment_is(tmp_path: Path) -> None:
+    (tmp_path / PACKAGES).parent.mkdir()
+    text = "# Packages: a line each.\ng++   # compiles\nlib-1.2 # optional: a, b\n"
+    (tmp_path / PACKAGES).write_text(text)
+    assert list(csv.reader(package_table(tmp_path).splitlines())) == [
+        ["package", "why"],
+        ["g++", "compiles"],
+        ["lib-1.2", "optional: a, b"],
+    ]
+
+
+def test_a_text_with_a_comma_is_one_cell() -> None:
+    assert comma_separated(("a", "b"), [("1, 2", "3")]) == 'a,b\n"1, 2",3\n'
