@@ -19,7 +19,7 @@ from traceability.model.schema import Model, Module, PatternApplication, StateMa
 
 SVG = "{http://www.w3.org/2000/svg}"
 XLINK = "{http://www.w3.org/1999/xlink}"
-FORMAT = "7"  # part of the cache key: raise it when the finishing of the SVG changes
+FORMAT = "8"  # part of the cache key: raise it when the finishing of the SVG changes
 
 FAMILIES = {
     "Decorator": "decorator",
@@ -370,6 +370,7 @@ def finish(svg: str, diagram: Diagram) -> str:
     root.set("viewBox", f"0 0 {width} {height}")
     root.set("width", width)
     root.set("height", height)
+    root.set("style", f"--width: {width}px")
     root.set("class", "plant")
     root.set("role", "group")
     root.set("aria-label", diagram.label)
@@ -382,7 +383,10 @@ def finish(svg: str, diagram: Diagram) -> str:
 
 
 def group_edge(root: ET.Element, identifier: str, steps: list[Transition]) -> None:
-    """Puts line, tip and labels of an edge into a group that names the requirements."""
+    """Puts line and tip of an edge into a group that names the requirements, and each label too.
+
+    The labels come after all edges, so that no line is drawn over them.
+    """
     line = f"path[@id='{identifier}']"
     drawing = next(parent for parent in root.iter() if parent.find(line) is not None)
     parts = list(drawing)
@@ -391,15 +395,17 @@ def group_edge(root: ET.Element, identifier: str, steps: list[Transition]) -> No
     edge = ET.Element("g", {"class": "edge", "data-for": " ".join(every)})
     rest = iter(parts[start:])
     edge.extend([next(rest), next(rest)])
+    labels = []
     for step in steps:
-        says = ET.SubElement(edge, "g", {"class": "says", "data-for": " ".join(step.requirements)})
+        says = ET.Element("g", {"class": "says", "data-for": " ".join(step.requirements)})
         says.extend(next(rest) for _ in label_lines(step))
         for text in says:
             del text.attrib["textLength"], text.attrib["lengthAdjust"]
-    for part in edge.iter():
-        if part in parts:
-            drawing.remove(part)
+        labels.append(says)
+    for part in (*edge, *(text for says in labels for text in says)):
+        drawing.remove(part)
     drawing.insert(start, edge)
+    drawing.extend(labels)
 
 
 def clean(element: ET.Element) -> None:
