@@ -17,6 +17,11 @@ def slug(name: str) -> str:
     return re.sub(r"[^A-Za-z0-9_.-]", lambda hit: f"-{ord(hit.group()):x}", name)
 
 
+def paper_anchor(name: str) -> str:
+    """The place of a name on the page that goes through the paper."""
+    return slug(name.replace(" ", "-"))
+
+
 def depth_prefix(page: str) -> str:
     """The way from a page back to the root of the site."""
     return "../" * (len(PurePosixPath(page).parts) - 1)

@@ -70,9 +70,13 @@ def first_title(path: Path) -> str:
     """The text above the first underline of a page."""
     lines = path.read_text(encoding="utf-8").splitlines()
     for above, line in pairwise(lines):
-        if above.strip() and len(line) > 2 and set(line) <= set("=-~#*^"):
+        if above.strip() and is_underline(line):
             return above.strip()
     return path.stem
+
+
+def is_underline(line: str) -> bool:
+    return len(line) > 2 and set(line) <= set("=-~#*^")
 
 
 class Navigation:

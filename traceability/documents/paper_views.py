@@ -10,7 +10,7 @@ from functools import partial
 from markupsafe import Markup
 
 from traceability.documents import names
-from traceability.documents.links import ROOT, slug
+from traceability.documents.links import ROOT, paper_anchor
 from traceability.documents.portal import Page, Portal
 from traceability.model.schema import (
     LikelyChange,
@@ -179,7 +179,7 @@ def concordance_page(portal: Portal) -> Page:
         designs=len(portal.designs),
         rows=len(model.paper) + len(back),
         target=lambda target: target_link(portal, target),
-        slug=lambda name: slug(name.replace(" ", "-")),
+        slug=paper_anchor,
     )
 
 

@@ -5,14 +5,17 @@ from __future__ import annotations
 import html
 import json
 import re
+from collections.abc import Iterator
 
-from traceability.documents.links import ROOT
+from traceability.documents.links import ROOT, paper_anchor
 from traceability.documents.module_page import ancestors
 from traceability.documents.names import views_of
 from traceability.documents.portal import Portal
-from traceability.model.schema import Module
+from traceability.documents.sections import sections_of
+from traceability.model.schema import Model, Module
 
-Entry = tuple[str, str, str, str, str]  # group, key, title, text, address
+# Group, key, title, text, address; then what is found too, and shown only where it is found.
+Entry = tuple[str, ...]
 
 
 def script(portal: Portal) -> str:
@@ -88,7 +91,26 @@ def entries(portal: Portal) -> list[Entry]:
     for group_ in portal.navigation.groups:
         for entry in group_.entries:
             add("Pages", entry.key, entry.title, group_.title, ROOT + entry.address)
-    return found
+    return [*found, *paper_entries(model), *written_entries(portal)]
+
+
+def paper_entries(model: Model) -> Iterator[Entry]:
+    """The places of the paper, and what it names there."""
+    page = "concordance.html"
+    for place in model.paper_places:
+        yield "Paper", "", place.id, place.title, f"{page}#{paper_anchor(place.id)}"
+    for element in model.paper:
+        if element.where:
+            text = f"{element.kind}, {', '.join(element.where)}"
+            yield "Paper", "", element.name, text, f"{page}#{paper_anchor(element.kind)}"
+
+
+def written_entries(portal: Portal) -> Iterator[Entry]:
+    """The sections of the hand-written pages, with all their words."""
+    for doc in portal.docs:
+        source = (portal.root / "docs" / f"{doc.name}.rst").read_text(encoding="utf-8")
+        for section in sections_of(doc, source):
+            yield "Explanations", "", section.title, doc.title, section.address, section.text
 
 
 def targets(portal: Portal) -> dict[str, dict[str, str]]:

@@ -188,6 +188,8 @@
     "Requirements",
     "Methods",
     "Data types",
+    "Explanations",
+    "Paper",
     "Tests",
     "Checks",
     "Pages",
@@ -204,6 +206,11 @@
           "</mark>" +
           escape(text.slice(i + word.length));
   }
+  /* what a text says around a word that it was found by */
+  function around(text = "", word) {
+    const i = text.toLowerCase().indexOf(word);
+    return i < 0 ? "" : `: … ${text.slice(text.lastIndexOf(" ", Math.max(0, i - 20)) + 1, i + 80)} …`;
+  }
   function rank(entry, word) {
     const title = entry[2].toLowerCase(),
       i = title.indexOf(word);
@@ -215,7 +222,9 @@
           ? 2
           : entry[3].toLowerCase().includes(word)
             ? 3
-            : -1;
+            : (entry[5] || "").toLowerCase().includes(word)
+              ? 4
+              : -1;
   }
   function find(text) {
     const word = text.trim().toLowerCase();
@@ -239,7 +248,7 @@
           entry[1].length === 1 && entry[1] === entry[1].toUpperCase()
             ? `<span class="key" aria-hidden="true">${entry[1]}</span>`
             : "<span></span>";
-        out += `<a role="option" tabindex="-1" id="hit${count++}" class="${entry[1]}" href="${base + entry[4]}">${letter}<b>${lit(entry[2], word)}</b><span class="d">${lit(entry[3], word)}</span></a>`;
+        out += `<a role="option" tabindex="-1" id="hit${count++}" class="${entry[1]}" href="${base + entry[4]}">${letter}<b>${lit(entry[2], word)}</b><span class="d">${lit(entry[3] + around(entry[5], word), word)}</span></a>`;
       }
     }
     hits.innerHTML =

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import posixpath
 import re
 from dataclasses import dataclass, field
@@ -120,6 +121,13 @@ def section(address: str) -> str:
     found = content(page)
     start, end = found.ids[part] if part else (0, len(found.text))
     return words(found.text[start:end])
+
+
+def searched() -> list[list[str]]:
+    """What the search knows: group, key, title, text and address of each entry, and more words."""
+    script = (SITE / "_static" / "portal.js").read_text(encoding="utf-8")
+    entries: list[list[str]] = json.loads(script.partition("=")[2].rstrip().rstrip(";"))["entries"]
+    return entries
 
 
 @cache

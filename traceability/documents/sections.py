@@ -1,0 +1,44 @@
+"""The sections of the hand-written pages, as the search has them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+from docutils.nodes import make_id
+
+from traceability.documents.navigation import Doc, is_underline
+
+NAMED = re.compile(r"(?::[\w-]+:)?`([^`<]*?)\s*(?:<[^`]*>)?`_{0,2}")
+# Directives, their options, labels, and the marks of tables and lists.
+MARKS = re.compile(r"^\s*(?:\.\. .*|:[\w-]+:(?!`).*|[= ]+|\* - |- |\* )", re.MULTILINE)
+
+
+@dataclass
+class Section:
+    title: str
+    address: str
+    text: str
+
+
+def sections_of(doc: Doc, source: str) -> Iterator[Section]:
+    """Each section of a page; what stands above the first one has the title of the page."""
+    lines = [*source.splitlines(), ""]
+    heads = [
+        number
+        for number, (above, line) in enumerate(pairwise(lines))
+        if above.strip() and is_underline(line)
+    ]
+    for first, end in pairwise([*heads, len(lines)]):
+        title = plain(lines[first])
+        anchor = "" if first == heads[0] else f"#{make_id(title)}"
+        text = plain("\n".join(lines[first + 2 : end]))
+        yield Section(title, f"{doc.address}{anchor}", text)
+
+
+def plain(source: str) -> str:
+    """The words of a text, without most of its marks."""
+    text = NAMED.sub(r"\1", MARKS.sub(" ", source))
+    return re.sub(r"\s+", " ", text).strip()
