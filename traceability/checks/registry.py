@@ -64,7 +64,7 @@ _TEXT_BLIND = "whether the words are true and useful; a person reads that."
 _FIXED = [
     Check(
         "syntax-error",
-        "Code that does not compile",
+        "Code without errors",
         "The syntax tree of every file below src and extensions has no error.",
         "an error that only another compiler or another target reports.",
         "correct the code as the message says.",
