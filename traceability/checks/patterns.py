@@ -26,6 +26,14 @@ ABSTRACTIONS = (
 # Above an abstraction stands what it is for; where it serves several applications, above its heir.
 DECLARING = (*ABSTRACTIONS, "Concrete Command", "Concrete Decorator", "Concrete Builder")
 APPLICATIONS = "design/applications.toml"
+# The roles of heirs; of these, those of a Decorator; and abstractions whose heirs are alternatives.
+HEIRS = (
+    *("Concrete State", "Concrete Strategy", "Concrete Component", "Decorator"),
+    *("Concrete Decorator", "Concrete Command", "Concrete Class", "Concrete Builder"),
+    *("Concrete Reader", "Concrete Writer", "Concrete Element"),
+)
+EXTENDED = ("Concrete Component", "Decorator", "Concrete Decorator")
+ALTERNATIVES = ("State", "Strategy", "Abstract Class")
 # In a comment that Doxygen reads.
 MARK = re.compile(r"^[ \t]*(?:///|//!|/\*|\*)[^\n]*?[@\\](role|patternapp)\{", re.MULTILINE)
 
@@ -275,26 +283,49 @@ def _missing_roles(application: PatternApplication, model: Model, facts: Facts) 
 
 
 def _heirs(model: Model, facts: Facts) -> list[Finding]:
-    """A nested Command is the body of a thread; any other heir plays a role."""
+    """A nested Command is the body of a thread; any other heir plays the role of one."""
     found: dict[str, Finding] = {}
     for application in model.patterns.values():
         for binding in application.roles:
             if binding.role not in ABSTRACTIONS:
                 continue
             for heir in facts.heirs.get(binding.module, []):
-                module = model.modules.get(heir)
                 fact = facts.classes[heir]
                 body = binding.role == "Command" and "::" in heir and not fact.local
-                if body or (module is not None and module.roles):
+                if body or _plays_heir(heir, binding, model, facts):
                     continue
-                found[heir] = Finding(
-                    fact.place,
-                    "pattern-heir-unbound",
-                    f"{heir} derives from {binding.module}, which is {binding.role} in "
-                    f"{application.id}, and plays no role",
-                    "bind it to a role, or derive it from something else",
+                found.setdefault(
+                    heir,
+                    Finding(
+                        fact.place,
+                        "pattern-heir-unbound",
+                        f"{heir} derives from {binding.module}, which is {binding.role} in "
+                        f"{application.id}, and plays no role of an heir",
+                        "bind it to such a role, or derive it from something else",
+                    ),
                 )
     return list(found.values())
+
+
+def _plays_heir(heir: str, binding: RoleBinding, model: Model, facts: Facts) -> bool:
+    """Whether an heir has a role that derives, in this application or one that answers for it.
+
+    The heirs of a Command or a Builder have one application each. What extends a component, or is
+    extended, need not be one of the alternatives as well.
+    """
+    module = model.modules.get(heir)
+    for role in module.roles if module else []:
+        if role.role not in HEIRS or role.application not in model.patterns:
+            continue
+        above = {
+            one.module
+            for one in model.patterns[role.application].roles
+            if one.role in ABSTRACTIONS and heir in facts.heirs.get(one.module, [])
+        }
+        whole = binding.role not in ALTERNATIVES or role.role in EXTENDED
+        if above and (whole or role.application == binding.application):
+            return True
+    return False
 
 
 def _clauses(application: PatternApplication, model: Model, facts: Facts) -> list[Finding]:

@@ -88,10 +88,23 @@ class Shape:
         return False
 
     def named(self, by: str, targets: list[str]) -> Iterator[tuple[Place, str]]:
+        """Where the code of a class names one of the targets, or includes its header."""
         for name in self.facts.names_of.get(by, []):
             target = owner_of(name.target)
             if target in targets and target != by:
                 yield name.place, target
+        for include in self.facts.includes_of.get(by, []):
+            target = self.facts.written_in.get(include.target, "")
+            if target in targets and target != by:
+                yield include.place, target
+
+    def marks(self, module: str) -> set[tuple[str, str]]:
+        """The values of an enumeration that a class names."""
+        return {
+            (name.target, name.member)
+            for name in self.facts.names_of.get(module, [])
+            if name.member and self.facts.kind_of(name.target) == "enum"
+        }
 
     def calls(self, module: str) -> Iterator[tuple[str, Place]]:
         """The methods that the bodies of a class call, as declared."""
@@ -157,6 +170,19 @@ def unnamed(role: str, concrete: str) -> Callable[[Shape], Broken]:
                 yield place, f"{module} names {target}"
 
     return clause
+
+
+def state_unmarked(shape: Shape) -> Broken:
+    """The Context does not ask for a state by the value that this one alone is numbered with."""
+    states = shape.playing("Concrete State")
+    named = [mark for state in states for mark in shape.marks(state)]
+    own = {mark: state for state in states for mark in shape.marks(state) if named.count(mark) == 1}
+    for context in shape.playing("Context"):
+        for name in shape.facts.names_of.get(context, []):
+            state = own.get((name.target, name.member))
+            beside = owner_of(name.by) not in ("", context)  # a data type in the same header
+            if state and context not in states and not beside:
+                yield name.place, f"{context} asks for {state} by {name.target}::{name.member}"
 
 
 def called(role: str) -> Callable[[Shape], Broken]:
@@ -340,12 +366,28 @@ def command_single(shape: Shape) -> Broken:
 
 def command_invoker(shape: Shape) -> Broken:
     hidden = shape.playing("Concrete Command") + shape.playing("Receiver")
+    commands = shape.playing("Command")
+    for module in dict.fromkeys([*commands, *shape.playing("Invoker")]):
+        for place, target in shape.named(module, hidden):
+            yield place, f"{module} names {target}"
     for invoker in shape.playing("Invoker"):
-        for place, target in shape.named(invoker, hidden):
-            yield place, f"{invoker} names {target}"
-        commands = shape.playing("Command")
-        if commands and not any(owner_of(target) in commands for target, _ in shape.calls(invoker)):
+        calls = [
+            call
+            for body in shape.bodies(invoker)
+            for call in body.calls
+            if owner_of(call.target) in commands
+        ]
+        if commands and not calls:
             yield shape.place(invoker), f"{invoker} does not call {', '.join(commands)}"
+        elif calls and not executed(shape, calls):
+            concrete = " or ".join(shape.playing("Concrete Command"))
+            yield shape.place(invoker), f"{invoker} is given no {concrete} to execute"
+
+
+def executed(shape: Shape, calls: list[CallFact]) -> bool:
+    """Whether calls reach a Concrete Command of the application, as builders bind them."""
+    targets = {owner_of(name) for call in calls for name in shape.facts.references.targets(call)}
+    return not targets.isdisjoint(shape.playing("Concrete Command"))
 
 
 def command_receiver(shape: Shape) -> Broken:
@@ -428,15 +470,17 @@ def parts_of(shape: Shape, builders: list[str]) -> set[str]:
 
 
 def builder_director(shape: Shape) -> Broken:
-    """The Director calls the Builder, and nothing of what is built."""
+    """The Director calls the Builder, and nothing of what is built, here or elsewhere."""
     builders = shape.playing("Builder")
     products = shape.playing("Product")
     concrete = shape.playing("Concrete Builder")
     built = {*products, *parts_of(shape, concrete)}
+    for builder in builders:
+        for place, target in shape.named(builder, concrete):
+            yield place, f"{builder} names {target}"
     for director in shape.playing("Director"):
-        for place, target in shape.named(director, [*products, *concrete]):
-            if target not in builders:
-                yield place, f"{director} names {target}"
+        for place, target in shape.named(director, unknown_to(shape, director)):
+            yield place, f"{director} names {target}"
         if not any(owner_of(target) in builders for target, _ in shape.calls(director)):
             yield shape.place(director), f"{director} does not call {', '.join(builders)}"
         for target, place in shape.calls(director):
@@ -444,6 +488,21 @@ def builder_director(shape: Shape) -> Broken:
             constructor = target.rsplit("::", 1)[-1] == owner
             if owner in built and not constructor:
                 yield place, f"{director} calls {target}"
+
+
+def unknown_to(shape: Shape, director: str) -> list[str]:
+    """What builders make, and who builds: all but Builders, and what the Director makes itself."""
+    known = shape.facts.declared.applications.values()
+    bound = [item.roles for item in known if item.pattern == shape.application.pattern]
+    bound.append({role: shape.playing(role) for role in ("Builder", "Concrete Builder", "Product")})
+    builders = {name for roles in bound for name in roles.get("Builder", [])}
+    made = {
+        name
+        for roles in bound
+        for name in [*roles.get("Product", []), *roles.get("Concrete Builder", [])]
+        if director not in roles.get("Concrete Builder", [])
+    }
+    return sorted(made - builders)
 
 
 def singleton_one(shape: Shape) -> Broken:
@@ -519,7 +578,7 @@ CLAUSES: dict[str, Callable[[Shape], Broken]] = {
     "pattern-state-derives": derived("Concrete State", "State"),
     "pattern-state-held": held("State"),
     "pattern-state-called": called("State"),
-    "pattern-state-unnamed": unnamed("Context", "Concrete State"),
+    "pattern-state-unnamed": together(unnamed("Context", "Concrete State"), state_unmarked),
     "pattern-state-successor": together(
         unnamed("State", "Concrete State"),
         unnamed("Concrete State", "Concrete State"),
@@ -540,9 +599,20 @@ CLAUSES: dict[str, Callable[[Shape], Broken]] = {
         derived("Concrete Decorator", "Decorator"),
     ),
     "pattern-decorator-holds": decorator_holds,
+    "pattern-decorator-unnamed": together(
+        *(
+            unnamed(role, concrete)
+            for role in ("Component", "Decorator", "Concrete Component", "Concrete Decorator")
+            for concrete in ("Concrete Component", "Concrete Decorator")
+        )
+    ),
     "pattern-decorator-forwards": decorator_forwards,
     "pattern-template-nonvirtual": template_nonvirtual,
     "pattern-template-derives": derived("Concrete Class", "Abstract Class"),
+    "pattern-template-unnamed": together(
+        unnamed("Abstract Class", "Concrete Class"),
+        unnamed("Concrete Class", "Concrete Class"),
+    ),
     "pattern-template-primitives": template_primitives,
     "pattern-template-overrides": template_overrides,
     "pattern-command-single": together(abstract("Command"), command_single),
@@ -558,8 +628,11 @@ CLAUSES: dict[str, Callable[[Shape], Broken]] = {
     "pattern-singleton-constructor": singleton_constructor,
     "pattern-singleton-copy": singleton_copy,
     "pattern-serializer-abstractions": together(
-        unnamed("Concrete Element", "Concrete Reader"),
-        unnamed("Concrete Element", "Concrete Writer"),
+        *(
+            unnamed(role, concrete)
+            for role in ("Concrete Element", "Serializable", "Reader", "Writer")
+            for concrete in ("Concrete Reader", "Concrete Writer")
+        )
     ),
     "pattern-serializer-used": serializer_used,
     "pattern-serializer-derives": together(

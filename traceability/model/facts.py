@@ -7,7 +7,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from traceability.model.annotations import Annotations
-from traceability.model.code_facts import BodyFact, ClassFact, MethodFact, NameFact, Syntax
+from traceability.model.code_facts import (
+    BodyFact,
+    ClassFact,
+    IncludeFact,
+    MethodFact,
+    NameFact,
+    Syntax,
+)
 from traceability.model.declared import Declared
 from traceability.model.references import References
 from traceability.model.schema import Place
@@ -28,12 +35,16 @@ class Facts:
     written_in: dict[str, str]  # file -> the class that it is named after
     bodies_of: dict[str, list[BodyFact]] = field(default_factory=dict)  # class -> all in its files
     names_of: dict[str, list[NameFact]] = field(default_factory=dict)  # class -> what it names
+    includes_of: dict[str, list[IncludeFact]] = field(default_factory=dict)  # class -> its files'
 
     def __post_init__(self) -> None:
         for body in self.syntax.bodies:
             self.bodies_of.setdefault(self.user(body.owner, body.place), []).append(body)
         for name in self.syntax.names:
             self.names_of.setdefault(self.user(name.by, name.place), []).append(name)
+        for include in self.syntax.includes:
+            owner = self.written_in.get(include.place.file, "")
+            self.includes_of.setdefault(owner, []).append(include)
 
     @property
     def modules(self) -> set[str]:
@@ -60,6 +71,11 @@ class Facts:
         outer = owner.split("::", maxsplit=1)[0]
         return outer if outer in self.with_file else self.written_in.get(place.file, outer)
 
+    def kind_of(self, name: str) -> str:
+        """What a class is: class, struct, enum or alias; empty for one that is not known."""
+        fact = self.classes.get(name)
+        return fact.kind if fact else ""
+
     @functools.cached_property
     def with_file(self) -> set[str]:
         """The classes that a file is named after."""
@@ -68,6 +84,9 @@ class Facts:
     @functools.cached_property
     def references(self) -> References:
         return References(self)
+
+    def lines_of(self, file: str) -> list[str]:
+        return (self.root / file).read_text(encoding="utf-8").splitlines()
 
     def targets(self, method: str, virtual: bool) -> list[str]:
         """The methods that a call can reach."""
