@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
 from traceability.model.facts import Facts
 from traceability.model.machines import Change, MachineCode, is_stay, read_machine
-from traceability.model.schema import Finding, Model, StateMachine, Transition
+from traceability.model.schema import Finding, Model, Requirement, StateMachine, Transition
 
+FIGURE = re.compile(r"(?<![\w.])\d[\d.]*\s?(?:[mu]?s|mm?|m?[VA]|%|degrees?|steps/s)(?!\w)")
 _ALIKE = (
     "another transition of this state has the same event, and no guard tells the two apart",
     "leave one of the two, or give each a guard of its own",
@@ -80,10 +83,10 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
         if not step.requirements:
             text = f"{words(step)} serves no requirement"
             found.append(finding(text, "name the requirements of it", "requirements", step))
-        for name in step.requirements:
-            if name not in model.requirements:
-                text = f"there is no requirement {name}"
-                found.append(finding(text, "correct the id", name, step))
+        found += [
+            finding(text, mend, word, step)
+            for text, mend, word in _asked_for(step, machine, model, facts)
+        ]
     return (
         found
         + [
@@ -97,6 +100,49 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
             if event not in {step.event for step in machine.transitions}
         ]
     )
+
+
+def _asked_for(
+    step: Transition, machine: StateMachine, model: Model, facts: Facts
+) -> list[tuple[str, str, str]]:
+    """What is wrong with the requirements of a transition: text, mending, the word in question."""
+    asked = [model.requirements[name] for name in step.requirements if name in model.requirements]
+    found = [
+        (f"there is no requirement {name}", "correct the id", name)
+        for name in step.requirements
+        if name not in model.requirements
+    ]
+    ends = {machine.states[name] for name in (step.source, step.target) if name in machine.states}
+    family = ends.union(*(facts.classes[end].bases for end in ends if end in facts.classes))
+    found += [
+        (
+            f"no method of {' or '.join(sorted(ends))} serves {one.id}, which is said to ask for "
+            f"{words(step)}",
+            "name the requirement that asks for it, or tag the method",
+            one.id,
+        )
+        for one in asked
+        if not any(method.split("::")[0] in family for method in _serving(one))
+    ]
+    texts = " ".join(one.text for one in asked)
+    mend = "write the figure of the requirement"
+    return found + [
+        (f"the figure '{figure}' of {words(step)} stands in none of its requirements", mend, figure)
+        for part in (step.event, step.guard, step.action)
+        for figure in FIGURE.findall(part)
+        if not re.search(rf"(?<![\d.]){re.escape(figure)}\b", texts)
+    ]
+
+
+def _serving(requirement: Requirement) -> list[str]:
+    """The methods that satisfy a requirement, and those of its tree."""
+    found = list(requirement.satisfied_by)
+    work = [requirement.tree] if requirement.tree else []
+    while work:
+        node = work.pop()
+        found += [node.label, node.resolved or ""]
+        work += node.children
+    return found
 
 
 def _like_another(step: Transition, number: int, machine: StateMachine) -> bool:
