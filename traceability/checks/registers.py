@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import re
 
+from traceability.model.code_facts import BodyFact
 from traceability.model.declared import Block
 from traceability.model.facts import Facts
 from traceability.model.schema import Finding, Model, Place
 from traceability.model.units import is_board
+from traceability.sources import DESIGN, files_below
 
 REGISTERS = "src/k64/registers.hpp"  # the table of all blocks
 REGISTER = "src/k64/Register.hpp"  # where a number becomes an address
+CLASS = "Register"
+PERIPHERALS = 0x4000_0000  # where the addresses of the registers begin
 OWNERS = "design/register_owners.toml"
 START_UP = "/start_up/"  # before it, and after it, there is no driver
 MEMORY = re.compile(r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]')  # what reads or writes
@@ -18,7 +22,7 @@ MEMORY = re.compile(r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]')  # what 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
     found = _undeclared(facts) + _used(model, facts) + _past_the_table(facts) + _twice(facts)
-    found += _borrowed(facts)
+    found += _borrowed(facts) + _given(facts) + _linked(facts)
     return found + [finding for block in facts.declared.blocks for finding in _idle(block, facts)]
 
 
@@ -88,6 +92,11 @@ def _past_the_table(facts: Facts) -> list[Finding]:
         for place in facts.syntax.instructions
         if not is_board(place.file) or _reaches(place, facts)
     ]
+    own += [
+        _finding(place, "memory that changes by itself is reached past the registers", mend)
+        for place in facts.syntax.volatile
+        if place.file != REGISTER
+    ]
     return own + [
         _finding(place, "a number is made into an address", mend)
         for place in facts.syntax.casts
@@ -145,6 +154,56 @@ def _borrowed(facts: Facts) -> list[Finding]:
         if fact.place.file == REGISTERS
         and fact.file == REGISTERS
         and fact.block != own[fact.place.line]
+    ]
+
+
+def _given(facts: Facts) -> list[Finding]:
+    """A register that a module hands to others: these need not name its block."""
+    flows = facts.syntax.flows
+    table = {flow.into for flow in flows if f"object {flow.into} {CLASS}" in flow.sources}
+    table.add(f"result {CLASS}::at")
+    found: dict[tuple[str, int], Finding] = {}
+    for flow in flows:
+        word, _, rest = flow.into.partition(" ")
+        function = rest.rpartition(" ")[0] if word == "param" else rest
+        if word not in ("result", "param") or table.isdisjoint(flow.sources):
+            continue
+        for body in facts.bodies.get(function, []):
+            own = _module_of(body.place.file) == _module_of(flow.file)
+            if body.place.file == REGISTER or (own and not _is_open(body, word, facts)):
+                continue
+            text = f"{function} {'gives' if word == 'result' else 'is handed'} a register"
+            mend = "let the owner read or write it, and give what it means"
+            found[body.place.file, body.place.line] = _finding(body.place, text, mend)
+    for fact in facts.syntax.classes:
+        for field in fact.fields:
+            if field.access == "public" and CLASS in field.classes:
+                text = f"{fact.name}::{field.name} is a register that others can use"
+                mend = "make it private"
+                found[field.place.file, field.place.line] = _finding(field.place, text, mend)
+    return list(found.values())
+
+
+def _module_of(file: str) -> str:
+    return file.rpartition(".")[0]
+
+
+def _is_open(body: BodyFact, word: str, facts: Facts) -> bool:
+    """Whether other modules can call a function for what it gives."""
+    if word == "param" or body.local:
+        return False
+    methods = facts.classes[body.owner].methods if body.owner in facts.classes else []
+    return not any(m.id == body.id and m.access == "private" for m in methods)
+
+
+def _linked(facts: Facts) -> list[Finding]:
+    """A symbol that the linker puts where the registers are."""
+    text = "the linker gives a name to an address of registers"
+    return [
+        _finding(Place(str(path.relative_to(facts.root)), number), text, f"use {REGISTERS}")
+        for path in files_below(facts.root, DESIGN, (".ld",))
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
+        if any(int(word, 16) >= PERIPHERALS for word in re.findall(r"\b0[xX][\da-fA-F]+", line))
     ]
 
 

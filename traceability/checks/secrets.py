@@ -15,7 +15,7 @@ INCLUDE = re.compile(r"\s*#\s*include\s*<([a-z_./]+)>")
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
-    return _open(model, facts) + _hidden(model, facts)
+    return _open(model, facts) + _given_out(model, facts) + _hidden(model, facts)
 
 
 def _open(model: Model, facts: Facts) -> list[Finding]:
@@ -35,6 +35,30 @@ def _open(model: Model, facts: Facts) -> list[Finding]:
             text = f"{module_} lets its friend {other} see what it hides"
             mend = "remove the friend: let it use the interface"
             found.append(Finding(friend.place, "secret-open", text, mend))
+    return found
+
+
+def _given_out(model: Model, facts: Facts) -> list[Finding]:
+    """An operation whose result refers to a number of the module, through which it can change."""
+    results: dict[str, list[str]] = {}
+    for flow in facts.syntax.flows:
+        results.setdefault(flow.into, []).extend(flow.sources)
+    found: list[Finding] = []
+    for module in model.modules.values():
+        fact = facts.classes[module.name]
+        own = {
+            f"field {module.name}::{field.name}": field.name
+            for field in fact.fields
+            if not field.refers and not field.constant and not field.classes
+        }
+        for method in [] if module.datatype else fact.methods:
+            refers = re.search(r"[&*]$", method.result) and not method.result.startswith("const ")
+            if method.access != "public" or not refers:
+                continue
+            for member in filter(None, map(own.get, results.get(f"result {method.id}", []))):
+                text = f"{method.id} lets who calls it change the private {member}"
+                mend = "give a value, or a reference to const"
+                found.append(Finding(method.place, "secret-open", text, mend))
     return found
 
 

@@ -127,6 +127,7 @@ class Syntax:
     blocks: list[BlockFact] = field(default_factory=list)
     casts: list[Place] = field(default_factory=list)  # numbers made into addresses
     instructions: list[Place] = field(default_factory=list)  # of an assembler
+    volatile: list[Place] = field(default_factory=list)  # memory that changes by itself
     objects: list[FieldFact] = field(default_factory=list)  # that can change, and no class holds
     flows: list[FlowFact] = field(default_factory=list)
     constants: dict[str, int] = field(default_factory=dict)  # var -> value of a plain number
@@ -142,6 +143,7 @@ class Syntax:
         self.blocks += other.blocks
         self.casts += other.casts
         self.instructions += other.instructions
+        self.volatile += other.volatile
         self.objects += other.objects
         self.flows += other.flows
         self.constants |= other.constants
@@ -190,6 +192,7 @@ def facts_from(data: dict[str, Any]) -> Syntax:
         facts.variables[name] = FieldFact(**item)
     facts.casts = [_place_from(place) for place in data["casts"]]
     facts.instructions = [_place_from(place) for place in data["instructions"]]
+    facts.volatile = [_place_from(place) for place in data["volatile"]]
     for item in data["objects"]:
         item["place"] = _place_from(item["place"])
         facts.objects.append(FieldFact(**item))

@@ -50,6 +50,7 @@ _CASTS = {
     CursorKind.CSTYLE_CAST_EXPR,
     CursorKind.CXX_FUNCTIONAL_CAST_EXPR,
 }
+_DECLARED = {CursorKind.VAR_DECL, CursorKind.PARM_DECL, CursorKind.FIELD_DECL}
 _WRAPPING = {CursorKind.UNEXPOSED_EXPR, CursorKind.PAREN_EXPR, CursorKind.UNARY_OPERATOR}
 _HOLDERS = ("optional", "array", "pair", "tuple", "variant")  # of the library: by value
 _COPIES = ("memcpy", "memmove", "__builtin_memcpy", "__builtin_memmove")
@@ -271,6 +272,8 @@ class Reader:
             self.facts.instructions.append(place)
         if _makes_address(cursor):
             self.facts.casts.append(place)
+        if cursor.kind in _DECLARED and _is_volatile(cursor):
+            self.facts.volatile.append(place)
         bits = cursor.kind == CursorKind.CALL_EXPR and cursor.spelling == "bit_cast"
         if bits or cursor.kind in _CASTS:
             value = next(reversed(list(cursor.get_children())), cursor)
@@ -490,6 +493,14 @@ def _makes_address(cursor: Cursor) -> bool:
         kind = target.type.get_canonical().get_pointee() if target is not None else None
         return kind is not None and kind.kind == TypeKind.POINTER
     return False
+
+
+def _is_volatile(cursor: Cursor) -> bool:
+    """Whether what is declared is, or leads to, memory that changes by itself."""
+    kind = cursor.type.get_canonical()
+    while kind.kind in _REFERRING:
+        kind = kind.get_pointee()
+    return bool(kind.is_volatile_qualified())
 
 
 def _types_in(union: Cursor) -> list[Any]:
