@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from traceability.model.annotations import Text
-from traceability.model.code_facts import MethodFact
+from traceability.checks.registers import REGISTERS
+from traceability.model.annotations import Silent, Text
+from traceability.model.dictionary import unit_text
 from traceability.model.facts import Facts
 from traceability.model.schema import Finding, Method, Model, Module, Place, is_extension
 from traceability.sources import DESIGN, SRC
@@ -27,6 +28,7 @@ QUANTITY = re.compile(
     r"(const )?(std::optional<)?(Velocity|Tension|Current|Angle|StepRate|DutyCycle|Microseconds)\b"
 )
 UNIT = re.compile(r"\[.+?\]|\bnot used\b|\bno meaning\b")
+UNITS = re.compile(r"\[([^\]]+)\]")
 PROMISE = re.compile(r"\b(to be (written|done|defined|decided)|TODO|TBD|FIXME)\b", re.IGNORECASE)
 INTERRUPT = re.compile(r"(yes|no)$|depends on ")  # what @isr says
 
@@ -43,13 +45,11 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         found += _place_and_name(module, facts)
         found += _function(module, text, functions)
         found += _secret(module, text, secrets)
-        found += _constants(module, facts)
         for method in module.methods:
             if method.access == "public":
                 found += _specification(method)
-    return (
-        found + _folders(model, facts) + _written(model, facts) + _nested(facts) + _functions(facts)
-    )
+    found += _folders(model, facts) + _written(model, facts) + _nested(facts)
+    return found + _silent(facts, found) + _units(model, facts)
 
 
 def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
@@ -154,59 +154,78 @@ def _nested(facts: Facts) -> list[Finding]:
         for fact in facts.syntax.classes
         if fact.access == "public" and fact.name.split("::")[0] in facts.modules
     ]
-    silent = [(fact.name, fact.place) for fact in nested if fact.qualified not in described]
-    silent += [(m.id, m.place) for fact in nested for m in fact.methods if _is_silent(m, facts)]
     return [
         Finding(
-            place,
+            fact.place,
             "module-spec",
-            f"{name} is public, and has no @brief",
+            f"{fact.name} is public, and has no @brief",
             "make it private, or say above it what it is",
         )
-        for name, place in silent
+        for fact in nested
+        if fact.qualified not in described
     ]
 
 
-def _constants(module: Module, facts: Facts) -> list[Finding]:
-    """What a module lets others read says what it is."""
-    described = facts.annotations.classes.get(module.qualified)
-    words = {part.name: part.text for part in described.parts} if described else {}
-    return [
-        Finding(
-            field.place,
-            "module-spec",
-            f"{module.name}::{field.name} is public, and has no @brief",
-            "make it private, or say above it what it is",
-        )
-        for field in facts.classes[module.name].fields
-        if field.access == "public" and not words.get(field.name)
-    ]
-
-
-def _functions(facts: Facts) -> list[Finding]:
-    """A function of a header that several modules share says what it is."""
-    shared = {item.file for item in facts.declared.shared}
+def _silent(facts: Facts, known: list[Finding]) -> list[Finding]:
+    """What a header lets others use says what it is. The manual tells what a register is."""
     found: list[Finding] = []
-    for body in facts.syntax.bodies:
-        if body.owner or body.place.file not in shared or not body.place.file.endswith(".hpp"):
+    seen = {(one.place.file, one.place.line) for one in known if one.check == "module-spec"}
+    for one in facts.annotations.silent:
+        place = one.place
+        if (place.file, place.line) in seen or place.file == REGISTERS:
             continue
-        lines = (facts.root / body.place.file).read_text(encoding="utf-8").splitlines()
-        above = [line.strip() for line in lines[max(0, body.place.line - 3) : body.place.line - 1]]
-        if not any(line.startswith("///") for line in above):
-            text, mend = f"{body.id} has no @brief", "write it above the function"
-            found.append(Finding(body.place, "module-spec", text, mend))
+        if one.kind == "variable" and _has_plain_words(place, facts):
+            continue
+        what = "@tparam" if one.kind == "tparam" else "@brief"
+        text = f"{one.name} is public, and has no {what}"
+        mend = "make it private, or say beside it what it is"
+        found.append(Finding(_line_of(one, facts), "module-spec", text, mend))
     return found
 
 
-def _is_silent(method: MethodFact, facts: Facts) -> bool:
-    """Whether a method of a nested class that others can call has no words."""
-    if method.access != "public" or method.deleted or method.defaulted or method.overrides:
-        return False
-    item = next(
-        (c for n, c in facts.annotations.classes.items() if n.endswith(f"::{method.owner}")), None
-    )
-    lines = {member.place.line for member in item.members if member.text.brief} if item else set()
-    return method.place.line not in lines
+def _units(model: Model, facts: Facts) -> list[Finding]:
+    """A text that says a unit says that of the type."""
+    told: list[tuple[Place, str, str, str]] = []  # place, name, type, text
+    for module in model.modules.values():
+        for method in module.methods:
+            told += [
+                (method.place, f"{param.name} of {method.id}", param.type, param.text)
+                for param in method.params
+            ]
+            result = _result_of(method).rpartition(" ")[0]
+            told.append((method.place, f"the result of {method.id}", result, method.returns))
+    for fact in facts.classes.values():
+        described = facts.annotations.classes.get(fact.qualified)
+        words = {part.name: part.text for part in described.parts} if described else {}
+        told += [
+            (field.place, f"{fact.name}::{field.name}", field.type, words.get(field.name, ""))
+            for field in fact.fields
+        ]
+    found: list[Finding] = []
+    for place, name, kind, text in told:
+        said = UNITS.findall(text)
+        unit = UNITS.findall(unit_text(kind, model)) if said else []
+        if unit and unit[0].split(" since ")[0] not in said:
+            wrong = f"[{said[0]}] is said to be the unit of {name}, and its type has [{unit[0]}]"
+            found.append(Finding(place, "module-spec", wrong, "write the unit of the type"))
+    return found
+
+
+def _line_of(one: Silent, facts: Facts) -> Place:
+    """Doxygen knows the line of an enumeration, not those of its values."""
+    if one.kind != "enumvalue":
+        return one.place
+    lines = facts.lines_of(one.place.file)
+    name = re.compile(rf"\s*{re.escape(one.name.rsplit('::', 1)[-1])}\b")
+    below = range(one.place.line, len(lines))
+    number = next((n + 1 for n in below if name.match(lines[n])), one.place.line)
+    return Place(one.place.file, number)
+
+
+def _has_plain_words(place: Place, facts: Facts) -> bool:
+    """A table or a line of the hardware has a comment for people; an object has its class."""
+    above, line = facts.lines_of(place.file)[max(0, place.line - 2) : place.line]
+    return above.strip().startswith("//") or "//" in line or line.startswith("extern ")
 
 
 def _secret(module: Module, text: Text, secrets: dict[str, str]) -> list[Finding]:

@@ -24,6 +24,7 @@ from traceability.sources import DESIGN, files_below, hash_of
 INPUTS = (*DESIGN, "tests", "requirements")
 DOXYFILE = Path("traceability/doxygen/Doxyfile")
 
+SCOPES = ("class", "struct", "union", "namespace", "file")
 # Doxygen 1.18 reports the list of requirements that it makes itself as badly nested.
 FALSE_WARNING = re.compile(
     r"found </div> at different nesting level|end of comment block while expecting command </div>"
@@ -101,6 +102,15 @@ class RequirementText:
 
 
 @dataclass
+class Silent:
+    """Something of a header that others can use, and no comment says what it is."""
+
+    name: str
+    kind: str  # as Doxygen calls it: function, friend, variable, typedef, enum, enumvalue, tparam
+    place: Place
+
+
+@dataclass
 class Annotations:
     classes: dict[str, ClassText] = field(default_factory=dict)
     folders: dict[str, FolderText] = field(default_factory=dict)
@@ -108,6 +118,7 @@ class Annotations:
     tests: list[MemberText] = field(default_factory=list)
     pages: dict[str, str] = field(default_factory=dict)  # file -> title of the page in it
     warnings: list[Complaint] = field(default_factory=list)
+    silent: list[Silent] = field(default_factory=list)
 
 
 def doxygen_executable() -> str:
@@ -207,9 +218,12 @@ def _read_compound(compound: ElementTree.Element, result: Annotations) -> None:
     kind = compound.get("kind")
     name = compound.findtext("compoundname", "")
     place = _place(compound)
+    if kind in SCOPES and compound.get("prot", "public") == "public":
+        result.silent += _silent(compound, name)
     if kind in ("class", "struct", "union"):
         members = [_member(item) for item in compound.iter("memberdef") if _is_function(item)]
         result.classes[name] = ClassText(name, place, _text(compound), members, _parts(compound))
+        result.silent += _silent_parameters(compound, name)
     elif kind == "dir":
         text = _text(compound)
         dox = Place(name.rstrip("/") + "/module.dox", 1)
@@ -229,6 +243,52 @@ def _read_compound(compound: ElementTree.Element, result: Annotations) -> None:
                 result.classes[qualified] = ClassText(
                     qualified, _place(item), _text(item), parts=_parts(item)
                 )
+
+
+def _silent(scope: ElementTree.Element, name: str) -> Iterator[Silent]:
+    """What a header lets others use without a word on it."""
+    for item in scope.iter("memberdef"):
+        place = _place(item)
+        if not place.file.endswith(".hpp") or not place.file.startswith(DESIGN):
+            continue
+        if item.get("prot") != "public" or _needs_none(item):
+            continue
+        own = f"{name}::{item.findtext('name', '')}".removeprefix("wr::")
+        if not _is_described(item):
+            yield Silent(own, item.get("kind", ""), place)
+        values = item.findall("enumvalue")
+        if any(_is_described(value) for value in values):  # or their names say enough
+            for value in values:
+                if not _is_described(value):
+                    yield Silent(f"{own}::{value.findtext('name', '')}", "enumvalue", place)
+
+
+def _needs_none(item: ElementTree.Element) -> bool:
+    """Whether nothing is to be said: a destructor, what is deleted, inherited or a friend class."""
+    deleted = item.findtext("argsstring", "").endswith(("=delete", "= delete"))
+    inherited = item.find("reimplements") is not None
+    named = item.get("kind") == "friend" and not item.findtext("argsstring", "")
+    destructor = item.findtext("name", "").startswith("~")
+    return deleted or inherited or named or destructor
+
+
+def _is_described(item: ElementTree.Element) -> bool:
+    texts = (item.find("briefdescription"), item.find("detaileddescription"))
+    return any("".join(text.itertext()).strip() for text in texts if text is not None)
+
+
+def _silent_parameters(scope: ElementTree.Element, name: str) -> Iterator[Silent]:
+    """The parameters of a template that are left out where others are described."""
+    described = {
+        _plain(one)
+        for group in scope.findall("detaileddescription//parameterlist")
+        if group.get("kind") == "templateparam"
+        for one in group.iter("parametername")
+    }
+    for param in scope.findall("templateparamlist/param"):
+        own = param.findtext("declname", "") or _plain(param.find("type")).split(" ")[-1]
+        if described and own not in described:
+            yield Silent(f"{name}, {own}".removeprefix("wr::"), "tparam", _place(scope))
 
 
 def _parts(element: ElementTree.Element) -> list[PartText]:

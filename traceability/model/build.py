@@ -305,16 +305,17 @@ def _inherit_specification(method: Method, model: Model) -> None:
         if above is None:
             return
         if above.brief and above.inherited_from is None:
-            names = [item.name for item in method.params]
+            own = method.params
             method.params = [
-                Param(names[i] or item.name, item.type, item.text)
+                Param(own[i].name or item.name, item.type, own[i].text or item.text)
                 for i, item in enumerate(above.params)
-                if i < len(names)
+                if i < len(own)
             ]
             method.brief, method.details = above.brief, above.details
-            method.returns, method.errors = above.returns, above.errors
-            method.pre, method.post = above.pre, above.post
-            method.interrupt = above.interrupt
+            method.returns = method.returns or above.returns
+            method.errors = method.errors or above.errors
+            method.pre, method.post = method.pre or above.pre, method.post or above.post
+            method.interrupt = method.interrupt or above.interrupt
             method.documented = True
             method.inherited_from = upper
             return
