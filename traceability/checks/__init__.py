@@ -22,6 +22,7 @@ from traceability.checks import (
     stack,
     trees,
     uses,
+    words,
 )
 from traceability.checks.registry import KNOWN
 from traceability.metrics import figures
@@ -31,6 +32,7 @@ from traceability.model.schema import Finding, Model
 
 FAMILIES = (
     documents.check,
+    words.check,
     modules.check,
     files.check,
     patterns.check,

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection
 from pathlib import Path
 
 from traceability.model.facts import Facts
 from traceability.model.schema import Finding, Model, PaperElement
 
-EXACT = ("module", "method", "state")  # kinds whose names are those of the code
+EXACT = ("module", "method", "state", "application")  # kinds whose names are those of the code
+COUNT, CONSTANT = "figure-of-design", "constant"
 PAGES = ("view", "docs")  # what only the built site can show
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
     found = _complete(model, facts)
     for entry in model.paper:
-        found += _stale(entry, model, facts) + _alias(entry, facts)
+        found += _stale(entry, model, facts) + _alias(entry, model, facts)
+        found += _figure(entry, facts)
     return found
 
 
@@ -94,11 +97,11 @@ def exists(target: str, model: Model, facts: Facts) -> bool:
     return kind == "view" or name in known.get(kind, {})
 
 
-def _alias(entry: PaperElement, facts: Facts) -> list[Finding]:
+def _alias(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
     """A name of the code that is not the paper's has a reason, and only such a name."""
     if entry.kind not in EXACT or not entry.here:
         return []
-    same = entry.name in {target.partition(":")[2] for target in entry.here}
+    same = entry.name in {_name_here(target, model) for target in entry.here}
     if same and entry.alias:
         text = (
             f"{entry.name} has the paper's name here, but the entry gives a reason for another one"
@@ -111,6 +114,40 @@ def _alias(entry: PaperElement, facts: Facts) -> list[Finding]:
         text = f"the code has a class {entry.name}, but the entry says that it has another name"
         return [Finding(entry.place, "paper-alias", text, "name that class, and remove the alias")]
     return []
+
+
+def _figure(entry: PaperElement, facts: Facts) -> list[Finding]:
+    """A count of the design is that of the model, and the figure of a constant that of the code."""
+    said = re.search(r"\d+", entry.name if entry.kind == COUNT else entry.note)
+    if said is None or entry.kind not in (COUNT, CONSTANT):
+        return []
+    if entry.kind == COUNT:
+        counts = {"module": facts.modules, "application": facts.declared.applications}
+        true = {str(len(things)) for word, things in counts.items() if word in entry.name}
+    else:
+        methods = [one.partition(":")[2] for one in entry.here if one.startswith("method:")]
+        true = {figure for method in methods for figure in _returned(method, facts)}
+    if not true or said[0] in true:
+        return []
+    text = f"the figure {said[0]} of {entry.name} is {' or '.join(sorted(true, key=int))} here"
+    place = facts.declared.entries.line_in(entry.place, "name" if entry.kind == COUNT else "note")
+    return [Finding(place, "paper-stale", text, "correct the figure, or the design")]
+
+
+def _returned(method: str, facts: Facts) -> list[str]:
+    """The plain number that a method gives."""
+    found: list[str] = []
+    for body in facts.bodies.get(method, []):
+        lines = facts.lines_of(body.place.file)[body.place.line - 1 : body.end]
+        found += re.findall(r"\breturn (\d+);", "\n".join(lines))
+    return found
+
+
+def _name_here(target: str, model: Model) -> str:
+    """What stands for an element is called here: an application by its title."""
+    kind, _, name = target.partition(":")
+    application = model.patterns.get(name) if kind == "pattern" else None
+    return application.title if application else name
 
 
 def check_pages(model: Model, site: Path) -> list[Finding]:

@@ -78,6 +78,16 @@ _FIXED = [
         "correct the comment or the page as the message says.",
     ),
     Check(
+        "doc-name",
+        "What a text names exists",
+        "Each class, method, function, constant or value that a comment of the code, a literal of "
+        "a page of docs/ or a text of design/ names is one of the code, or of the paper. In "
+        "design/concordance.toml `paper-stale` finds it, in design/changes.toml `pattern-change`.",
+        "names that are words of the language too, such as that of the class Wheel; a name that "
+        "means something else now.",
+        "write the name that it has now.",
+    ),
+    Check(
         "design-entry",
         "The files of the design can be read",
         "Every file of design/ is there and is TOML; each entry has the keys that it needs and no "
@@ -124,7 +134,9 @@ _FIXED = [
         "Every public method of a design module has a brief, a text for each parameter and one for "
         "its result, and says with @isr whether an interrupt may call it; its own or inherited "
         "from the method that it overrides. A plain number says its unit or what it counts, a "
-        "parameter with a unit says it. A public class inside of a module has a brief.",
+        "parameter with a unit says it, and a unit that is said is that of the type. Whatever else "
+        "a header lets others use has a brief: classes, types, functions, members, constants, "
+        "friends, and the values of an enumeration when one of them has.",
         _TEXT_BLIND,
         "write what is missing above the declaration.",
     ),
@@ -159,7 +171,7 @@ _FIXED = [
         "Likely changes name what exists",
         "Every pattern has a recipe in design/changes.toml, which names roles of the pattern; what "
         "is particular to an application names one that exists, and modules that exist: those with "
-        "a role in it, and examples of an extension.",
+        "a role in it, and examples of an extension. What a step names in backticks exists.",
         "whether the steps are enough; the extensions show that for some.",
         "correct the name.",
     ),
@@ -196,9 +208,10 @@ _FIXED = [
     Check(
         "pattern-heir-unbound",
         "Every heir plays a role",
-        "Every class that derives from an abstraction of an application has a role in some "
-        "application, wherever it stands. A Command that is nested in a module is the body of a "
-        "thread, and needs none.",
+        "Every class that derives from an abstraction of an application plays the role of an heir, "
+        "wherever it stands: one of a State, a Strategy or an Abstract Class in each of its "
+        "applications, unless it extends a component or is extended. A Command that is nested in "
+        "a module is the body of a thread, and needs none.",
         "whether the role is the right one.",
         "bind the heir to a role, or derive it from something else.",
     ),
@@ -233,10 +246,11 @@ _FIXED = [
         "A block of registers has owners",
         "A namespace of src/k64/registers.hpp is named only by the modules that own it in "
         "design/register_owners.toml; each owner uses it; no address stands in two of them; no "
-        "other place of src makes a register or makes a number into an address; instructions of "
-        "the processor stand with the drivers only.",
-        "which channel or pin of a block an owner touches; the effect of a register on another "
-        "block.",
+        "other place makes a register, makes a number into an address, names what is volatile, or "
+        "hands a register to others, nor does the linker; instructions of the processor stand with "
+        "the drivers only.",
+        "which channel or pin of a block an owner touches, and how far its offset leads; the "
+        "effect of a register on another block.",
         "call an operation of the owner, or change the design.",
     ),
     Check(
@@ -335,9 +349,11 @@ _FIXED = [
         "State machines name what exists",
         "Every application of the State pattern has a machine in design/fsm. Its states are the "
         "Concrete States of the application; each event names an operation of the State, and each "
-        "transition states, an event and at least one requirement that exist. Each event is used, "
-        "and a guard tells the transitions of a state at one event apart.",
-        "guards and actions, which are words.",
+        "transition states, an event and at least one requirement that exist; a method of one of "
+        "its two states serves the requirement. Each event is used, and a guard tells the "
+        "transitions of a state at one event apart. A figure with a unit is that of one of the "
+        "requirements.",
+        "the words of guards and actions.",
         "correct the entry, or declare the machine.",
     ),
     Check(
@@ -390,8 +406,9 @@ _FIXED = [
     Check(
         "secret-open",
         "No way past the interface",
-        "No module has public data that can change, nor a friend outside itself.",
-        "an operation that gives a reference to what is private.",
+        "No module has public data that can change, nor a friend outside itself, nor an operation "
+        "that gives a reference to a number of its own, through which it can be changed.",
+        "an operation that gives an object or a record of the module, such as a part of a builder.",
         "make the data private and give the module an operation.",
     ),
     Check(
@@ -560,15 +577,17 @@ _FIXED = [
         "paper-stale",
         "The concordance names what exists",
         "Every module, method, application, state machine, requirement, check and page that an "
-        "entry of design/concordance.toml names exists.",
+        "entry of design/concordance.toml names exists, and so does what its texts name in "
+        "backticks. A count of modules or applications, and the figure of a constant, are those of "
+        "the code.",
         "whether it is what the paper means; a person reads that.",
         "name what stands for the element now.",
     ),
     Check(
         "paper-alias",
         "Other names than the paper's have a reason",
-        "A module, method or state whose name here is not the paper's has an alias with the "
-        "reason, and no other one has.",
+        "A module, method or state whose name here is not the paper's, and an application with "
+        "another title, has an alias with the reason, and no other one has.",
         "whether the reason is good.",
         "say why the name differs, or use the name of the paper.",
     ),
