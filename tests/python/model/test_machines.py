@@ -28,7 +28,11 @@ def findings(
 ) -> list[tuple[str, str]]:
     facts = facts_of(root)
     model = Model("", "", "hash", {HOST: "hash" if fresh else "old"})
-    model.requirements["FR-1"] = Requirement("FR-1", "", "", Place("x", 1), verified_by=[verified])
+    for name, method in (("FR-1", "LampState::press"), ("FR-2", "Lamp::press")):
+        model.requirements[name] = Requirement(
+            name, "It shall last 3 s.", "", Place("x", 1), satisfied_by=[method]
+        )
+    model.requirements["FR-1"].verified_by = [verified]
     model.machines = facts.declared.machines
     model.patterns = {
         name: PatternApplication(name, "State", "", "", "", "LampState", Place("x", 1))
@@ -115,6 +119,18 @@ def test_a_machine_as_the_code_is_has_no_finding(tmp_path: Path) -> None:
             'requirements = ["FR-1"] -> requirements = []',
             "fsm-declared",
             "Off > On on press serves no requirement",
+        ),
+        (
+            "lamp_toml",
+            'requirements = ["FR-1"] -> requirements = ["FR-2"]',
+            "fsm-declared",
+            "no method of Off or On serves FR-2, which is said to ask for Off > On on press",
+        ),
+        (
+            "lamp_toml",
+            'guard = "3 times" -> guard = "after 4 s"',
+            "fsm-declared",
+            "the figure '4 s' of On > Off on wait [after 4 s] stands in none of its requirements",
         ),
         (
             "lamp_toml",
