@@ -14,6 +14,7 @@ from traceability.checks import (
     links,
     machines,
     modules,
+    numbers,
     paper,
     patterns,
     registers,
@@ -33,6 +34,7 @@ from traceability.model.schema import Finding, Model
 FAMILIES = (
     documents.check,
     words.check,
+    numbers.check,
     modules.check,
     files.check,
     patterns.check,

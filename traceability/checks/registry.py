@@ -88,6 +88,15 @@ _FIXED = [
         "write the name that it has now.",
     ),
     Check(
+        "doc-figure",
+        "Figures of texts are those of the code",
+        "Each text that design/figures.toml names says the figure that the code has, and in a "
+        "table of offsets each row begins where the one before ends.",
+        "figures that the file does not list.",
+        "correct the text, or the code; a figure that a new text takes from the code belongs into "
+        "the file.",
+    ),
+    Check(
         "design-entry",
         "The files of the design can be read",
         "Every file of design/ is there and is TOML; each entry has the keys that it needs and no "
@@ -169,9 +178,10 @@ _FIXED = [
     Check(
         "pattern-change",
         "Likely changes name what exists",
-        "Every pattern has a recipe in design/changes.toml, which names roles of the pattern; what "
-        "is particular to an application names one that exists, and modules that exist: those with "
-        "a role in it, and examples of an extension. What a step names in backticks exists.",
+        "Every pattern has a recipe in design/changes.toml, which names roles of the pattern: the "
+        "heirs that it adds or alters, and what they derive from. What is particular to an "
+        "application names one that exists, and modules that exist: those with a role in it, and "
+        "examples of an extension. What a step names in backticks exists.",
         "whether the steps are enough; the extensions show that for some.",
         "correct the name.",
     ),
@@ -314,8 +324,9 @@ _FIXED = [
         "exec-shared",
         "What contexts share is protected",
         "A member that one context changes and another one touches is a Pipe, or has its "
-        "protection in design/execution.toml. A pipe has one context that writes it and one that "
-        "reads it.",
+        "protection in design/execution.toml: what is said to be atomic is, and an InterruptLock "
+        "stands where interrupts are said to be masked. A pipe has one context that writes it and "
+        "one that reads it.",
         "changes through parameters that are references and in the standard library; whether the "
         "protection is enough; two threads of one kind.",
         "put a Pipe between the contexts, or state the protection.",
@@ -601,8 +612,8 @@ _FIXED = [
     Check(
         "link-doc",
         "Links of hand-written pages",
-        "Every reference in docs/ has a target, and every file that a page of docs/ or the README "
-        "names by its path is there.",
+        "Every reference in docs/ has a target, and every file that a page of docs/, the README or "
+        "a text of design/ names by its path is there.",
         "whether the target is the right one.",
         "correct the target.",
     ),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
+from numbers import Real
 from pathlib import Path
 
 from traceability.model.changes import ChangeTexts, read_change_texts
@@ -57,6 +58,17 @@ class KnownPattern:
     name: str
     applications: int
     roles: list[str]
+    place: Place
+
+
+@dataclass
+class FigureText:
+    """Words of a text with a figure that the code has too."""
+
+    text: str
+    says: str
+    of: str
+    times: float
     place: Place
 
 
@@ -124,12 +136,13 @@ class Declared:
     justified: list[Justified] = field(default_factory=list)
     concordance: Concordance = field(default_factory=Concordance)
     changes: ChangeTexts = field(default_factory=ChangeTexts)
+    figures: list[FigureText] = field(default_factory=list)
 
 
 # The files of a whole design, beside its trees and state machines.
 FILES = (
     *("applications", "architecture", "board_findings", "changes", "clauses", "closed_loop"),
-    *("concordance", "execution", "justified", "modules", "paper", "questions"),
+    *("concordance", "execution", "figures", "justified", "modules", "paper", "questions"),
     *("register_owners", "stack", "uses"),
 )
 
@@ -155,6 +168,15 @@ def read_declared(root: Path) -> Declared:
         design / "board_findings.toml", "finding", {"id": str, "says": str}, own="id"
     ):
         declared.board_findings[item["id"]] = BoardFinding(item["id"], item["says"], place)
+    declared.figures = [
+        FigureText(item["text"], item["says"], item["of"], float(item.get("times", 1)), place)
+        for item, place in entries.tables(
+            design / "figures.toml",
+            "figure",
+            {"text": str, "says": str, "of": str},
+            {"times": Real},
+        )
+    ]
     declared.justified = [
         Justified(kind, item["names"], item["why"], place)
         for kind in ("method", "test", "line")
