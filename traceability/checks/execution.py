@@ -12,7 +12,10 @@ from traceability.model.execution import (
 )
 from traceability.model.facts import Facts
 from traceability.model.schema import ExecutionContext, Finding, Model, Place
+from traceability.sources import SRC
 
+MASKED = "interrupts masked"  # a protection
+LOCK = "InterruptLock"  # what masks them
 DECLARED = Place("design/execution.toml", 1)
 KINDS = (INTERRUPT, THREAD, START)
 
@@ -27,6 +30,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         + _ends(facts)
         + _interrupts(model, facts)
         + _shared(model, facts)
+        + _unprotected(model, facts)
     )
 
 
@@ -148,12 +152,46 @@ def _interrupts(model: Model, facts: Facts) -> list[Finding]:
     for context in model.contexts.values():
         if context.kind != INTERRUPT:
             continue
-        reached = facts.references.reached(context.handlers, {}, facts.declared.ends)
+        start = [*context.handlers, *_called_by_products(context.handlers, facts)]
+        reached = facts.references.reached(start, {}, facts.declared.ends)
         for name in sorted(set(reached) & set(forbidden)):
             way = " > ".join(way_to(name, reached))
             text = f"{name} is @isr{{no}}, and the interrupt '{context.name}' calls it: {way}"
             mend = "let a thread call it, or make it safe and write @isr{yes}"
             found.append(Finding(forbidden[name].place, "exec-isr", text, mend))
+    return found
+
+
+def _called_by_products(handlers: list[str], facts: Facts) -> list[str]:
+    """What the handlers of products that add to the robot call."""
+    return [
+        call.target
+        for handler in handlers
+        for body in facts.bodies.get(handler, [])
+        if not body.place.file.startswith(f"{SRC}/")
+        for call in body.calls
+    ]
+
+
+def _unprotected(model: Model, facts: Facts) -> list[Finding]:
+    """A member that is not protected as the design says: no atomic, or no lock where it is used."""
+    contexts = {context.id: context for context in model.contexts.values()}
+    found: list[Finding] = []
+    for member in model.shared:
+        if "atomic" in member.protection and "atomic" not in member.type:
+            text = f"{member.id} is said to be atomic, and is {member.type}"
+            found.append(Finding(member.place, "exec-shared", text, "make it std::atomic"))
+        if member.protection != MASKED:
+            continue
+        using = [contexts[name] for name in (*member.writers, *member.readers) if name in contexts]
+        handlers = [name for one in using for name in one.handlers]
+        reached = facts.references.reached(handlers, {}, facts.declared.ends)
+        for body in facts.syntax.bodies:
+            locked = any(call.target == f"{LOCK}::{LOCK}" for call in body.calls)
+            if member.id in body.touches and body.id in reached and not locked:
+                text = f"{body.id} uses {member.id} without the {LOCK} that is to protect it"
+                mend = f"make an {LOCK} first, or state the protection that there is"
+                found.append(Finding(body.place, "exec-shared", text, mend))
     return found
 
 
