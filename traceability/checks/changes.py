@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from traceability.checks.patterns import ABSTRACTIONS, HEIRS
 from traceability.model.changes import Particular, Recipe
 from traceability.model.facts import Facts
 from traceability.model.schema import Finding, Model, Place
@@ -43,7 +44,20 @@ def _recipe(name: str, recipe: Recipe, facts: Facts) -> Iterator[tuple[Place, st
     for role in [*recipe.alters, *added, recipe.derives]:
         if role and role not in known[name]:
             yield recipe.place, role, f"{role} is no role of {name}"
+    sorts: list[tuple[str, tuple[str, ...], str]] = [
+        (role, HEIRS, "heir") for role in added if role
+    ]
+    sorts += [(role, (*HEIRS, "Singleton"), "heir") for role in recipe.alters]
+    sorts += [(recipe.derives, ABSTRACTIONS, "abstraction")] if recipe.derives else []
+    for role, fitting, sort in sorts:
+        if role in known[name] and role not in fitting:
+            yield recipe.place, role, f"{role} is no {sort}, which a change of a {name} is about"
+    if not recipe.alters:
+        yield recipe.place, "alters", f"no role is altered by a change of a {name}"
     for step in recipe.steps:
+        for role in re.findall(r"@role\{\{id\}, ([^}]+)\}", step):
+            if role not in known[name]:
+                yield recipe.place, role, f"{role} is no role of {name}"
         for word in set(re.findall(r"\{([^{}]*)\}", step)) - STANDING:
             yield recipe.place, step, f"nothing stands for {{{word}}} in a step"
 
@@ -64,6 +78,9 @@ def _particular(
     for module in particular.examples:
         if module in model.modules and not model.modules[module].extension:
             yield particular.place, module, f"{module} is part of the robot, and no example"
+
+    if application and particular.examples and bound.isdisjoint(particular.examples):
+        yield particular.place, "examples", f"no example has a role in {name}"
 
 
 def _above(module: str, facts: Facts) -> Iterator[str]:

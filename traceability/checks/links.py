@@ -159,11 +159,13 @@ class Texts:
 
 
 def missing_paths(root: Path) -> list[Finding]:
-    """Files and folders of the project that a hand-written page names, and that there are not."""
+    """Files and folders that a page or a text of the design names, and that there are not."""
     found: list[Finding] = []
-    for path in files_below(root, ("README.md", "docs"), (".md", ".rst")):
+    for path in files_below(root, ("README.md", "docs", "design"), (".md", ".rst", ".toml")):
         file = str(path.relative_to(root))
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if path.suffix == ".toml" and line.startswith("#"):
+                continue
             for named in filter(None, sum(NAMED.findall(line), ())):
                 top, name = named.split("/")[0], root / named
                 known = (root / top).is_dir() or name.suffix in SOURCES
