@@ -67,7 +67,8 @@ def run_checks(model: Model) -> list[Finding]:
 
 def run_link_checks(model: Model, site: Path) -> list[Finding]:
     """The dead links of the built site, and the pages that it should have."""
-    return sort(links.check(model, site) + paper.check_pages(model, site))
+    clicks = links.dead_clicks(site) if model.facts else []
+    return sort(links.check(model, site) + paper.check_pages(model, site) + clicks)
 
 
 def sort(findings: list[Finding]) -> list[Finding]:

@@ -17,6 +17,8 @@ from traceability.sources import files_below
 # A path of the project, as it is written; or as a link of the README.
 NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^)]*)?\)")
 URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # in a sheet of styles
+QUESTIONS = "design/questions.toml"
+CLICK = re.compile(r'"([^"]+)"')
 SOURCES = (".rst", ".dox", ".toml", ".tree", ".hpp", ".cpp", ".py")
 ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|'[^']*')""")
 
@@ -124,6 +126,29 @@ def check(model: Model, site: Path) -> list[Finding]:
 def _others(found: list[tuple[str, str]]) -> str:
     count = len({page for page, _ in found}) - 1
     return f" and {count} more" if count else ""
+
+
+def dead_clicks(site: Path) -> list[Finding]:
+    """The pages on the way to the answer of a question, that the site does not have."""
+    path = site.resolve().parent.parent / QUESTIONS
+    lines = path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
+    found: list[Finding] = []
+    for number, line in enumerate(lines, 1):
+        for click in CLICK.findall(line) if line.startswith("clicks") else ():
+            if not has_page(site, click):
+                text = f"the site has no page {click}, to which a question leads"
+                mend = "name the page that has the answer"
+                found.append(Finding(Place(QUESTIONS, number), "link-site", text, mend))
+    return found
+
+
+def has_page(site: Path, name: str) -> bool:
+    """Whether the site has a page, and on it the anchor behind a #."""
+    page, _, anchor = name.partition("#")
+    path = site / page
+    if not path.is_file():
+        return False
+    return not anchor or f'id="{anchor}"' in path.read_text(encoding="utf-8")
 
 
 class Texts:

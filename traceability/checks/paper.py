@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection
 from pathlib import Path
 
+from traceability.checks.links import has_page
 from traceability.model.facts import Facts
 from traceability.model.schema import Finding, Model, PaperElement
 
@@ -151,16 +152,21 @@ def _name_here(target: str, model: Model) -> str:
 
 
 def check_pages(model: Model, site: Path) -> list[Finding]:
-    """The generated pages that entries name exist in the built site."""
+    """The generated pages that entries name exist in the built site, and so do their anchors."""
+    line_in = model.facts.declared.entries.line_in if model.facts else lambda place, _: place
     return [
         Finding(
-            entry.place,
+            line_in(entry.place, target),
             "paper-stale",
             f"the paper's {entry.kind} {entry.name} is said to be on {target}, which is no page",
             "name the page that shows it",
         )
         for entry in model.paper
         for target in entry.here
-        if target.startswith("view:")
-        and not (site / f"{target.removeprefix('view:').partition('#')[0]}.html").exists()
+        if target.startswith("view:") and not has_page(site, _page_of(target))
     ]
+
+
+def _page_of(target: str) -> str:
+    page, mark, anchor = target.removeprefix("view:").partition("#")
+    return f"{page}.html{mark}{anchor}"

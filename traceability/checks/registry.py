@@ -392,8 +392,8 @@ _FIXED = [
     Check(
         "uses-apart",
         "Controllers and sensors apart",
-        "The modules that design/uses.toml keeps apart never name one another: no controller a "
-        "sensor, no sensor a controller.",
+        "The modules that design/uses.toml keeps apart never name one another nor include the "
+        "other's header: no controller a sensor, no sensor a controller.",
         "a third module that hands one to the other.",
         "let the value go through a pipe.",
     ),
@@ -620,7 +620,8 @@ _FIXED = [
     Check(
         "link-site",
         "Links of the site",
-        "Every link of every page of the site, diagrams included, has a page and an anchor.",
+        "Every link of every page of the site, diagrams included, has a page and an anchor, and so "
+        "has every click of design/questions.toml.",
         "links to other sites.",
         "correct the source of the page.",
     ),

@@ -152,16 +152,25 @@ def _apart(facts: Facts) -> list[Finding]:
         for other_module in rule.others
         for one, other in ((module, other_module), (other_module, module))
     }
+    named = [
+        (user, fact.target.split("::", maxsplit=1)[0], fact.place)
+        for user, facts_of in facts.names_of.items()
+        for fact in facts_of
+    ]
+    named += [
+        (user, facts.written_in.get(include.target, ""), include.place)
+        for user, includes in facts.includes_of.items()
+        for include in includes
+    ]
     found = {
-        (fact.place.file, fact.place.line, user, target): Finding(
-            fact.place,
+        (place.file, place.line, user, target): Finding(
+            place,
             "uses-apart",
             f"{user} names {target}, and design/uses.toml keeps them apart",
             "let the value go through a pipe",
         )
-        for user, facts_of in facts.names_of.items()
-        for fact in facts_of
-        if (user, target := fact.target.split("::", maxsplit=1)[0]) in pairs
+        for user, target, place in named
+        if (user, target) in pairs
     }
     unknown = [
         Finding(rule.place, "uses-apart", f"there is no module {name}", "correct the name")
