@@ -12,7 +12,6 @@ from pathlib import Path
 
 from traceability.model.facts import Facts
 from traceability.model.schema import Finding, Model, Place
-from traceability.model.syntax import code_of
 from traceability.sources import DESIGN, files_below
 
 # In a comment only what cannot be a word of the language: HallCount, Wheel::stop, kPeriod, read().
@@ -23,6 +22,8 @@ IN_COMMENT = re.compile(
 IN_PAGE = re.compile(r"``([A-Z]\w*(?:::\w+)+|[A-Z][a-z]+(?:[A-Z][a-z0-9]+)+)``")
 IN_DESIGN = re.compile(r"`([A-Za-z_]\w*(?:::\w+)*)`")
 COMMENT = re.compile(r"(?:^|\s)//[/!]?<?\s(.*)")
+BEHIND = re.compile(r"//[^\n]*")
+IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
 FOR_A_TOOL = ("NOLINT", "clang-format")
 PLACEHOLDER = "Class"  # docs/ writes Class::method for any method
 # The check that a file of the design belongs to.
@@ -80,7 +81,8 @@ def _words(model: Model, facts: Facts) -> Words:
     code: set[str] = set()
     for path in files_below(facts.root, (*DESIGN, "sim", "traceability/products.py")):
         if path.suffix in (".hpp", ".cpp", ".py"):
-            code.update(re.findall(r"[A-Za-z_]\w*", code_of(path.read_text(encoding="utf-8"))))
+            bare = BEHIND.sub("", path.read_text(encoding="utf-8"))
+            code.update(IDENTIFIER.findall(bare))
     paper = {word for entry in model.paper for word in re.findall(r"[\w:]+", entry.name)}
     return Words(code, paper, facts)
 
