@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import re
-
+from traceability.checks.numbers import not_asked
 from traceability.model.facts import Facts
 from traceability.model.machines import Change, MachineCode, is_stay, read_machine
 from traceability.model.schema import Finding, Model, Requirement, StateMachine, Transition
 
-FIGURE = re.compile(r"(?<![\w.])\d[\d.]*\s?(?:[mu]?s|mm?|m?[VA]|%|degrees?|steps/s)(?!\w)")
 _ALIKE = (
     "another transition of this state has the same event, and no guard tells the two apart",
     "leave one of the two, or give each a guard of its own",
@@ -124,13 +122,15 @@ def _asked_for(
         for one in asked
         if not any(method.split("::")[0] in family for method in _serving(one))
     ]
-    texts = " ".join(one.text for one in asked)
     mend = "write the figure of the requirement"
     return found + [
-        (f"the figure '{figure}' of {words(step)} stands in none of its requirements", mend, figure)
+        (
+            f"the figure '{figure[0]}' of {words(step)} stands in none of its requirements",
+            mend,
+            figure[0],
+        )
         for part in (step.event, step.guard, step.action)
-        for figure in FIGURE.findall(part)
-        if not re.search(rf"(?<![\d.]){re.escape(figure)}\b", texts)
+        for figure in not_asked(part, asked)
     ]
 
 

@@ -8,23 +8,36 @@ from pathlib import Path
 
 from traceability.model.declared import FigureText
 from traceability.model.facts import Facts
-from traceability.model.schema import Finding, Model, Place
+from traceability.model.schema import Finding, Model, Place, Requirement
 from traceability.sources import files_below
 
 FIGURE = r"(0x[\da-fA-F]+|\d+(?:\.\d+)?)"
-RETURNED = re.compile(r"\breturn (?:(milliseconds)\(|\w+\()?(\d[\d']*)\)?;")
+CODED = r"(?:(milliseconds)\(|\w+[({])?(0x[\da-fA-F']+|\d[\d']*)\b"  # Angle(20), 0x82, 3'200
 THOUSAND = 1000  # microseconds in a millisecond
+WITH_UNIT = re.compile(
+    r"(?<![\w.])\d[\d.]*\s*(?:[mu]?s|mm?|m?[VA]|%|rpm|cycles|degrees?|steps/s)(?!\w)"
+)
 # A row of a table that begins with an offset, and the widths of its fields.
 ROW = re.compile(r"^   \* - ([^\n]*)\n     - ([^\n]*)$", re.MULTILINE)
 WIDTH = re.compile(r"[ui](8|16|32)\b|(\d+) characters")
 TIMES = re.compile(r"(\d+) times ")
+WHOLE_ROW = re.compile(r"^   \* - .*(?:\n(?:     .*)?(?=\n))*", re.MULTILINE)
+ASKED = re.compile(r":requirement:`([^`]+)`")
+LINK = re.compile(r":[\w-]+:`[^`]*`")
 
 
-def check(_model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> list[Finding]:
     found = [finding for figure in facts.declared.figures for finding in _figure(figure, facts)]
     for path in files_below(facts.root, ("docs",), (".rst",)):
-        found += _tables(str(path.relative_to(facts.root)), path.read_text(encoding="utf-8"))
+        file, text = str(path.relative_to(facts.root)), path.read_text(encoding="utf-8")
+        found += [*_offsets(file, text), *_asked(file, text, model)]
     return found
+
+
+def not_asked(text: str, requirements: list[Requirement]) -> list[re.Match[str]]:
+    """The figures with a unit in a text that none of the requirements has."""
+    asked = {re.sub(r"\s+", " ", one) for r in requirements for one in WITH_UNIT.findall(r.text)}
+    return [one for one in WITH_UNIT.finditer(text) if re.sub(r"\s+", " ", one[0]) not in asked]
 
 
 def _figure(figure: FigureText, facts: Facts) -> Iterator[Finding]:
@@ -71,26 +84,47 @@ def value_of(name: str, facts: Facts) -> float | None:
     owner, _, last = name.rpartition("::")
     for body in facts.bodies.get(name, []):
         lines = facts.lines_of(body.place.file)[body.place.line - 1 : body.end]
-        returned = RETURNED.search("\n".join(lines))
-        if returned:
-            number = float(returned[2].replace("'", ""))
-            return number * THOUSAND if returned[1] else number
+        if (number := _coded(r"\breturn ", lines)) is not None:
+            return number
     for known, constant in facts.syntax.constants.items():
         file, _, own = known.removeprefix("var ").partition(":")
         if own == last and (not owner or Path(file).stem == owner):
             return float(constant)
-    return _written(owner, last, facts)
+    return _coded(rf"\b{last}(?: = |[{{(])", _code_of(owner, facts))
 
 
-def _written(owner: str, name: str, facts: Facts) -> float | None:
-    """The number behind a name in a class: of a value of an enumeration, or in braces."""
+def _coded(before: str, lines: list[str]) -> float | None:
+    """The number that follows in the code; of a time, its microseconds."""
+    found = re.search(before + CODED, "\n".join(lines))
+    if found is None:
+        return None
+    return _number(found[2].replace("'", "")) * (THOUSAND if found[1] else 1)
+
+
+def _code_of(owner: str, facts: Facts) -> list[str]:
+    """The files of a module; of any other class, its own lines."""
+    files = [file for file, name in facts.written_in.items() if name == owner]
+    if files:
+        return [
+            line for one in files if (facts.root / one).exists() for line in facts.lines_of(one)
+        ]
     fact = facts.classes.get(owner)
-    lines = facts.lines_of(fact.place.file)[fact.place.line - 1 : fact.end] if fact else []
-    found = re.search(rf"\b{name}(?: = |\{{){FIGURE}\b", "\n".join(lines))
-    return _number(found[1]) if found else None
+    return facts.lines_of(fact.place.file)[fact.place.line - 1 : fact.end] if fact else []
 
 
-def _tables(file: str, text: str) -> Iterator[Finding]:
+def _asked(file: str, text: str, model: Model) -> Iterator[Finding]:
+    """A row of a table that names requirements has their figures."""
+    for row in WHOLE_ROW.finditer(text):
+        asked = [model.requirements[n] for n in ASKED.findall(row[0]) if n in model.requirements]
+        words = LINK.sub(lambda link: " " * len(link[0]), row[0])
+        for figure in not_asked(words, asked) if asked else []:
+            line = text.count("\n", 0, row.start() + figure.start()) + 1
+            said = f"the row says {figure[0]}, and none of its requirements does"
+            mend = "write the figure of the requirement, or name the requirement that has it"
+            yield _finding(Place(file, line), said, mend)
+
+
+def _offsets(file: str, text: str) -> Iterator[Finding]:
     """Each row begins where the one before ends."""
     end: int | None = None
     for row in ROW.finditer(text):

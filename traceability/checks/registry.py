@@ -90,9 +90,10 @@ _FIXED = [
     Check(
         "doc-figure",
         "Figures of texts are those of the code",
-        "Each text that design/figures.toml names says the figure that the code has, and in a "
+        "Each text that design/figures.toml names says the figure that the code has. A row of a "
+        "table of docs/ that names requirements has no other figures with a unit than these. In a "
         "table of offsets each row begins where the one before ends.",
-        "figures that the file does not list.",
+        "other figures.",
         "correct the text, or the code; a figure that a new text takes from the code belongs into "
         "the file.",
     ),

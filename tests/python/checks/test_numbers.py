@@ -8,7 +8,9 @@ import pytest
 
 from tests.python.model.small_tree import write_tree
 from traceability.checks import numbers
+from traceability.checks.numbers import _asked
 from traceability.model.build import build
+from traceability.model.schema import Model, Place, Requirement
 
 HEADER = """\
 #pragma once
@@ -18,6 +20,7 @@ enum class Kind : unsigned char { First = 0x01, Last = 0x82 };
 struct Limits {
   int most() const { return 3'200; }
   int period() const { return milliseconds(100); }
+  static constexpr Angle kNear{25};
   static int milliseconds(int count) { return count * 1000; }
 };
 }  // namespace wr
@@ -46,6 +49,7 @@ def found(root: Path, text: str, **figure: str) -> list[tuple[str, int, str]]:
         ("It has at\nmost 127 bytes.", "kMost", "the text says 127, and kMost is 128"),
         ("It has at most 3200 bytes.", "Limits::most", ""),
         ("It has at most 0x82 bytes.", "Kind::Last", ""),
+        ("It has at most 25 bytes.", "Limits::kNear", ""),
         (
             "It has at most 0x83 bytes.",
             "Kind::Last",
@@ -97,3 +101,17 @@ def test_the_rows_of_a_table_follow_each_other(
     text = "".join(ROW.format(*row) for row in rows)
     result = found(tmp_path, text + "at most 128 bytes", says='"at most {} bytes"', of='"kMost"')
     assert [line for _, line, _ in result] == wrong
+
+
+def test_a_row_has_the_figures_of_its_requirements() -> None:
+    says = "The motor stops within 20 ms, at most 1.5 m away."
+    model = Model("", "", "", {})
+    model.requirements["FR-1"] = Requirement("FR-1", says, "", Place("x", 1))
+    row = (
+        "   * - It stops\n     - after 20\n       ms, {} on\n"
+        "     - :requirement:`FR-1`\n\nIn 3 s.\n"
+    )
+    assert list(_asked("a.rst", row.format("1.5 m"), model)) == []
+    wrong = [(one.place.line, one.text) for one in _asked("a.rst", row.format("2 m"), model)]
+    assert wrong == [(3, "the row says 2 m, and none of its requirements does")]
+    assert list(_asked("a.rst", row.format("2 m").replace("FR-1", "FR-2"), model)) == []
