@@ -21,6 +21,8 @@ WITH_UNIT = re.compile(
 ROW = re.compile(r"^   \* - ([^\n]*)\n     - ([^\n]*)$", re.MULTILINE)
 WIDTH = re.compile(r"[ui](8|16|32)\b|(\d+) characters")
 TIMES = re.compile(r"(\d+) times ")
+OFFSETS = re.compile(r"\d+(, \d+)*")
+SECTION = re.compile(r"^(\S.*)\n-{3,}$", re.MULTILINE)
 WHOLE_ROW = re.compile(r"^   \* - .*(?:\n(?:     .*)?(?=\n))*", re.MULTILINE)
 ASKED = re.compile(r":requirement:`([^`]+)`")
 LINK = re.compile(r":[\w-]+:`[^`]*`")
@@ -30,7 +32,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
     found = [finding for figure in facts.declared.figures for finding in _figure(figure, facts)]
     for path in files_below(facts.root, ("docs",), (".rst",)):
         file, text = str(path.relative_to(facts.root)), path.read_text(encoding="utf-8")
-        found += [*_offsets(file, text), *_asked(file, text, model)]
+        found += [*_offsets(file, text), *_sizes(file, text), *_asked(file, text, model)]
     return found
 
 
@@ -129,7 +131,7 @@ def _offsets(file: str, text: str) -> Iterator[Finding]:
     end: int | None = None
     for row in ROW.finditer(text):
         offset, kind = row[1].strip(), row[2].strip()
-        if not re.fullmatch(r"\d+(, \d+)*", offset) or not WIDTH.search(kind):
+        if not OFFSETS.fullmatch(offset) or not WIDTH.search(kind):
             end = None
             continue
         starts = [int(one) for one in offset.split(", ")]
@@ -139,6 +141,22 @@ def _offsets(file: str, text: str) -> Iterator[Finding]:
                 said = f"the row begins at {start}, and the one before ends at {end}"
                 yield _finding(Place(file, line), said, "correct the offset, or the widths")
             end = start + _width(kind)
+
+
+def _sizes(file: str, text: str) -> Iterator[Finding]:
+    """A row that names a section with a table of offsets says how many bytes that table has."""
+    parts = SECTION.split(text)
+    for title, section in zip(parts[1::2], parts[2::2], strict=True):
+        rows = [row for row in ROW.finditer(section) if OFFSETS.fullmatch(row[1])]
+        size = rf"^     - {re.escape(title)}\n(?:     - .*\n)*?     - (\d+) bytes$"
+        told = re.search(size, text, re.MULTILINE)
+        if not rows or told is None:
+            continue
+        end = int(rows[-1][1].split(", ")[-1]) + _width(rows[-1][2])
+        if end != int(told[1]):
+            place = Place(file, text.count("\n", 0, told.start(1)) + 1)
+            said = f"{title} is said to have {told[1]} bytes, and its table has {end}"
+            yield _finding(place, said, "correct the size, or the table")
 
 
 def _width(kind: str) -> int:

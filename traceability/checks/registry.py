@@ -92,7 +92,8 @@ _FIXED = [
         "Figures of texts are those of the code",
         "Each text that design/figures.toml names says the figure that the code has. A row of a "
         "table of docs/ that names requirements has no other figures with a unit than these. In a "
-        "table of offsets each row begins where the one before ends.",
+        "table of offsets each row begins where the one before ends, and the size that another "
+        "table gives for its section is where the last one ends.",
         "other figures.",
         "correct the text, or the code; a figure that a new text takes from the code belongs into "
         "the file.",

@@ -8,7 +8,7 @@ import pytest
 
 from tests.python.model.small_tree import write_tree
 from traceability.checks import numbers
-from traceability.checks.numbers import _asked
+from traceability.checks.numbers import _asked, _sizes
 from traceability.model.build import build
 from traceability.model.schema import Model, Place, Requirement
 
@@ -115,3 +115,11 @@ def test_a_row_has_the_figures_of_its_requirements() -> None:
     wrong = [(one.place.line, one.text) for one in _asked("a.rst", row.format("2 m"), model)]
     assert wrong == [(3, "the row says 2 m, and none of its requirements does")]
     assert list(_asked("a.rst", row.format("2 m").replace("FR-1", "FR-2"), model)) == []
+
+
+@pytest.mark.parametrize(("size", "wrong"), [(6, []), (7, [4])])
+def test_a_frame_has_the_size_of_its_table(size: int, wrong: list[int]) -> None:
+    frames = f"   * - 0x04\n     - Order\n     - to the robot\n     - {size} bytes\n"
+    table = "".join(ROW.format(*row) for row in [("0", "u16"), ("2, 4", "i16")])
+    found = list(_sizes("a.rst", f"{frames}\nOrder\n-----\n\n{table}"))
+    assert [one.place.line for one in found] == wrong
