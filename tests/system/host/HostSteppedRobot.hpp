@@ -23,6 +23,11 @@ class HostSteppedRobot : public SteppedRobot {
   /// Runs a cycle while the line takes nothing, so that the port fills.
   void cycleWithoutLine() { host_.runThroughPulse(); }
 
+  /// The time until the next clock pulse. The first one comes later than a period after start.
+  [[nodiscard]] microseconds untilPulse() const {
+    return microseconds((host_.world.nextPulse() - time.now()).count());
+  }
+
   void rcOrder(int velocity, int direction) {
     robot.rcVelocity(Velocity(velocity));
     robot.rcDirection(Angle(direction));

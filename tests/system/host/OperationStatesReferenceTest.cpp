@@ -17,15 +17,15 @@ class ComparisonInside final : public Comparison {
     if (!rc_.next(random())) {
       return;
     }
-    const int passed = number(1, kPeriod - 1);
-    robot_.wait(microseconds(passed));
+    robot_.wait(microseconds(number(1, kPeriod - 1)));
+    const std::int64_t now = lastPulse() + kPeriod - robot_.untilPulse().count();
     if (!oneIn(8)) {
       robot_.robot.rcVelocity(Velocity(number(-3000, 3000)));
-      reference().velocityAt = lastPulse() + passed;
+      reference().velocityAt = now;
     }
     if (!oneIn(8)) {
       robot_.robot.rcDirection(Angle(number(-3200, 3200)));
-      reference().directionAt = lastPulse() + passed;
+      reference().directionAt = now;
     }
   }
 
