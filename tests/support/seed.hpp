@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstdlib>
 #include <iostream>
 #include <random>
@@ -7,12 +9,14 @@
 
 namespace wr::test {
 
-/// @brief Seed of a random test. It is printed; the variable WR_SEED sets it.
+/// @brief Seed of a random test. It is printed, and stands in the results; the variable WR_SEED sets
+/// it.
 inline unsigned seed() {
   const char* const given = std::getenv("WR_SEED");
   const unsigned value =
       given != nullptr ? static_cast<unsigned>(std::stoul(given)) : std::random_device()();
   std::cout << "WR_SEED=" << value << "\n";
+  testing::Test::RecordProperty("seed", std::to_string(value));
   return value;
 }
 

@@ -230,7 +230,6 @@ struct Compared {
 template <class Robot, class ComparisonOfRobot>
 void compareInSequences(int sequences, int enough) {
   const unsigned seedOfRun = seed();
-  testing::Test::RecordProperty("seed", std::to_string(seedOfRun));
   std::mt19937 random(seedOfRun);
   std::map<std::string, int> taken;
   int cycles = 0;

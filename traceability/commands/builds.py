@@ -78,6 +78,17 @@ def gtest_counts(results: Path) -> Counts:
     return Counts(passed, failed, skipped)
 
 
+def write_failures(results: Path, log: TextIO) -> None:
+    """What failed in a result file of GoogleTest, with the seed that shows it again."""
+    for suite in json.loads(results.read_text())["testsuites"]:
+        for test in suite["testsuite"]:
+            if "failures" not in test:
+                continue
+            seed = f", WR_SEED={test['seed']}" if "seed" in test else ""
+            log.write(f"\nFAILED {suite['name']}.{test['name']}{seed}\n")
+            log.writelines(f"{one['failure']}\n" for one in test["failures"])
+
+
 def junit_counts(results: Path) -> Counts:
     """Counts of a result file of pytest."""
     passed = failed = skipped = 0
@@ -132,6 +143,7 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> tuple[Counts, bool]:
     results = results_of(root, run_name)
     stamp = root / "build" / "results" / f"{run_name}.hash"
     if is_current(root, run_name):
+        write_failures(results, log)
         return gtest_counts(results), False
     now = tested(root, run_name)
     if on_board:
@@ -155,6 +167,7 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> tuple[Counts, bool]:
     cost_of(root, run_name).write_text(json.dumps(cost) + "\n")
     if not results.exists():
         raise FailureError(ended or "the tests wrote no results")
+    write_failures(results, log)
     counts = gtest_counts(results)
     if ended and not counts.failed:
         raise FailureError(ended)

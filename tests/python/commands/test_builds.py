@@ -1,5 +1,6 @@
 """Runs of tests: when they are repeated, and how they are counted."""
 
+import io
 import json
 import stat
 from pathlib import Path
@@ -18,7 +19,8 @@ DISABLED = {"status": "NOTRUN", "result": "SUPPRESSED"}
 
 
 def gtest_json(*tests: dict[str, object]) -> str:
-    return json.dumps({"testsuites": [{"testsuite": list(tests)}]})
+    named = [{"name": "Falls", **test} for test in tests]
+    return json.dumps({"testsuites": [{"name": "Wheel", "testsuite": named}]})
 
 
 @pytest.fixture
@@ -123,6 +125,13 @@ def test_counts_of_googletest(tmp_path: Path) -> None:
     results = tmp_path / "results.json"
     results.write_text(gtest_json(PASSED, FAILED, SKIPPED, DISABLED))
     assert builds.gtest_counts(results) == Counts(1, 1, 2)
+
+
+def test_failures_of_googletest_are_told_with_their_seed(tmp_path: Path) -> None:
+    results, log = tmp_path / "results.json", io.StringIO()
+    results.write_text(gtest_json(PASSED, {**FAILED, "seed": "42"}))
+    builds.write_failures(results, log)
+    assert log.getvalue() == "\nFAILED Wheel.Falls, WR_SEED=42\nx\n"
 
 
 def test_counts_of_pytest(tmp_path: Path) -> None:
