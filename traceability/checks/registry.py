@@ -34,7 +34,7 @@ WHY = {
     "syntax": "All other checks read the syntax tree: they need one without errors.",
     "design": "What design/ declares is compared with the code: what cannot be read is compared "
     "with nothing.",
-    "doc": "Every document is made from these texts: a text that cannot be read is missing there.",
+    "doc": "Every document is made from these texts: what is missing or wrong here is so there.",
     "module": "A module that is small, has a place of its own and says what it does can be found, "
     "understood and replaced without reading the others.",
     "secret": "A change stays in one module only as long as no other one depends on what it hides.",
@@ -95,7 +95,7 @@ _FIXED = [
         "table of offsets each row begins where the one before ends, and the size that another "
         "table gives for its section is where the last one ends.",
         "other figures.",
-        "correct the text, or the code; a figure that a new text takes from the code belongs into "
+        "correct the text, or the code. A figure that a new text takes from the code is listed in "
         "the file.",
     ),
     Check(
