@@ -45,7 +45,6 @@ class Handler(SimpleHTTPRequestHandler):
         super().end_headers()
 
     # The name of the parameter is that of the base class.
-    # The name of the parameter is that of the base class.
     def log_message(self, format: str, *args: object) -> None:  # noqa: A002
         """Says nothing for each page."""
 
