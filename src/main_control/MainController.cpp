@@ -81,11 +81,14 @@ ControlData& MainController::getData() {
 
 void MainController::applyControl() {
   const std::optional<SetPoints>& setPoints = data_.setPoints();
-  if (setPoints) {
+  if (!setPoints) {
+    holdSystems();
+  } else if (setPoints->acknowledge) {
+    systems_.acknowledge(data_.cycle());
+    data_.saveHeld(true);
+  } else {
     systems_.control(*setPoints, data_.cycle());
     data_.saveHeld(false);
-  } else {
-    holdSystems();
   }
 }
 

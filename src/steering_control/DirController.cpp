@@ -47,7 +47,7 @@ bool DirController::abandoned() const {
 }
 
 bool DirController::released() const {
-  return target_ && !target_->value.follow && target_->at > changedAt_;
+  return target_ && target_->value.release && target_->at > changedAt_;
 }
 
 bool DirController::lost() const {

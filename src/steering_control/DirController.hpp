@@ -19,6 +19,7 @@ namespace wr {
 struct DirTarget {
   Angle angle{};  ///< where it shall be [0.01 degree], -3200 to 3200; without meaning for a hold
   bool follow = false;  ///< true to go there, false to hold
+  bool release = false;  ///< true to leave the fault state
 
   /// @brief Tells whether two targets are the same.
   friend constexpr bool operator==(const DirTarget&, const DirTarget&) = default;
@@ -99,8 +100,8 @@ class DirController final {
   /// @satisfies FR-109
   [[nodiscard]] bool abandoned() const;
 
-  /// @brief Tells whether an order to hold came after the last change of state. States call it.
-  /// @return true when the newest target is one to hold and is younger than the state
+  /// @brief Checks whether a release was ordered after the last change of state. States call it.
+  /// @return true when the newest target is a release and is younger than the state
   /// @isr{yes}
   /// @satisfies FR-112
   [[nodiscard]] bool released() const;

@@ -52,15 +52,21 @@ void DirSystem::measure() {
 }
 
 void DirSystem::apply(const SetPoints& setPoints) {
-  target_ = {.angle = setPoints.steering, .follow = true};
+  target_ = {.angle = setPoints.steering, .follow = true, .release = false};
 }
 
 void DirSystem::halt() {
-  target_ = {};
+  target_.angle = Angle();
+  target_.follow = false;
+}
+
+void DirSystem::release() {
+  target_.release = true;
 }
 
 void DirSystem::activate(std::uint32_t cycle) {
   targets_.write(target_, timebase_.now());
+  target_.release = false;
   cycle_ = cycle;
 }
 

@@ -66,6 +66,10 @@ class DirSystem final : public ControlSystem {
   /// @satisfies FR-115
   void halt() override;
 
+  /// @brief Has the next target release a fault.
+  /// @satisfies FR-112
+  void release() override;
+
   /// @brief Gives the noted order to the controller of the steering.
   /// @param cycle number of the control cycle, from 1
   /// @satisfies FR-115

@@ -32,6 +32,47 @@ enum class SteeringState : std::uint8_t {
   Fault = 3     ///< it does not move as ordered, or its position is missing; its motor is off
 };
 
+/// @brief Why the robot does not follow its set-points.
+/// @datatype
+enum class Inhibit : std::uint8_t {
+  None = 0,           ///< it follows them
+  NoOrder = 1,        ///< no source gives orders
+  Stop = 2,           ///< a source orders stop
+  NotArmed = 3,       ///< the source has not yet shown neutral set-points for long enough
+  ProtectiveStop = 4  ///< a protective stop is latched
+};
+
+/// @brief Cause of a protective stop.
+/// @datatype
+enum class StopCause : std::uint8_t {
+  None = 0,                ///< no protective stop
+  EmergencyStop = 1,       ///< the contact of the emergency-stop circuit is open
+  SteeringFault = 2,       ///< the steering device is in its fault state
+  Overcurrent = 3,         ///< the overcurrent trip of a wheel acted
+  NoMotion = 4,            ///< a wheel has voltage and its Hall sensors show no motion
+  WrongDirection = 5,      ///< a wheel turns against its voltage
+  Overspeed = 6,           ///< a wheel is faster than it may be
+  Tracking = 7,            ///< velocity and current of a wheel do not match its voltage
+  MissingMeasurement = 8,  ///< a measured value is missing for too long
+  HallSignals = 9,         ///< too many Hall edges of a wheel are implausible
+  Reversal = 10            ///< a wheel could not change its orientation in time
+};
+
+/// @brief State of the safety functions in one control cycle.
+/// @datatype
+struct Protection {
+  /// @brief Part number of a cause that concerns no single wheel.
+  static constexpr std::uint8_t kNoWheel = 255;
+
+  Inhibit inhibit = Inhibit::None;     ///< why the set-points are not followed
+  StopCause cause = StopCause::None;   ///< cause of the latched protective stop
+  std::uint8_t wheel = kNoWheel;       ///< wheel that the cause concerns, 0 to 3
+  bool armed = false;                  ///< orders of the present source may move the robot
+
+  /// @brief Compares two states of the safety functions.
+  friend constexpr bool operator==(const Protection&, const Protection&) = default;
+};
+
 /// @brief What was measured in one control cycle. A value that is absent is missing or stale.
 /// @datatype
 struct Measurements {
@@ -40,6 +81,7 @@ struct Measurements {
   SteeringState steeringState = SteeringState::Off;     ///< what the steering does
   bool leftEnd = false;                                 ///< the left end stop is reached
   bool rightEnd = false;                                ///< the right end stop is reached
+  Protection protection{};                              ///< state of the safety functions
 
   /// @brief Tells whether two measurements are the same.
   friend constexpr bool operator==(const Measurements&, const Measurements&) = default;

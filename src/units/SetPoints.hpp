@@ -35,6 +35,7 @@ struct SetPoints {
   std::uint16_t orderId = 0;                        ///< number that the sender gave to the order
   Angle steering{};                                 ///< angle of the steering device
   std::array<WheelSetPoint, kWheelCount> wheels{};  ///< one set-point for each wheel
+  bool acknowledge = false;  ///< releases latched faults; such an order moves nothing
 
   /// @brief Tells whether two orders set the same.
   friend constexpr bool operator==(const SetPoints&, const SetPoints&) = default;

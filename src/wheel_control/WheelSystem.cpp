@@ -42,6 +42,10 @@ void WheelSystem::halt() {
   note(parts_.haltWheel);
 }
 
+void WheelSystem::release() {
+  work_.release = true;
+}
+
 void WheelSystem::activate(std::uint32_t cycle) {
   cycle_ = cycle;
   parts_.thread.post();

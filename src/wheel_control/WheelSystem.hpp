@@ -79,6 +79,7 @@ class WheelSystem final : public ControlSystem {
   void measure() override;
   void apply(const SetPoints& setPoints) override;
   void halt() override;
+  void release() override;
   void activate(std::uint32_t cycle) override;
   void note(WheelOrder& order);
   void work();

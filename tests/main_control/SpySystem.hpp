@@ -57,6 +57,7 @@ class SpySystem final : public ControlSystem {
     applied = setPoints;
   }
   void halt() override { calls.emplace_back("halt"); }
+  void release() override { calls.emplace_back("release"); }
   void activate(std::uint32_t ofCycle) override {
     calls.emplace_back("activate");
     cycle = ofCycle;

@@ -14,4 +14,11 @@ void ControlSystem::hold(std::uint32_t cycle) {
   activate(cycle);
 }
 
+void ControlSystem::acknowledge(std::uint32_t cycle) {
+  measure();
+  release();
+  halt();
+  activate(cycle);
+}
+
 }  // namespace wr

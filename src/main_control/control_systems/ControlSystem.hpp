@@ -37,6 +37,11 @@ class ControlSystem {
   /// @isr{no}
   void hold(std::uint32_t cycle);
 
+  /// @brief Orders to measure, to stand still, to release latched faults and to work.
+  /// @param cycle number of the control cycle, from 1
+  /// @isr{no}
+  void acknowledge(std::uint32_t cycle);
+
   /// @brief Tells whether the work that was ordered for a cycle is done.
   /// @param cycle number of the control cycle, from 1
   /// @return true if the last work that was done is the work of that cycle.
@@ -57,6 +62,7 @@ class ControlSystem {
   virtual void measure() = 0;
   virtual void apply(const SetPoints& setPoints) = 0;
   virtual void halt() = 0;
+  virtual void release() = 0;
   virtual void activate(std::uint32_t cycle) = 0;
 };
 

@@ -22,6 +22,12 @@ void ControlSystemPool::hold(std::uint32_t cycle) {
   }
 }
 
+void ControlSystemPool::acknowledge(std::uint32_t cycle) {
+  for (ControlSystem* system : systems()) {
+    system->acknowledge(cycle);
+  }
+}
+
 bool ControlSystemPool::completed(std::uint32_t cycle) const {
   bool all = true;
   for (const ControlSystem* system : systems()) {

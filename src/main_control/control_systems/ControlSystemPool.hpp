@@ -47,6 +47,11 @@ class ControlSystemPool {
   /// @isr{no}
   void hold(std::uint32_t cycle);
 
+  /// @brief Orders all control systems to stand still and to release latched faults.
+  /// @param cycle number of the control cycle, from 1
+  /// @isr{no}
+  void acknowledge(std::uint32_t cycle);
+
   /// @brief Tells whether all control systems have done the work of a cycle.
   /// @param cycle number of the control cycle, from 1
   /// @return true if every control system has; true for an empty pool.

@@ -13,7 +13,7 @@ void HaltWheel::execute(WheelWork& work) {
   controller_.halt();
   if (wheel_.isCutOff()) {
     controller_.driverOff();
-    if (stands()) {
+    if (work.release && stands()) {
       wheel_.release();
     }
   }

@@ -14,6 +14,7 @@ struct WheelWork {
   WheelSetPoint setPoint{};        ///< what the wheel shall reach
   WheelMeasurements measured{};    ///< what was measured at the wheel
   std::optional<Tension> applied;  ///< tension of the wheel; nothing while none is applied
+  bool release = false;            ///< latched faults of the wheel are to be released
 };
 
 /// @brief One thing that a wheel system can be ordered to do.
