@@ -42,7 +42,7 @@ struct HostSteeringPins {
 };
 
 /// @brief All pins of the firmware on the host, with nothing on them: currents and steering in the
-/// middle, no edges, no end stop.
+/// middle, no edges, no end stop, no emergency stop.
 struct HostPins {
   /// @brief Makes the pins.
   /// @param scheduler serves the interrupts
@@ -50,11 +50,14 @@ struct HostPins {
       : wheels{HostWheelPins(scheduler), HostWheelPins(scheduler), HostWheelPins(scheduler),
                HostWheelPins(scheduler)},
         steering(scheduler),
-        remoteControl{HostEdgeInput(scheduler, false), HostEdgeInput(scheduler, false)} {}
+        remoteControl{HostEdgeInput(scheduler, false), HostEdgeInput(scheduler, false),
+                      HostEdgeInput(scheduler, false)},
+        emergencyStop(scheduler, false) {}
 
   std::array<HostWheelPins, kWheelCount> wheels;
   HostSteeringPins steering;
-  std::array<HostEdgeInput, 2> remoteControl;  ///< velocity, direction
+  std::array<HostEdgeInput, 3> remoteControl;  ///< velocity, direction, enable
+  HostEdgeInput emergencyStop;                 ///< high: pressed, or a broken wire
 };
 
 }  // namespace wr

@@ -82,6 +82,9 @@ void BoardBinding::beat() {
     board_.driveAt(board_.now() + edge.offset, pin.port, pin.number, edge.level);
   }
   for (const sim::RcEdge& edge : remoteControl.step()) {
+    if (edge.channel >= kRemoteControl.size()) {
+      continue;
+    }
     const Pin pin = kRemoteControl.at(edge.channel);
     board_.driveAt(board_.now() + edge.offset, pin.port, pin.number, edge.level);
   }

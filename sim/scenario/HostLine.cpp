@@ -43,6 +43,10 @@ sim::RemoteControl& HostLine::remoteControl() {
   return world.remoteControl;
 }
 
+void HostLine::reset(ResetKind kind) {
+  world.reset(kind == ResetKind::Power ? ResetCause::PowerOn : ResetCause::Pin);
+}
+
 std::optional<LineFinding> HostLine::finding() const {
   return std::nullopt;
 }

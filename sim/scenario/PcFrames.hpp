@@ -21,6 +21,8 @@ struct PcOrder {
   std::int16_t steering = 0;
   std::array<Wheel, 4> wheels{};
   bool stop = false;
+  bool acknowledge = false;
+  std::uint32_t sentAt = 0;
 };
 
 /// Place of the unexpected frames in PcReport::dropped.
