@@ -31,13 +31,14 @@ struct HostWheelPins {
 struct HostSteeringPins {
   /// @brief Makes the pins.
   /// @param scheduler serves the interrupts
-  explicit HostSteeringPins(HostScheduler& scheduler) : leftEnd(scheduler), rightEnd(scheduler) {}
+  explicit HostSteeringPins(HostScheduler& scheduler)
+      : leftEnd(scheduler, false), rightEnd(scheduler, false) {}
 
   HostDigitalOutput step;
   HostDigitalOutput direction;  ///< on: left
   HostDigitalOutput enable;
-  HostEdgeInput leftEnd;   ///< low: reached
-  HostEdgeInput rightEnd;  ///< low: reached
+  HostEdgeInput leftEnd;   ///< high: reached, or a broken wire
+  HostEdgeInput rightEnd;  ///< high: reached, or a broken wire
   HostAnalogInput angle;
 };
 
