@@ -32,7 +32,7 @@ namespace wr {
 ///     at 61000 end
 ///
 /// Actions of the PC: connect (Hello, and Confirm as soon as the Welcome comes); arm (connect, then
-/// eight neutral orders, one in each cycle: this takes 1 s); hello; confirm; keepalive; order with
+/// thirteen neutral orders, one in each cycle: this takes 1.5 s); hello; confirm; keepalive; order with
 /// any of 'steering N', 'velocity N', 'tension N', 'current N' (for all wheels, or four numbers,
 /// one for each wheel), 'stop' and 'acknowledge'; replay (the bytes of the last order again); bytes
 /// with pairs of hexadecimal digits. Orders are numbered from 1.

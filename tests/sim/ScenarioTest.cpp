@@ -177,14 +177,14 @@ TEST(ScenarioTest, SafetyActionsOfTheWorld) {
   EXPECT_TRUE(worldOf<world::Coincident>(steps[12]).on);
 }
 
-/// @brief To arm is to connect, and to order nothing for eight cycles.
+/// @brief To arm is to connect, and to order nothing for thirteen cycles.
 TEST(ScenarioTest, ArmConnectsAndOrdersNeutral) {
   const Scenario scenario = scenarioOf("at 50 arm\nat 2000 end\n");
   const auto& steps = scenario.steps();
-  ASSERT_EQ(steps.size(), 9U);
+  ASSERT_EQ(steps.size(), 14U);
   EXPECT_TRUE(std::holds_alternative<Scenario::Connect>(steps[0].action));
   EXPECT_EQ(steps[1].at, Scenario::Time(250));
-  EXPECT_EQ(steps[8].at, Scenario::Time(950));
+  EXPECT_EQ(steps[13].at, Scenario::Time(1450));
   for (std::size_t i = 1; i < steps.size(); ++i) {
     EXPECT_EQ(std::get<Scenario::Order>(steps[i].action).order.wheels[2].value, 0);
   }
@@ -219,15 +219,15 @@ TEST(ScenarioPlayerTest, ExpectationsThatMayComeTrue) {
 /// @brief A replay brings the bytes of the last order again.
 TEST(ScenarioPlayerTest, ReplayBringsTheSameBytes) {
   const auto outcome = played(
-      "at 50 arm\nat 1050 order velocity 300\nat 1150 expect order_id 9\nat 1180 replay\n"
-      "at 1250 expect sequence_gaps between 0 1\nat 1250 expect order_id 9\nat 1300 end\n");
+      "at 50 arm\nat 1550 order velocity 300\nat 1650 expect order_id 14\nat 1680 replay\n"
+      "at 1750 expect sequence_gaps between 0 1\nat 1750 expect order_id 14\nat 1800 end\n");
   EXPECT_EQ(outcome.failures, std::vector<std::string>{});
 }
 
 /// @brief After a reset the firmware starts again, while the robot rolls on.
 TEST(ScenarioPlayerTest, ResetStartsTheFirmwareAgain) {
   const auto outcome = played(
-      "at 0 arm\nfrom 1000 to 4900 every 100 order velocity 1000\n"
+      "at 0 arm\nfrom 1500 to 4900 every 100 order velocity 1000\n"
       "at 4950 expect ground_speed between 250 320\nat 5000 reset\n"
       "at 5050 expect ground_speed between 50 320\nat 5100 connect\n"
       "at 5350 expect reset_cause Pin\nat 5500 expect cycle between 1 6\n"
