@@ -58,7 +58,7 @@ struct HostPins {
   std::array<HostWheelPins, kWheelCount> wheels;
   HostSteeringPins steering;
   std::array<HostEdgeInput, 3> remoteControl;  ///< velocity, direction, enable
-  HostEdgeInput emergencyStop;                 ///< high: pressed, or a broken wire
+  HostEdgeInput emergencyStop;                 ///< high: the emergency stop is active
 };
 
 }  // namespace wr
