@@ -15,7 +15,8 @@ using Time = Scenario::Time;
 constexpr std::size_t kWheels = 4;
 constexpr Time kCycle{100};
 constexpr Time kToFirstOrder{200};  // from Hello: Welcome and Confirm take two cycles
-constexpr int kNeutralOrders = 13;  // seven cycles to the first read order, then 0.5 s, and one more
+constexpr int kNeutralOrders =
+    13;  // seven cycles to the first read order, then 0.5 s, and one more
 
 std::optional<std::uint8_t> quantityOf(std::string_view word) {
   if (word == "velocity") {
