@@ -175,7 +175,6 @@ inline constexpr auto C2_RIE = C2.bit(5);
 inline constexpr auto C2_TIE = C2.bit(7);
 inline constexpr Register<std::uint8_t, 0x4006A004, Access::Read> S1;
 inline constexpr auto S1_FE = S1.bit(1);
-inline constexpr auto S1_NF = S1.bit(2);
 inline constexpr auto S1_OR = S1.bit(3);
 inline constexpr auto S1_RDRF = S1.bit(5);
 inline constexpr auto S1_TDRE = S1.bit(7);
@@ -183,6 +182,16 @@ inline constexpr Register<std::uint8_t, 0x4006A006> C3;
 inline constexpr auto C3_ORIE = C3.bit(3);
 inline constexpr Register<std::uint8_t, 0x4006A007, Access::Flags> D;
 inline constexpr Register<std::uint8_t, 0x4006A00A> C4;
+inline constexpr Register<std::uint8_t, 0x4006A00C, Access::Read> ED;
+inline constexpr auto ED_NOISY = ED.bit(7);
+inline constexpr Register<std::uint8_t, 0x4006A010> PFIFO;
+inline constexpr auto PFIFO_RXFE = PFIFO.bit(3);
+inline constexpr auto PFIFO_TXFE = PFIFO.bit(7);
+inline constexpr Register<std::uint8_t, 0x4006A011, Access::Flags> CFIFO;
+inline constexpr auto CFIFO_RXFLUSH = CFIFO.bit(6);
+inline constexpr auto CFIFO_TXFLUSH = CFIFO.bit(7);
+inline constexpr Register<std::uint8_t, 0x4006A014, Access::Read> TCFIFO;
+inline constexpr Register<std::uint8_t, 0x4006A016, Access::Read> RCFIFO;
 }  // namespace uart
 
 /// @brief Interrupt controller of the core.

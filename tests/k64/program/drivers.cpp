@@ -37,7 +37,7 @@ std::array<std::uint16_t, edgeInputs.size()> edges{};
 std::array<std::uint16_t, 8> runs{};  // numbers of the threads, in the order in which they ran
 std::size_t runCount = 0;
 
-K64Uart secondPort(K64Uart::Port::Uart4);
+K64Uart secondPort(K64Uart::Port::Uart4, platform::timebase);
 
 void note(std::uint16_t thread) {
   runs[runCount % runs.size()] = thread;
