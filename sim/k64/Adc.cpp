@@ -83,9 +83,9 @@ void Adc::update() {
   board_.setLine(line_, (at(kSc1a) & both) == both);
 }
 
-// Bus clocks in a clock of the conversion, ADCK: CFG1.ADICLK and ADIV.
+// Bus clocks in a clock of the conversion, ADCK: CFG1.ADIV, and the bus clock as its source.
 std::uint32_t Adc::busClocksOfClock() const {
-  return ((at(kCfg1) & 3U) == 0 ? 1U : 2U) << (at(kCfg1) >> 5 & 3U);
+  return 1U << (at(kCfg1) >> 5 & 3U);
 }
 
 // Chapter ADC, Sample time and total conversion time, without the 5 bus clocks.
@@ -265,8 +265,11 @@ void Adc::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
       }
       break;
     case kCfg1:
-      if ((value & 3U) > 1) {
-        unmodelled(name_ + "_CFG1 with another clock than the bus clock or its half", offset);
+      // ADICLK 1 is half the bus clock on older parts and an alternate clock on this one.
+      if ((value & 3U) != 0) {
+        unmodelled(name_ + "_CFG1 with ADICLK " + std::to_string(value & 3U) +
+                       ", which is not the bus clock",
+                   offset);
       }
       at(kCfg1) = value & 0xFFU;
       break;

@@ -15,7 +15,7 @@ namespace wr::k64 {
 ///
 /// A conversion takes the voltage at which it begins. Modelled are single-ended conversions that
 /// the program starts, and the calibration. Not modelled: hardware triggers, differential inputs,
-/// continuous conversions, the compare function, DMA, other clocks than the bus clock and its half.
+/// continuous conversions, the compare function, DMA, other clocks than the bus clock.
 class Adc final : public Peripheral {
  public:
   /// @brief What the pin of a channel is.

@@ -18,6 +18,11 @@ class K64Board {
   static constexpr std::uint32_t kCoreClock = 120'000'000;
   /// @brief Clock of the timers and of the bus to the other blocks [Hz].
   static constexpr std::uint32_t kBusClock = 60'000'000;
+  /// @brief Slowest clock of core and bus between the reset and startClock(), from the internal
+  /// oscillator as the factory trimmed it [Hz].
+  static constexpr std::uint32_t kSlowestClockAfterReset = 20'000'000;
+  /// @brief Fastest clock of core and bus between the reset and startClock() [Hz].
+  static constexpr std::uint32_t kFastestClockAfterReset = 25'000'000;
   /// @brief Ticks of a timer in a microsecond.
   static constexpr std::uint32_t kTicksPerMicrosecond = kBusClock / 1'000'000;
 

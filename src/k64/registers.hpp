@@ -141,7 +141,7 @@ inline constexpr auto SC1A_ADCH_NONE = SC1A.field(0x1F, 0);
 inline constexpr auto SC1A_AIEN = SC1A.bit(6);
 inline constexpr auto SC1A_COCO = SC1A.bit(7);
 inline constexpr Register<std::uint32_t, 0x4003B008> CFG1;
-inline constexpr auto CFG1_ADICLK_HALF_BUS = CFG1.field(1, 0);
+inline constexpr auto CFG1_ADICLK_BUS = CFG1.field(0, 0);
 inline constexpr auto CFG1_MODE_12_BITS = CFG1.field(1, 2);
 inline constexpr auto CFG1_ADLSMP = CFG1.bit(4);
 inline constexpr auto CFG1_ADIV_8 = CFG1.field(3, 5);

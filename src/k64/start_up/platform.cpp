@@ -65,14 +65,17 @@ constinit K64Gpio redLight(pinOf("light_red"), K64Gpio::Level::Low);
 
 StartRecord startRecord;
 
+void calibrateConverters() {
+  K64Board::openGates();
+  K64Adc::calibrate(converters);
+}
+
 void startDevices() {
   startRecord = K64Board::takeStartRecord();
-  K64Board::openGates();
   timebase.start();
   pcPort.start();
   K64Ftm::start();
   K64Board::connectLateOutputs();
-  K64Adc::calibrate(converters);
 }
 
 void enableInterrupts() {

@@ -54,8 +54,14 @@ extern K64Gpio redLight;
 /// @brief Why the firmware started.
 extern StartRecord startRecord;
 
+/// @brief Opens the gates of the devices and calibrates the converters.
+/// @pre The core still runs from the clock after reset: the full clock is too fast for the calibration.
+/// @isr{no}
+void calibrateConverters();
+
 /// @brief Starts the devices. The outputs for the tension leave their safe level for the timer, which
 /// holds them low.
+/// @pre The converters are calibrated, and the core runs at its full clock.
 /// @isr{no}
 void startDevices();
 

@@ -467,6 +467,13 @@ PROGRAM clocksConverterByItself() {
   sleepForever();
 }
 
+PROGRAM clocksConverterByAlternateClock() {
+  stopWatchdog();
+  openConverter();
+  wordAt(0x4003B008) = 0x65;
+  sleepForever();
+}
+
 PROGRAM usesHoleOfConverter() {
   stopWatchdog();
   openConverter();
