@@ -54,7 +54,9 @@ Adc::Adc(Surroundings& board, unsigned number, bool calibrates)
     : Peripheral(board),
       name_("ADC" + std::to_string(number)),
       line_(kLines.at(number)),
-      calibrates_(calibrates) {}
+      calibrates_(calibrates) {
+  volts_.fill(0.0);
+}
 
 void Adc::connectPins(std::function<Input(unsigned)> input) {
   input_ = std::move(input);
@@ -108,12 +110,13 @@ std::uint32_t Adc::gain(std::uint32_t firstResult) const {
   return sum / 2 | 0x8000U;
 }
 
-std::uint32_t Adc::measured(unsigned channel) const {
+std::uint32_t Adc::measured(unsigned channel) {
   constexpr std::array<unsigned, 4> kBits{8, 12, 10, 16};
   const auto full = static_cast<double>(1U << kBits[at(kCfg1) >> 2 & 3U]);
   const double volts = channel == kHighReference  ? kReference
                        : channel == kLowReference ? 0
-                                                  : volts_[channel];
+                                                  : volts_[channel].value_or(capacitor_);
+  capacitor_ = volts;
   return static_cast<std::uint32_t>(
       std::clamp(std::floor(volts / kReference * full + 0.5), 0.0, full - 1));
 }

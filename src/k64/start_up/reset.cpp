@@ -43,6 +43,7 @@ void resetHandler() {
   wr::K64Board::makeOutputsSafe();
   wr::K64Board::connectInputs();
   wr::K64Board::enableFloatingPoint();
+  wr::K64Board::enableGuards();
   wr::initialiseMemory();
   wr::constructObjects();
   wr::platform::calibrateConverters();

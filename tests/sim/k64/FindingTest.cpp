@@ -101,6 +101,8 @@ const std::array kMistakes{
     Mistake{"usesHoleOfConverter", "unmodelled-register", "ADC0 + 0x50"},
     Mistake{"fillsSmallBuffer", "register-misuse", "UART4_D written while the transmit buffer"},
     Mistake{"filtersPins", "unmodelled-register", "digital filter"},
+    Mistake{"filtersPinsByLowPowerOscillator", "unmodelled-register", "digital filter"},
+    Mistake{"changesFilterThatIsOn", "register-misuse", "while one is on"},
     Mistake{"asksForDmaAtEdges", "unmodelled-register", "DMA request"},
 };
 

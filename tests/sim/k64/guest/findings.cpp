@@ -495,7 +495,22 @@ PROGRAM fillsSmallBuffer() {
 PROGRAM filtersPins() {
   stopWatchdog();
   openPorts();
+  wordAt(0x4004A0C0) = 1;
+  sleepForever();
+}
+
+PROGRAM filtersPinsByLowPowerOscillator() {
+  stopWatchdog();
+  openPorts();
+  wordAt(0x4004C0C4) = 1;
+  sleepForever();
+}
+
+PROGRAM changesFilterThatIsOn() {
+  stopWatchdog();
+  openPorts();
   wordAt(0x4004C0C0) = 1;
+  wordAt(0x4004C0C8) = 31;
   sleepForever();
 }
 
