@@ -92,7 +92,7 @@ std::array<Pulse, 3> pulses{};
 
 // Serves an input of the remote control, and computes as long as a product may do that.
 void servePulse(std::size_t input) {
-  constexpr std::uint32_t kRounds = 2000;
+  constexpr std::uint32_t kRounds = 400;
   countEdges(kHallCount + input, kHallCount + input + 1);
   Pulse& pulse = pulses[input];
   const Instant now = platform::rcEdgeTime.now();
