@@ -40,14 +40,16 @@ def add_tool(tools: Path, name: str, end: str = "exit 0") -> None:
     program.chmod(0o755)
 
 
-def add_pyocd(tools: Path, flash: str) -> None:
-    """A pyOCD that notes its words of ``flash``; what it reads back is a file of this name."""
-    commands = f'for word; do case "$word" in "savemem "*) /bin/cp "{tools.parent}/{flash}" '
-    commands += '"${word##* }";; esac; done; exit 0'
+def add_pyocd(tools: Path, read_back: str = "flashed") -> None:
+    """A pyOCD that notes its words of ``flash``; what it reads back is what it wrote, or a file."""
+    folder = tools.parent
     program = tools / "pyocd"
     program.write_text(
-        f'#!/bin/sh\nif [ "$1" = commander ]; then {commands}; fi\n'
-        f'printf "%s\\n" pyocd "$@" >"{tools.parent}/called"\n'
+        "#!/bin/sh\n"
+        'for word; do case "$word" in "savemem "*)'
+        f' exec /bin/cp "{folder}/{read_back}" "${{word##* }}";; esac; done\n'
+        f'/bin/cp "$word" "{folder}/flashed"\n'
+        f'printf "%s\\n" pyocd "$@" >"{folder}/called"\n'
     )
     program.chmod(0o755)
 
@@ -107,7 +109,7 @@ def called(tools: Path) -> list[str]:
 
 
 def test_pyocd_is_the_first_way(tools: Path) -> None:
-    add_pyocd(tools, "image.bin")
+    add_pyocd(tools)
     add_tool(tools, "openocd")
     add_probe(tools)
     add_drive(tools)
@@ -166,7 +168,7 @@ def test_the_drive_of_the_board_is_the_third_way(
 
 @pytest.mark.parametrize("way", ["pyocd", "openocd"])
 def test_the_way_can_be_chosen(tools: Path, way: str) -> None:
-    add_pyocd(tools, "image.bin")
+    add_pyocd(tools)
     add_tool(tools, "openocd")
     assert run(tools, "--with", way) == 0
     assert called(tools)[0] == way
@@ -370,7 +372,7 @@ def test_the_image_of_a_product_is_built_and_written(
         image.write_bytes(CODE)
 
     monkeypatch.setattr(flash, "build_k64", build)
-    add_tool(tools, "pyocd")
+    add_pyocd(tools)
     add_probe(tools)
     assert cli.main(["flash", "--product", "weeding_robot_warning"]) == 0
     assert called(tools)[-1] == str(tools.parent / "build/k64/weeding_robot_warning.bin")
