@@ -342,6 +342,17 @@ TEST_P(K64BoardEnds, FR75_WhileTheRobotDrives) {
   EXPECT_EQ(robot.board.pwmDuty(0, 0), 0.0);
 }
 
+/// @brief A division by zero is a fault like others: the record is made, and the reset comes.
+/// @verifies FR-206
+TEST(K64BoardOnBoard, FR206_DivisionByZeroIsAFault) {
+  BoardRobot robot(withHandler(unchanged(), kUnusedException, stubs::divideByZero()));
+  robot.cycles(2);
+  robot.board.raise(kUnusedException);
+  EXPECT_EQ(unsafeAtReset(robot), "");
+  robot.startUp();
+  EXPECT_EQ(robot.askForWelcome().faultKind, kUsageFault);
+}
+
 /// @brief A stack that overflows is a fault like others: the record is made, and the reset comes.
 /// @verifies FR-75
 TEST(K64BoardOnBoard, FR75_EndsSafelyWhenTheStackOverflowed) {
