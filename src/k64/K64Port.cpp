@@ -49,7 +49,8 @@ void K64Port::allowEdges() {
   }
   const InterruptLock lock;  // the interrupts of the edges write the same
   if (edges_ >= kMostEdges) {
-    start();
+    const auto control = controlOf(port_, number_);
+    control.write(control.read() | port::PCR_IRQC_BOTH_EDGES);
   }
   edges_ = 0;
 }

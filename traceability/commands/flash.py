@@ -141,9 +141,8 @@ def compared(image: Path, copy: Path) -> str:
         raise FailureError("the flash could not be read back: write the image again") from error
     for address, (byte, other) in enumerate(zip(wanted, found, strict=False)):
         if byte != other:
-            raise FailureError(
-                f"flash at 0x{address:X} holds 0x{other:02X}, not 0x{byte:02X}: write the image again"
-            )
+            differs = f"flash at 0x{address:X} holds 0x{other:02X}, not 0x{byte:02X}"
+            raise FailureError(f"{differs}: write the image again")
     if len(found) < len(wanted):
         raise FailureError(f"only {len(found)} of {len(wanted)} bytes were read back: try again")
     return f"{len(wanted)} bytes read back, equal to the image"
