@@ -1,5 +1,6 @@
 #include "bluetooth/BluetoothLink.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -9,18 +10,21 @@ namespace wr {
 namespace {
 
 constexpr std::size_t kChunk = 64;
-constexpr std::size_t kMostChunks = 32;
+constexpr std::size_t kMostBytes = 2048;
 
 }  // namespace
 
-BluetoothLink::BluetoothLink(SerialPort& port, SerialReader& orders)
-    : port_(port), orders_(orders) {}
+BluetoothLink::BluetoothLink(SerialPort& port, SerialReader& orders, const Timebase& clock)
+    : port_(port), orders_(orders), clock_(clock) {}
 
 void BluetoothLink::receive() {
   std::array<std::uint8_t, kChunk> chunk{};
+  orders_.beginCycle(clock_.now());
+  std::size_t left = kMostBytes;
   std::size_t received = chunk.size();
-  for (std::size_t i = 0; i < kMostChunks && received == chunk.size(); ++i) {
-    received = port_.read(chunk);
+  while (left != 0 && received != 0) {
+    received = port_.read(std::span(chunk).first(std::min(left, chunk.size())));
+    left -= received;
     for (const std::uint8_t byte : std::span(chunk).first(received)) {
       if (decoder_.push(byte) == Decoded::Whole) {
         take(decoder_.frame());
@@ -30,8 +34,10 @@ void BluetoothLink::receive() {
 }
 
 void BluetoothLink::take(const Frame& frame) {
-  if (frame.type == FrameType::Order && frame.payload.size() == SerialReader::kOrderLength) {
-    orders_.offer(frame.payload.first<SerialReader::kOrderLength>());
+  if (frame.type == FrameType::Order && frame.payload.size() >= SerialReader::kOrderLength) {
+    const auto payload = frame.payload.first<SerialReader::kOrderLength>();
+    orders_.heedStop(payload);
+    orders_.offer(payload, port_.receivedAt());
   }
 }
 

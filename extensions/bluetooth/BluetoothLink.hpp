@@ -5,6 +5,7 @@
 #include "communication/framing/FrameDecoder.hpp"
 #include "communication/serialization/SerialReader.hpp"
 #include "devices/SerialPort.hpp"
+#include "devices/Timebase.hpp"
 
 namespace wr {
 
@@ -18,7 +19,8 @@ class BluetoothLink final {
   /// @brief Binds the link to its line and its reader.
   /// @param port line to the Bluetooth module
   /// @param orders takes the orders
-  BluetoothLink(SerialPort& port, SerialReader& orders);
+  /// @param clock gives the instant at which the age of an order is measured
+  BluetoothLink(SerialPort& port, SerialReader& orders, const Timebase& clock);
 
   BluetoothLink(const BluetoothLink&) = delete;
   BluetoothLink& operator=(const BluetoothLink&) = delete;
@@ -34,6 +36,7 @@ class BluetoothLink final {
 
   SerialPort& port_;
   SerialReader& orders_;
+  const Timebase& clock_;
   FrameDecoder decoder_;
 };
 

@@ -25,8 +25,7 @@ struct BluetoothModes {
   /// @param timebase gives the time
   BluetoothModes(Reader& pcReader, PcConnection& connection, SerialPort& port,
                  const Timebase& timebase)
-      : reader(timebase),
-        link(port, reader),
+      : link(port, reader, timebase),
         basicPc(pcReader),
         basicBluetooth(reader),
         pc(basicPc, bluetooth, connection),

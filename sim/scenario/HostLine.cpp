@@ -5,7 +5,9 @@
 
 namespace wr {
 
-HostLine::HostLine(HostEquipment equipment) : world(port, equipment) {}
+HostLine::HostLine(HostEquipment equipment) : world(port, equipment) {
+  port.setClock(world.time);
+}
 
 void HostLine::start() {
   world.start();

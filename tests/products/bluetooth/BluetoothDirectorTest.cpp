@@ -15,6 +15,7 @@ class BluetoothRobot : public ProductFixture {
  protected:
   BluetoothRobot() {
     begin(director);
+    devicePort.setClock(time);
     connect();
   }
 

@@ -10,6 +10,7 @@ class BluetoothTest : public ControllerFixture {
  protected:
   // An order of the device, taken in.
   void order(std::uint16_t id, bool stop = false) {
+    devicePort.setClock(time);
     devicePort.arrive(device.order({.id = id, .stop = stop}));
     mode.serve();
   }
@@ -19,8 +20,8 @@ class BluetoothTest : public ControllerFixture {
   }
 
   HostSerialPort devicePort;
-  SerialReader reader{time};
-  BluetoothLink bluetoothLink{devicePort, reader};
+  SerialReader reader;
+  BluetoothLink bluetoothLink{devicePort, reader, time};
   BasicMode basic{reader};
   Bluetooth mode{basic, second, bluetoothLink};
   PcSender device;
@@ -33,8 +34,10 @@ TEST_F(BluetoothTest, FR150_HasAMessageWhileAnOrderIsFresh) {
   order(4);
   EXPECT_TRUE(mode.newMessage());
   time.advance(milliseconds(200));
+  mode.serve();
   EXPECT_TRUE(mode.newMessage());
   time.advance(Microseconds(1));
+  mode.serve();
   EXPECT_FALSE(mode.newMessage());
 }
 
