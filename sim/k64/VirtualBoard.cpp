@@ -21,6 +21,7 @@
 #include "sim/k64/Pit.hpp"
 #include "sim/k64/PlainRegisters.hpp"
 #include "sim/k64/Rcm.hpp"
+#include "sim/k64/Rnga.hpp"
 #include "sim/k64/Sim.hpp"
 #include "sim/k64/Symbols.hpp"
 #include "sim/k64/Uart.hpp"
@@ -84,6 +85,7 @@ class VirtualBoard::Parts final : public Surroundings {
         sysmpu_(*this, "SYSMPU", 4, kSysmpu),
         wdog_(*this),
         rcm_(*this),
+        rng_(*this),
         pit_(*this),
         uarts_{Uart(*this, kUart0), Uart(*this, kUart4)},
         ftms_{Ftm(*this, 0, 8), Ftm(*this, 1, 2), Ftm(*this, 2, 2), Ftm(*this, 3, 8)},
@@ -95,7 +97,7 @@ class VirtualBoard::Parts final : public Surroundings {
                Gpio(*this, pins_[4], ports_[4])},
         byName_{{"SIM", &sim_},        {"MCG", &mcg_},        {"OSC", &osc_},
                 {"SMC", &smc_},        {"PMC", &pmc_},        {"SYSMPU", &sysmpu_},
-                {"WDOG", &wdog_},      {"RCM", &rcm_},        {"PIT", &pit_},
+                {"WDOG", &wdog_},      {"RCM", &rcm_},        {"RNG", &rng_},        {"PIT", &pit_},
                 {"UART0", &uarts_[0]}, {"UART4", &uarts_[1]}, {"FTM0", &ftms_[0]},
                 {"FTM1", &ftms_[1]},   {"FTM2", &ftms_[2]},   {"FTM3", &ftms_[3]},
                 {"ADC0", &adcs_[0]},   {"ADC1", &adcs_[1]},   {"PORTA", &ports_[0]},
@@ -205,6 +207,7 @@ class VirtualBoard::Parts final : public Surroundings {
   PlainRegisters sysmpu_;
   Wdog wdog_;
   Rcm rcm_;
+  Rnga rng_;
   Pit pit_;
   std::array<Uart, 2> uarts_;
   std::array<Ftm, kTimers> ftms_;
