@@ -16,6 +16,9 @@
 
 namespace wr::test {
 
+inline constexpr SipHash::Key kSharedKey = {7, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+inline constexpr std::uint64_t kStartNumber = 0x0123456789abcdef;
+
 /// A source of numbers that the test chooses.
 class FixedRandom final : public RandomSource {
  public:
@@ -30,7 +33,8 @@ class FixedRandom final : public RandomSource {
 /// protocol describes it.
 class SigningDevice {
  public:
-  SigningDevice(const SipHash::Key& key, std::uint64_t nonce) : key_(key), nonce_(nonce) {}
+  explicit SigningDevice(const SipHash::Key& key = kSharedKey, std::uint64_t nonce = kStartNumber)
+      : key_(key), nonce_(nonce) {}
 
   /// The bytes of a frame with the next counter and its tag.
   [[nodiscard]] Bytes sign(const Bytes& frame) { return signWith(++counter_, frame); }
@@ -42,6 +46,13 @@ class SigningDevice {
     bytes.insert(bytes.end(), trailer.begin(), trailer.end());
     bytes.push_back(0);
     return bytes;
+  }
+
+  /// A frame of the robot without counter and tag.
+  [[nodiscard]] static Bytes bare(const Bytes& signedFrame) {
+    Bytes frame(signedFrame.begin(), signedFrame.end() - 25);
+    frame.push_back(0);
+    return frame;
   }
 
   /// Whether a frame of the robot has the expected counter and a right tag.

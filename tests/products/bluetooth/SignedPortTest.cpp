@@ -12,8 +12,6 @@
 namespace wr::test {
 namespace {
 
-constexpr SipHash::Key kKey = {7, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-constexpr std::uint64_t kNonce = 0x0123456789abcdef;
 constexpr std::uint8_t kChallengeType = 0x83;
 
 SipHash::Key erased() {
@@ -40,9 +38,9 @@ class SignedPortTest : public testing::Test {
   std::vector<Bytes> given() { return given(signedPort); }
 
   HostSerialPort line;
-  FixedRandom random{kNonce};
-  SignedPort signedPort{line, kKey, random};
-  SigningDevice device{kKey, kNonce};
+  FixedRandom random{kStartNumber};
+  SignedPort signedPort{line, kSharedKey, random};
+  SigningDevice device;
   PcSender frames;
 };
 
@@ -89,8 +87,8 @@ TEST_F(SignedPortTest, FR262_ReplayedFrameIsDropped) {
 /// another one.
 /// @verifies FR-264
 TEST_F(SignedPortTest, FR264_FrameOfAnEarlierStartIsDropped) {
-  FixedRandom other(kNonce + 1);
-  SignedPort restarted(line, kKey, other);
+  FixedRandom other(kStartNumber + 1);
+  SignedPort restarted(line, kSharedKey, other);
   line.arrive(device.sign(frames.hello()));
   EXPECT_TRUE(given(restarted).empty());
 }
@@ -135,8 +133,8 @@ TEST_F(SignedPortTest, FR263_SentFramesAreSigned) {
 TEST_F(SignedPortTest, FR265_WithoutKeyNothingIsReceivedOrSent) {
   FixedRandom broken(std::nullopt);
   SignedPort keyless(line, erased(), random);
-  SignedPort numberless(line, kKey, broken);
-  SigningDevice finder(erased(), kNonce);
+  SignedPort numberless(line, kSharedKey, broken);
+  SigningDevice finder(erased(), kStartNumber);
   for (SignedPort* port : {&keyless, &numberless}) {
     line.arrive(finder.sign(frames.hello()));
     line.arrive(device.sign(frames.hello()));
