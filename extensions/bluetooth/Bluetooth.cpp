@@ -4,10 +4,11 @@
 
 namespace wr {
 
-Bluetooth::Bluetooth(Mode& wrapped, Mode& other, PcConnection& connection)
-    : ModeDecorator(kId, wrapped), other_(other), connection_(connection) {}
+Bluetooth::Bluetooth(Mode& wrapped, Mode& other, PcConnection& connection, const Timebase& timebase)
+    : ModeDecorator(kId, wrapped), other_(other), connection_(connection), timebase_(timebase) {}
 
 void Bluetooth::serve() {
+  connection_.beginCycle(timebase_.now());
   connection_.service();
   ModeDecorator::serve();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "communication/pc_connection/PcConnection.hpp"
+#include "devices/Timebase.hpp"
 #include "main_control/operation_modes/ModeDecorator.hpp"
 
 namespace wr {
@@ -23,7 +24,8 @@ class Bluetooth final : public ModeDecorator {
   /// @param wrapped basic mode that reads the orders of the device
   /// @param other mode to change to; only its address is used before the first changeMode()
   /// @param connection connection to the device
-  Bluetooth(Mode& wrapped, Mode& other, PcConnection& connection);
+  /// @param timebase gives the time at which the connection is served
+  Bluetooth(Mode& wrapped, Mode& other, PcConnection& connection, const Timebase& timebase);
 
   /// @brief Serves the connection to the device, then the wrapped mode.
   /// @satisfies FR-151
@@ -54,6 +56,7 @@ class Bluetooth final : public ModeDecorator {
  private:
   Mode& other_;
   PcConnection& connection_;
+  const Timebase& timebase_;
 };
 
 }  // namespace wr

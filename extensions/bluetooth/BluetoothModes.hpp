@@ -39,16 +39,15 @@ struct BluetoothModes {
   /// @param pcConnection link to the PC
   /// @param devices devices of the Bluetooth connection
   BluetoothModes(Reader& pcReader, PcConnection& pcConnection, const BluetoothDevices& devices)
-      : reader(devices.timebase),
-        port(devices.port, devices.key, devices.random),
+      : port(devices.port, devices.key, devices.random),
         handshaking(connected, disconnected),
         disconnected(handshaking),
         connected(handshaking, disconnected),
-        connection(port, devices.timebase, reader, disconnected, devices.start),
+        connection(port, reader, disconnected, devices.start),
         basicPc(pcReader),
         basicBluetooth(reader),
         pc(basicPc, bluetooth, pcConnection),
-        bluetooth(basicBluetooth, pc, connection),
+        bluetooth(basicBluetooth, pc, connection, devices.timebase),
         all{&pc, &bluetooth} {}
 
   SerialReader reader;        ///< newest order of the device

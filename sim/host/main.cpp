@@ -41,6 +41,7 @@ void runInRealTime(const wr::CommandLine& options) {
   std::fflush(stdout);
   const wr::RealTimebase clock;
   wr::HostWorld world(port);
+  port.setClock(world.time);
   world.start();
   const wr::Microseconds period = world.robot.period();
   for (wr::Instant now; !hasRun(world, cycles, period) && !wr::endRequested();) {

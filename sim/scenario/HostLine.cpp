@@ -2,7 +2,9 @@
 
 namespace wr {
 
-HostLine::HostLine(HostEquipment equipment) : world(port, equipment) {}
+HostLine::HostLine(HostEquipment equipment) : world(port, equipment) {
+  port.setClock(world.time);
+}
 
 void HostLine::start() {
   world.start();

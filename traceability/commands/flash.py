@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import shutil
+import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -98,10 +99,11 @@ def ways(image: Path, folder: Path | None) -> dict[str, Way]:
     """All ways, the one to try first in front."""
     file = image.resolve()
     flags = ("-t", "k64f", "--no-wait", "--format", "bin", "--base-address", "0")
-    # OpenOCD reads a script: braces keep the path one word.
-    script = f"program {{{file}}} verify reset exit 0x0"
+    # OpenOCD reads a script: braces keep the path one word. Without fcf_source it writes a flash
+    # configuration field of its own, and the comparison fails. The field was checked before.
+    script = f"init; kinetis fcf_source write; program {{{file}}} verify reset exit 0x0"
     return {
-        "pyocd": tool("pyocd", "flash", *flags, str(file)),
+        "pyocd": pyocd(file, flags),
         "openocd": tool("openocd", "-f", "board/nxp_frdm-k64f.cfg", "-c", script),
         "drive": copy(file, folder),
     }
@@ -111,6 +113,39 @@ def tool(name: str, *arguments: str) -> Way:
     missing = "" if shutil.which(name) else "not installed"
     words = [name, *arguments]
     return Way(missing, f"run {' '.join(words)}", lambda log: run(log, words))
+
+
+def pyocd(image: Path, flags: tuple[str, ...]) -> Way:
+    """Writes with pyOCD, which does not compare by itself: reads the flash back and compares."""
+    missing = "" if shutil.which("pyocd") else "not installed"
+    words = ["pyocd", "flash", *flags, str(image)]
+
+    def write(log: TextIO) -> str | None:
+        run(log, words)
+        with tempfile.TemporaryDirectory() as folder:
+            copy = Path(folder) / "read_back.bin"
+            commands = ("reset halt", f"savemem 0 {image.stat().st_size} {copy}", "reset")
+            read = ["pyocd", "commander", "-t", "k64f", "--no-wait"]
+            run(log, [*read, *(word for line in commands for word in ("-c", line))])
+            return compared(image, copy)
+
+    return Way(missing, f"run {' '.join(words)}, read the flash back and compare", write)
+
+
+def compared(image: Path, copy: Path) -> str:
+    """Reports that the flash holds the image; fails at the first byte that differs."""
+    wanted = image.read_bytes()
+    try:
+        found = copy.read_bytes()
+    except OSError as error:
+        raise FailureError("the flash could not be read back: write the image again") from error
+    for address, (byte, other) in enumerate(zip(wanted, found, strict=False)):
+        if byte != other:
+            differs = f"flash at 0x{address:X} holds 0x{other:02X}, not 0x{byte:02X}"
+            raise FailureError(f"{differs}: write the image again")
+    if len(found) < len(wanted):
+        raise FailureError(f"only {len(found)} of {len(wanted)} bytes were read back: try again")
+    return f"{len(wanted)} bytes read back, equal to the image"
 
 
 def copy(image: Path, folder: Path | None) -> Way:

@@ -17,7 +17,7 @@ namespace wr {
 
 namespace {
 
-K64Uart bluetoothPort(K64Uart::Port::Uart4);
+K64Uart bluetoothPort(K64Uart::Port::Uart4, platform::timebase);
 MainControllerBuilder controllerBuilder({.thread = platform::mainThread,
                                          .cycleTimer = platform::cycleTimer,
                                          .timebase = platform::timebase,

@@ -16,6 +16,7 @@ class BluetoothRobot : public ProductFixture {
  protected:
   BluetoothRobot() {
     begin(director);
+    devicePort.setClock(time);
     connect();
     connectDevice();
   }

@@ -12,6 +12,7 @@ class BluetoothTest : public ControllerFixture {
  protected:
   // Lets the device connect.
   void connectDevice() {
+    devicePort.setClock(time);
     devicePort.arrive(device.sign(frames.hello()));
     mode.serve();
     const auto welcome = welcomeOf(bodies(SigningDevice::bare(devicePort.takeSent())).at(0));
@@ -32,14 +33,14 @@ class BluetoothTest : public ControllerFixture {
   HostSerialPort devicePort;
   FixedRandom random{kStartNumber};
   SignedPort signedPort{devicePort, kSharedKey, random};
-  SerialReader reader{time};
+  SerialReader reader;
   Handshaking deviceHandshaking{deviceConnected, deviceDisconnected};
   Disconnected deviceDisconnected{deviceHandshaking};
   Connected deviceConnected{deviceHandshaking, deviceDisconnected};
   StartRecord deviceStart;
-  PcConnection deviceConnection{signedPort, time, reader, deviceDisconnected, deviceStart};
+  PcConnection deviceConnection{signedPort, reader, deviceDisconnected, deviceStart};
   BasicMode basic{reader};
-  Bluetooth mode{basic, second, deviceConnection};
+  Bluetooth mode{basic, second, deviceConnection, time};
   SigningDevice device;
   PcSender frames;
 };
@@ -63,8 +64,10 @@ TEST_F(BluetoothTest, FR150_HasAMessageWhileAnOrderIsFresh) {
   order(4);
   EXPECT_TRUE(mode.newMessage());
   time.advance(milliseconds(200));
+  mode.serve();
   EXPECT_TRUE(mode.newMessage());
   time.advance(Microseconds(1));
+  mode.serve();
   EXPECT_FALSE(mode.newMessage());
 }
 
@@ -92,7 +95,7 @@ TEST_F(BluetoothTest, FR151_ServesTheWrappedMode) {
   FakeMode wrapped(ModeId::None);
   int served = 0;
   wrapped.onServe = [&] { ++served; };
-  Bluetooth extension(wrapped, second, deviceConnection);
+  Bluetooth extension(wrapped, second, deviceConnection, time);
   extension.serve();
   EXPECT_EQ(served, 1);
 }
