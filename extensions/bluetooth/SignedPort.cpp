@@ -84,8 +84,11 @@ bool SignedPort::write(std::span<const std::uint8_t> bytes) {
   if (!works() || bytes.empty() || bytes.size() > kMaxCoded) {
     return false;
   }
-  Coded coded{};
   const auto frame = bytes.first(bytes.size() - 1);
+  if (frame.empty()) {  // a zero byte alone ends what was sent before a reset
+    return port_.write(bytes);
+  }
+  Coded coded{};
   const std::uint32_t counter = lastSent_ + 1;
   std::ranges::copy(frame, coded.begin());
   const auto trailer = std::span(coded).subspan(frame.size());

@@ -48,9 +48,10 @@ class SigningDevice {
     return bytes;
   }
 
-  /// A frame of the robot without counter and tag.
+  /// A frame of the robot without counter and tag, and without zero bytes before it.
   [[nodiscard]] static Bytes bare(const Bytes& signedFrame) {
-    Bytes frame(signedFrame.begin(), signedFrame.end() - 25);
+    const auto begin = std::ranges::find_if(signedFrame, [](std::uint8_t byte) { return byte != 0; });
+    Bytes frame(begin, signedFrame.end() - 25);
     frame.push_back(0);
     return frame;
   }

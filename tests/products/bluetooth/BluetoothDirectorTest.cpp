@@ -174,7 +174,7 @@ TEST_F(BluetoothRobot, FR262_ReplayedOrderIsNotRead) {
 TEST_F(BluetoothRobot, NFR1_HasNoRemoteControl) {
   EXPECT_DEATH(static_cast<void>(builder.velocityPin()), "assertion 1 failed");
   EXPECT_DEATH(static_cast<void>(builder.directionPin()), "assertion 1 failed");
-  EXPECT_EQ(watchdog.refreshes(), 2U);
+  EXPECT_EQ(watchdog.refreshes(), 4U);
 }
 
 /// @brief A robot is made once.

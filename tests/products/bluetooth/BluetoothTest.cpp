@@ -107,6 +107,7 @@ TEST_F(BluetoothTest, FR151_PassesTheStopOn) {
   order(1, true);
   time.advance(milliseconds(5000));
   EXPECT_TRUE(mode.stopOrdered());
+  connectDevice();
   order(2);
   EXPECT_FALSE(mode.stopOrdered());
 }
