@@ -5,9 +5,7 @@ namespace wr {
 BluetoothDirector::BluetoothDirector(ControlSystemPoolBuilder& poolBuilder,
                                      MainControllerBuilder& controllerBuilder,
                                      const BluetoothDevices& devices)
-    : poolBuilder_(poolBuilder),
-      controllerBuilder_(controllerBuilder),
-      devices_(devices) {}
+    : poolBuilder_(poolBuilder), controllerBuilder_(controllerBuilder), devices_(devices) {}
 
 void BluetoothDirector::construct() {
   poolBuilder_.buildSystems();

@@ -25,8 +25,7 @@ void Rnga::reset(Reset /*cause*/) {
 }
 
 bool Rnga::wordIsReady() const {
-  return (control_ & kGo) != 0 &&
-         board_.busClock().count(board_.time()) - since_ >= kClocksOfAWord;
+  return (control_ & kGo) != 0 && board_.busClock().count(board_.time()) - since_ >= kClocksOfAWord;
 }
 
 std::uint32_t Rnga::read(std::uint32_t offset, unsigned size) {

@@ -9,8 +9,8 @@ namespace wr::k64 {
 
 /// @brief Random number generator. Its numbers are those of a seeded generator, so that a run can be
 /// repeated.
-/// K64P144M120SF5RM, chapter Random Number Generator Accelerator (RNGA). Registers and bits agree with the
-/// drivers of RIOT (cpu/kinetis/periph/hwrng.c).
+/// K64P144M120SF5RM, chapter Random Number Generator Accelerator (RNGA). Registers and bits agree
+/// with the drivers of RIOT (cpu/kinetis/periph/hwrng.c).
 class Rnga final : public Peripheral {
  public:
   explicit Rnga(Surroundings& board) : Peripheral(board) {}

@@ -50,7 +50,8 @@ class SigningDevice {
 
   /// A frame of the robot without counter and tag, and without zero bytes before it.
   [[nodiscard]] static Bytes bare(const Bytes& signedFrame) {
-    const auto begin = std::ranges::find_if(signedFrame, [](std::uint8_t byte) { return byte != 0; });
+    const auto begin =
+        std::ranges::find_if(signedFrame, [](std::uint8_t byte) { return byte != 0; });
     Bytes frame(begin, signedFrame.end() - 25);
     frame.push_back(0);
     return frame;
@@ -69,7 +70,8 @@ class SigningDevice {
  private:
   static std::string digits(std::uint64_t number, int count) {
     std::string text(static_cast<std::size_t>(count) + 1, '\0');
-    std::snprintf(text.data(), text.size(), "%0*llx", count, static_cast<unsigned long long>(number));
+    std::snprintf(text.data(), text.size(), "%0*llx", count,
+                  static_cast<unsigned long long>(number));
     text.pop_back();
     return text;
   }

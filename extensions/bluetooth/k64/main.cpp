@@ -26,10 +26,12 @@ MainControllerBuilder controllerBuilder({.thread = platform::mainThread,
                                          .start = platform::startRecord});
 K64Random random;
 
-// The key is written over these bytes when the image is flashed, so the compiler must not know them.
+// The key is written over these bytes when the image is flashed, so the compiler must not know
+// them.
 [[gnu::section(".bluetooth_key"), gnu::used]] const volatile SipHash::Key::value_type
-    bluetoothKey[std::tuple_size_v<SipHash::Key>] = {0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF,
-                                                     0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
+    bluetoothKey[std::tuple_size_v<SipHash::Key>] = {0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF,
+                                                     0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF,
+                                                     0xFF, 0xFF, 0xFF, 0xFF};
 
 SipHash::Key readKey() {
   SipHash::Key key{};

@@ -47,13 +47,10 @@ class BluetoothRobot : public ProductFixture {
 
   HostSerialPort devicePort;
   FixedRandom random{kStartNumber};
-  BluetoothDirector director{poolBuilder,
-                             builder,
-                             {.port = devicePort,
-                              .key = kSharedKey,
-                              .random = random,
-                              .timebase = time,
-                              .start = start}};
+  BluetoothDirector director{
+      poolBuilder,
+      builder,
+      {.port = devicePort, .key = kSharedKey, .random = random, .timebase = time, .start = start}};
   SigningDevice device;
   PcSender frames;
 };

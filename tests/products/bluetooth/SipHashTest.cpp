@@ -22,8 +22,9 @@ struct Vector {
   std::uint64_t tag;
 };
 
-// The key 00 to 0F and the bytes 00, 01, 02...: vectors of the reference implementation of the authors.
-// OpenSSL 3 gives the same (openssl mac -macopt size:8 SIPHASH), with the bytes of the tag in reverse.
+// The key 00 to 0F and the bytes 00, 01, 02...: vectors of the reference implementation of the
+// authors. OpenSSL 3 gives the same (openssl mac -macopt size:8 SIPHASH), with the bytes of the tag
+// in reverse.
 class SipHashVectors : public testing::TestWithParam<Vector> {};
 
 /// @brief The tags of known bytes are those of the reference implementation.
@@ -34,11 +35,11 @@ TEST_P(SipHashVectors, FR261_TagsAreThoseOfTheReference) {
   EXPECT_EQ(hash.tag(), GetParam().tag);
 }
 
-INSTANTIATE_TEST_SUITE_P(Reference, SipHashVectors,
-                         testing::Values(Vector{0, 0x726fdb47dd0e0e31}, Vector{1, 0x74f839c593dc67fd},
-                                         Vector{7, 0xab0200f58b01d137}, Vector{8, 0x93f5f5799a932462},
-                                         Vector{15, 0xa129ca6149be45e5},
-                                         Vector{63, 0x958a324ceb064572}));
+INSTANTIATE_TEST_SUITE_P(
+    Reference, SipHashVectors,
+    testing::Values(Vector{0, 0x726fdb47dd0e0e31}, Vector{1, 0x74f839c593dc67fd},
+                    Vector{7, 0xab0200f58b01d137}, Vector{8, 0x93f5f5799a932462},
+                    Vector{15, 0xa129ca6149be45e5}, Vector{63, 0x958a324ceb064572}));
 
 /// @brief Bytes that are added in parts give the tag of the whole.
 /// @verifies FR-261
