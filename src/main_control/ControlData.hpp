@@ -61,6 +61,7 @@ class ControlData {
   /// @param sources bit n is set if the source with the mode id n orders stop
   /// @isr{no}
   /// @satisfies FR-175
+  /// @satisfies FR-242
   void saveStop(std::uint8_t sources);
 
   /// @brief Notes whether the control systems are held in this cycle.
@@ -112,6 +113,7 @@ class ControlData {
   /// @satisfies FR-61
   /// @satisfies FR-175
   /// @satisfies FR-242
+  /// @satisfies FR-249
   /// @isr{no}
   [[nodiscard]] ReportData report(OperationStateId state, ModeId mode,
                                   const LinkCounts& counts) const;
