@@ -58,7 +58,7 @@ class ControlData {
   void saveSetPoints(const SetPoints& setPoints);
 
   /// @brief Saves which sources order stop in this cycle.
-  /// @param sources bit n is set if the source with the mode id n orders stop
+  /// @param sources a bit for each source [bit n: the source with the mode id n orders stop]
   /// @isr{no}
   /// @satisfies FR-175
   /// @satisfies FR-242

@@ -80,7 +80,8 @@ std::vector<std::string> typesOf(const std::string& frame) {
   return types;
 }
 
-/// @brief The check value of CRC-32, the one of the nine digits.
+/// @brief The check value of CRC-32, that of the nine digits.
+/// @verifies FR-246
 TEST(Layout, CheckValueOfTheHash) {
   EXPECT_EQ(crc32("123456789"), 0xCBF43926U);
 }
