@@ -59,7 +59,7 @@ TYPED_TEST(Behaviour, CountsBadFrames) {
   Bytes damaged = this->robot.pc.keepAlive();
   damaged[1] ^= 0x40U;
   this->robot.arrive(damaged);
-  this->robot.arrive(Bytes(140, 1));
+  this->robot.arrive(Bytes(220, 1));
   this->robot.arrive(Bytes{0});
   this->robot.arrive(this->robot.pc.frame(3, {}, 9));
   this->robot.arrive(this->robot.pc.frame(0x55, {}));
@@ -74,7 +74,7 @@ TYPED_TEST(Behaviour, CountsBadFrames) {
 /// @brief A PC that is silent for a second is disconnected, and gets no report until it confirms anew.
 TYPED_TEST(Behaviour, DisconnectsASilentPc) {
   this->robot.commandByPc();
-  for (int i = 1; i < 10; ++i) {
+  for (int i = 1; i < 9; ++i) {
     this->robot.cycle();
     EXPECT_TRUE(this->robot.reported()) << i;
   }

@@ -21,11 +21,15 @@ constexpr std::uint8_t kWaiting = 1;
 constexpr std::uint8_t kWaitingN = 2;
 constexpr std::uint8_t kReconnecting = 3;
 
-constexpr std::size_t kOrderLength = 17;
-constexpr std::size_t kReportLength = 120;
-constexpr std::size_t kWelcomeLength = 23;
+constexpr std::size_t kOrderLength = 21;
+constexpr std::size_t kCommandsAt = 20;
+constexpr std::uint32_t kStopCommand = 1;
+constexpr std::uint32_t kCommands = 3;
+constexpr std::size_t kReportLength = 130;
+constexpr std::size_t kWelcomeLength = 29;
 constexpr std::size_t kChunk = 64;
-constexpr std::size_t kMostChunks = 64;
+constexpr std::size_t kMostBytes = 4096;
+constexpr std::uint32_t kMostAhead = 127;
 
 // Widths [us] and periods of the pulses of the remote control.
 constexpr Microseconds kShortestPeriod = milliseconds(15);
@@ -204,7 +208,7 @@ void UsualDesign::readOrder() {
 
 bool UsualDesign::pcOrderIsNew() const {
   return link_ == Link::Connected && pcOrderUnread_ &&
-         devices_.timebase.now() - pcOrderAt_ <= kConstants.orderLifetime();
+         clockPulse_ - pcOrderAt_ <= kConstants.orderLifetime();
 }
 
 bool UsualDesign::isNew(const std::optional<Stamped<std::int32_t>>& value,
@@ -337,6 +341,18 @@ void UsualDesign::sendReport() {
   payload.put32(costs_.report);
   payload.put32(costs_.awake);
   payload.put32(costs_.start);
+  std::uint32_t inhibit = 0;
+  if (stop_) {
+    inhibit = static_cast<std::uint32_t>(Inhibit::Stop);
+  } else if (held_) {
+    inhibit = static_cast<std::uint32_t>(Inhibit::NoOrder);
+  }
+  payload.put8(inhibit);
+  payload.put8(0);  // no protective stop
+  payload.put8(Protection::kNoWheel);
+  payload.put8(stop_ ? 1U << static_cast<std::uint32_t>(Mode::Pc) : 0U);
+  payload.put32(setPoints.sentAt);
+  payload.put16(counts_.staleOrders);
   if (!send(FrameType::Report, bytes)) {
     count(counts_.reportsNotSent);
   }
@@ -346,9 +362,11 @@ void UsualDesign::sendReport() {
 
 void UsualDesign::servePc() {
   std::array<std::uint8_t, kChunk> chunk{};
+  std::size_t left = kMostBytes;
   std::size_t received = chunk.size();
-  for (std::size_t i = 0; i < kMostChunks && received == chunk.size(); ++i) {
-    received = devices_.pcPort.read(chunk);
+  while (left != 0 && received != 0) {
+    received = devices_.pcPort.read(std::span(chunk).first(std::min(left, chunk.size())));
+    left -= received;
     for (const std::uint8_t byte : std::span(chunk).first(received)) {
       switch (decoder_.push(byte)) {
         case Decoded::Nothing:
@@ -363,26 +381,38 @@ void UsualDesign::servePc() {
           count(counts_.tooLong);
           break;
         case Decoded::UnknownVersion:
-          count(counts_.unknownVersion);
+          if (decoder_.frame().type == FrameType::Hello) {
+            receive(decoder_.frame());
+          } else {
+            count(counts_.unknownVersion);
+          }
           break;
       }
     }
   }
   counts_.lostBytes = devices_.pcPort.lostBytes();
-  const Microseconds silence = devices_.timebase.now() - lastAccepted_;
+  checkSilence(clockPulse_);
+  if (welcomeDue_) {
+    sendWelcome();
+  }
+}
+
+void UsualDesign::checkSilence(Instant at) {
   if (link_ == Link::Connected) {
-    if (silence >= kConstants.linkTimeout()) {
+    if (at - lastAccepted_ >= kConstants.linkTimeout()) {
       pcOrderUnread_ = false;
       link_ = Link::Disconnected;
     }
-  } else if (link_ == Link::Handshaking) {
-    if (silence >= kConstants.handshakeTimeout()) {
+  } else if (link_ == Link::Handshaking && !welcomeDue_) {
+    if (at - welcomed_ > kConstants.handshakeTimeout()) {
       link_ = Link::Disconnected;
     }
   }
 }
 
 void UsualDesign::receive(const Frame& frame) {
+  receivedAt_ = devices_.pcPort.receivedAt();
+  checkSilence(receivedAt_);
   std::size_t length = 0;
   switch (frame.type) {
     case FrameType::Hello:
@@ -398,17 +428,25 @@ void UsualDesign::receive(const Frame& frame) {
       count(counts_.unknownType);
       return;
   }
-  if (frame.payload.size() != length) {
+  if (frame.payload.size() < length) {
     count(counts_.wrongLength);
     return;
   }
   if (accept(frame)) {
-    if (frame.type != FrameType::Hello && frame.sequence != nextReceived_) {
+    const bool hello = frame.type == FrameType::Hello;
+    if (!hello && frame.sequence != static_cast<std::uint8_t>(newestReceived_ + 1)) {
       count(counts_.sequenceGaps);
     }
-    nextReceived_ = static_cast<std::uint8_t>(frame.sequence + 1);
-    lastAccepted_ = devices_.timebase.now();
+    if (hello || isNewer(frame.sequence)) {
+      newestReceived_ = frame.sequence;
+    }
+    lastAccepted_ = receivedAt_;
   }
+}
+
+bool UsualDesign::isNewer(std::uint8_t sequence) const {
+  const auto ahead = static_cast<std::uint8_t>(sequence - newestReceived_);
+  return ahead != 0 && ahead <= kMostAhead;
 }
 
 bool UsualDesign::accept(const Frame& frame) {
@@ -416,25 +454,35 @@ bool UsualDesign::accept(const Frame& frame) {
     if (link_ == Link::Connected) {
       pcOrderUnread_ = false;
     }
-    sendWelcome();
+    welcomeDue_ = true;
+    offered_ = false;
     link_ = Link::Handshaking;
     return true;
   }
   if (frame.type == FrameType::Confirm) {
-    if (link_ == Link::Handshaking && frame.payload.front() == session_ &&
-        devices_.timebase.now() - lastAccepted_ <= kConstants.handshakeTimeout()) {
+    if (link_ == Link::Handshaking && offered_ && frame.payload.front() == session_) {
       link_ = Link::Connected;
       return true;
     }
-  } else if (link_ == Link::Connected) {
-    if (frame.type == FrameType::KeepAlive) {
-      return true;
+  } else {
+    const bool order = frame.type == FrameType::Order;
+    if (order && (frame.payload[kCommandsAt] & kStopCommand) != 0) {
+      stop_ = true;
     }
-    if (takeOrder(frame.payload)) {
-      return true;
+    if (link_ == Link::Connected) {
+      if (!order) {
+        return true;
+      }
+      if (!isNewer(frame.sequence)) {
+        count(counts_.staleOrders);
+        return false;
+      }
+      if (takeOrder(frame.payload)) {
+        return true;
+      }
+      count(counts_.outOfRange);
+      return false;
     }
-    count(counts_.outOfRange);
-    return false;
   }
   count(counts_.unexpected);
   return false;
@@ -443,15 +491,19 @@ bool UsualDesign::accept(const Frame& frame) {
 bool UsualDesign::takeOrder(std::span<const std::uint8_t> payload) {
   SetPoints order;
   order.orderId = static_cast<std::uint16_t>(get16(payload, 0));
-  order.steering = Angle(getSigned16(payload, 2));
+  order.sentAt = static_cast<std::uint32_t>(get16(payload, 2)) |
+                 static_cast<std::uint32_t>(get16(payload, 4)) << 16U;
+  order.steering = Angle(getSigned16(payload, 6));
   if (!within(order.steering.count(), kConstants.steeringLimit().count())) {
     return false;
   }
-  std::size_t at = 4;
+  bool neutral = true;
+  std::size_t at = 8;
   for (WheelSetPoint& wheel : order.wheels) {
     wheel.quantity = static_cast<WheelQuantity>(payload[at]);
     wheel.value = getSigned16(payload, at + 1);
     at += 3;
+    neutral = neutral && wheel.value == 0;
     std::int32_t limit = -1;
     switch (wheel.quantity) {
       case WheelQuantity::Velocity:
@@ -468,23 +520,26 @@ bool UsualDesign::takeOrder(std::span<const std::uint8_t> payload) {
       return false;
     }
   }
-  if (payload[at] > 1) {
+  const std::uint32_t commands = payload[kCommandsAt];
+  if (commands > kCommands) {
     return false;
   }
-  stop_ = payload[at] == 1;
+  order.acknowledge = (commands & ~kStopCommand) != 0;
+  stop_ = (commands & kStopCommand) != 0 || (stop_ && !neutral);
   pcOrder_ = order;
-  pcOrderAt_ = devices_.timebase.now();
+  pcOrderAt_ = receivedAt_;
   pcOrderUnread_ = true;
   return true;
 }
 
 void UsualDesign::sendWelcome() {
-  session_ = session_ == std::numeric_limits<std::uint8_t>::max()
-                 ? std::uint8_t{1}
-                 : static_cast<std::uint8_t>(session_ + 1);
+  const std::uint8_t session = session_ == std::numeric_limits<std::uint8_t>::max()
+                                   ? std::uint8_t{1}
+                                   : static_cast<std::uint8_t>(session_ + 1);
+  welcomeDue_ = false;
   std::array<std::uint8_t, kWelcomeLength> bytes{};
   Payload payload(bytes.data());
-  payload.put8(session_);
+  payload.put8(session);
   payload.put8(firmwareIdentity.major);
   payload.put8(firmwareIdentity.minor);
   payload.put8(firmwareIdentity.patch);
@@ -497,12 +552,28 @@ void UsualDesign::sendWelcome() {
   payload.put8(static_cast<std::uint8_t>(devices_.start.fault));
   payload.put16(devices_.start.number);
   payload.put32(devices_.start.address);
-  send(FrameType::Welcome, bytes);
+  payload.put8(kLowestVersion);
+  payload.put8(kHighestVersion);
+  payload.put32(kSchemaHash);
+  if (send(FrameType::Welcome, bytes)) {
+    session_ = session;
+    offered_ = true;
+    welcomed_ = clockPulse_;
+  }
 }
 
 bool UsualDesign::send(FrameType type, std::span<const std::uint8_t> payload) {
   const Frame frame{.type = type, .sequence = nextSent_, .payload = payload};
-  if (!devices_.pcPort.write(encoder_.encode(frame))) {
+  const std::span<const std::uint8_t> coded = encoder_.encode(frame);
+  if (!sentFirst_) {
+    if (devices_.pcPort.free() <= coded.size()) {
+      return false;
+    }
+    constexpr std::array<std::uint8_t, 1> kEnd{0};
+    devices_.pcPort.write(kEnd);
+    sentFirst_ = true;
+  }
+  if (!devices_.pcPort.write(coded)) {
     return false;
   }
   ++nextSent_;

@@ -79,7 +79,9 @@ class UsualDesign {
 
   // Link to the PC.
   void servePc();
+  void checkSilence(Instant at);
   void receive(const Frame& frame);
+  [[nodiscard]] bool isNewer(std::uint8_t sequence) const;
   [[nodiscard]] bool accept(const Frame& frame);
   [[nodiscard]] bool takeOrder(std::span<const std::uint8_t> payload);
   void sendWelcome();
@@ -134,9 +136,14 @@ class UsualDesign {
   FrameDecoder decoder_;
   FrameEncoder encoder_;
   LinkCounts counts_{};
+  Instant receivedAt_{};
   Instant lastAccepted_{};
+  Instant welcomed_{};
+  bool welcomeDue_ = false;
+  bool offered_ = false;
+  bool sentFirst_ = false;
   std::uint8_t session_ = 0;
-  std::uint8_t nextReceived_ = 0;
+  std::uint8_t newestReceived_ = 0;
   std::uint8_t nextSent_ = 0;
   SetPoints pcOrder_{};
   Instant pcOrderAt_{};
