@@ -48,9 +48,10 @@ constexpr std::array<std::array<std::int8_t, 4>, 4> kDirections = {{
     {0, -1, 1, 0},
 }};
 constexpr std::int32_t kTurnPerMicrosecond = 600'000'000;  // [0.1 rpm]
-constexpr std::int32_t kGreatestVelocity = 4500;           // [0.1 rpm]
-constexpr Microseconds kLeastGap(kTurnPerMicrosecond /
-                                 (std::int64_t{kGreatestVelocity} * kConstants.hallEdgesPerTurn()));
+constexpr std::int32_t kGreatestVelocity = 6000;           // [0.1 rpm]
+constexpr Microseconds kLeastReversal = milliseconds(25);
+constexpr Velocity kMoving(300);
+constexpr std::uint32_t kMostImplausible = 3;
 constexpr Microseconds kStandstill = milliseconds(500);
 
 // Current sensor: 33000 mA over 4096 steps.
@@ -68,15 +69,20 @@ constexpr std::int64_t kThousand = 1000;
 constexpr std::int64_t kDecay = 637;
 constexpr std::int64_t kMean = 806;
 constexpr PiGains kVelocityGains{.proportional = 4650, .integral = 2094};
-constexpr std::int32_t kWinding = 1500;
+constexpr std::int32_t kWinding = kConstants.winding();
 constexpr PiGains kCurrentGains{.proportional = 0, .integral = kWinding / 2};
 constexpr Tension kSlight(100);
 constexpr std::uint8_t kSlowCycles = 2;
 constexpr Tension kRise(12000);
 constexpr Tension kFall(2400);
-constexpr Tension kMuch(6000);
-constexpr std::uint8_t kBlindCycles = 10;
+constexpr Tension kLeastEffort(1500);
+constexpr std::int32_t kMostEffort = 45000;
 constexpr std::int32_t kJitter = 1;
+constexpr Tension kReversal(500);
+constexpr std::uint8_t kMostWaiting = 20;
+constexpr std::int32_t kDoubt = 400;
+constexpr std::int32_t kDoubtShare = 3;
+constexpr std::uint8_t kMostDoubts = 5;
 constexpr std::int32_t kWholeDuty = 10000;
 
 void count(std::uint16_t& counter) {
@@ -90,7 +96,7 @@ bool within(std::int32_t value, std::int32_t limit) {
 }
 
 bool isSlow(Velocity velocity) {
-  return velocity < kConstants.standstill() && velocity > -kConstants.standstill();
+  return velocity < kConstants.slow() && velocity > -kConstants.slow();
 }
 
 std::uint32_t get16(std::span<const std::uint8_t> bytes, std::size_t at) {
@@ -236,7 +242,9 @@ void UsualDesign::control() {
   measureCurrent();
   WheelMeasurements& wheel = measurements_.wheels[0];
   wheel.position = HallCount(hall.count);
-  wheel.rejectedEdges = hall.rejected;
+  constexpr std::uint32_t kMostEdges = std::numeric_limits<std::uint16_t>::max();
+  wheel.rejectedEdges =
+      static_cast<std::uint16_t>(std::min(hall.unclear + hall.reversals, kMostEdges));
   wheel.velocity.reset();
   if (velocityAt_ && now - *velocityAt_ <= kConstants.measurementLifetime()) {
     wheel.velocity = velocity_;
@@ -246,25 +254,31 @@ void UsualDesign::control() {
     wheel.current = meanCurrent_;
   }
   held_ = stop_ || countNoMsg_ > kN || !setPoints_;
-  if (held_) {
-    blind_ = false;
-    stillCycles_ = 0;
-    lower();
-    if (cutOff_.load()) {
-      driverOff();
-      if (wheel.velocity && isSlow(*wheel.velocity)) {
-        cutOff_.store(false);
-      }
-    }
-  } else {
-    if (cutOff_.load()) {
-      driverOff();
-    } else {
-      followSetPoint(setPoints_->wheels[0], HallCount(hall.count), wheel);
-    }
+  if (!held_ && setPoints_->acknowledge) {
+    held_ = true;
+    release(wheel);
   }
-  wheel.cutOff = cutOff_.load();
+  if (trip_.load() != Trip::None) {
+    driverOff();
+  } else if (held_) {
+    waitingCycles_ = 0;
+    lower();
+  } else {
+    followSetPoint(setPoints_->wheels[0], HallCount(hall.count), wheel);
+  }
+  wheel.cutOff = trip_.load() != Trip::None;
   wheel.blind = blind_;
+  wheel.reversalLate = reversalLate_;
+}
+
+void UsualDesign::release(const WheelMeasurements& wheel) {
+  blind_ = false;
+  effort_ = 0;
+  reversalLate_ = false;
+  waitingCycles_ = 0;
+  if (wheel.velocity && isSlow(*wheel.velocity)) {
+    trip_.store(Trip::None);
+  }
 }
 
 void UsualDesign::sendReport() {
@@ -637,13 +651,16 @@ void UsualDesign::takeHallPhase() {
   }
   const std::int8_t direction = kDirections[*phase_][phase];
   phase_ = phase;
-  if (direction != 0 && (direction != direction_ || now - lastEdge_ >= kLeastGap)) {
+  if (direction != 0) {
+    if (direction + direction_ == 0 && now - lastEdge_ < kLeastReversal) {
+      ++hall_.reversals;
+    }
     direction_ = direction;
     lastEdge_ = now;
     hall_.last = now;
     hall_.count += direction;
   } else {
-    count(hall_.rejected);
+    ++hall_.unclear;
   }
   hallRecord_.write(hall_, now);
 }
@@ -677,7 +694,11 @@ void UsualDesign::takeCurrentSample(std::int32_t raw) {
       ++tooHigh_;
     }
     if (tooHigh_ == kTooManyInARow) {
-      cutOff_.store(true);
+      if (trip_.load() == Trip::None) {
+        trip_.store(Trip::Tripped);
+      } else if (trip_.load() == Trip::Braking) {
+        trip_.store(Trip::Off);
+      }
       devices_.enable.set(false);
     }
   }
@@ -712,10 +733,17 @@ void UsualDesign::measureVelocity(const HallRecord& record, Instant now) {
     measured = standing_ ? Velocity(0) : bounded(velocity_, 0, now - *seenEdge_);
   }
   measuredAt_ = now;
-  if (measured) {
+  if (measured && plausible(record)) {
     velocity_ = *measured;
     velocityAt_ = now;
   }
+  seenHall_ = record;
+}
+
+bool UsualDesign::plausible(const HallRecord& record) const {
+  const bool moving = velocity_ >= kMoving || velocity_ <= -kMoving;
+  const std::uint32_t reversals = moving ? record.reversals - seenHall_.reversals : 0;
+  return record.unclear - seenHall_.unclear + reversals <= kMostImplausible;
 }
 
 // A wheel that is faster than this would have given one edge more.
@@ -752,16 +780,8 @@ void UsualDesign::measureCurrent() {
 
 void UsualDesign::followSetPoint(const WheelSetPoint& setPoint, HallCount position,
                                  WheelMeasurements& wheel) {
-  const std::int32_t turned = position.count() - stillPosition_.count();
-  if (std::abs(applied_.value_or(Tension()).count()) <= kMuch.count() ||
-      std::abs(turned) > kJitter) {
-    stillPosition_ = position;
-    stillCycles_ = 0;
-  } else {
-    ++stillCycles_;
-    blind_ = blind_ || stillCycles_ >= kBlindCycles;
-  }
-  if (!wheel.velocity || !wheel.current || blind_) {
+  watchMotion(setPoint, position);
+  if (!wheel.velocity || !wheel.current || blind_ || reversalLate_) {
     lower();
     return;
   }
@@ -775,8 +795,9 @@ void UsualDesign::followSetPoint(const WheelSetPoint& setPoint, HallCount positi
   switch (quantity_) {
     case WheelQuantity::Velocity:
       velocityRegulator_.missed(calculated - *applied_);
+      velocityApplied_ = *applied_;
       if (*applied_ != calculated) {
-        model_ = wheel.velocity->count() * kThousand;
+        model_ = usedVelocity_.count() * kThousand;
       }
       break;
     case WheelQuantity::Current:
@@ -785,12 +806,32 @@ void UsualDesign::followSetPoint(const WheelSetPoint& setPoint, HallCount positi
     case WheelQuantity::Tension:
       break;
   }
+  watchReversal(calculated);
+}
+
+void UsualDesign::watchMotion(const WheelSetPoint& setPoint, HallCount position) {
+  const std::int32_t tension = std::abs(applied_.value_or(Tension()).count());
+  if (std::abs(position.count() - stillPosition_.count()) > kJitter) {
+    stillPosition_ = position;
+    effort_ = 0;
+  } else if (tension <= kLeastEffort.count() || setPoint == WheelSetPoint{}) {
+    effort_ = std::max(effort_ - kLeastEffort.count(), std::int32_t{0});
+  } else {
+    effort_ += tension;
+  }
+  blind_ = blind_ || effort_ >= kMostEffort;
+}
+
+void UsualDesign::watchReversal(Tension demand) {
+  const bool waits = std::abs(demand.count()) >= kReversal.count() && applied_ == Tension();
+  waitingCycles_ = waits ? static_cast<std::uint8_t>(waitingCycles_ + 1) : std::uint8_t{0};
+  reversalLate_ = reversalLate_ || waitingCycles_ > kMostWaiting;
 }
 
 Tension UsualDesign::calculate(const WheelSetPoint& setPoint, Velocity velocity, Current current) {
   switch (setPoint.quantity) {
     case WheelQuantity::Velocity:
-      return velocityTension(setPoint.value, velocity);
+      return velocityTension(setPoint.value, velocity, current);
     case WheelQuantity::Current:
       return currentTension(setPoint.value, velocity, current);
     case WheelQuantity::Tension:
@@ -799,7 +840,7 @@ Tension UsualDesign::calculate(const WheelSetPoint& setPoint, Velocity velocity,
   return Tension(setPoint.value);
 }
 
-Tension UsualDesign::velocityTension(std::int16_t setPoint, Velocity velocity) {
+Tension UsualDesign::velocityTension(std::int16_t setPoint, Velocity velocity, Current current) {
   std::int64_t expected = velocity.count() * kThousand;
   if (model_) {
     const std::int64_t goal = velocitySetPoint_ * kThousand;
@@ -812,9 +853,33 @@ Tension UsualDesign::velocityTension(std::int16_t setPoint, Velocity velocity) {
   velocitySetPoint_ = setPoint;
   const std::int64_t unloaded =
       std::int64_t{kConstants.motorConstant().count()} * setPoint / kThousand;
-  const std::int64_t error = expected / kThousand - velocity.count();
+  usedVelocity_ = doubtful(velocity, current)
+                      ? Velocity(static_cast<std::int32_t>(expected / kThousand))
+                      : velocity;
+  const std::int64_t error = expected / kThousand - usedVelocity_.count();
   return Tension(static_cast<std::int32_t>(unloaded)) +
          velocityRegulator_.regulate(static_cast<std::int32_t>(error));
+}
+
+bool UsualDesign::doubtful(Velocity velocity, Current current) {
+  if (!velocityApplied_) {
+    return false;
+  }
+  constexpr auto kPerMille = static_cast<std::int32_t>(kThousand);
+  const std::int32_t turning = kConstants.motorConstant().count() * velocity.count() / kPerMille;
+  const std::int32_t winding = kWinding * current.count() / kPerMille;
+  const std::int32_t made = velocityApplied_->count() - winding;
+  const std::int32_t missing = made > 0 ? made - turning : turning - made;
+  const std::int32_t greatest = std::max(std::abs(velocityApplied_->count()), std::abs(winding));
+  if (missing <= kDoubt + greatest / kDoubtShare) {
+    doubts_ = 0;
+    return false;
+  }
+  if (doubts_ == kMostDoubts) {
+    return false;
+  }
+  ++doubts_;
+  return true;
 }
 
 Tension UsualDesign::currentTension(std::int16_t setPoint, Velocity velocity, Current current) {
@@ -867,8 +932,14 @@ void UsualDesign::lower() {
 }
 
 void UsualDesign::driverOff() {
-  setTension(Tension());
-  stillCycles_ = 0;
+  devices_.pwm.set(DutyCycle());
+  if (trip_.load() == Trip::Tripped) {
+    trip_.store(Trip::Decaying);
+  } else if (trip_.load() == Trip::Decaying) {
+    trip_.store(Trip::Braking);
+    enableDriver(Trip::Braking);
+  }
+  waitingCycles_ = 0;
   resetAlgorithms();
   applied_.reset();
 }
@@ -876,22 +947,27 @@ void UsualDesign::driverOff() {
 void UsualDesign::resetAlgorithms() {
   velocityRegulator_.reset();
   model_.reset();
+  velocityApplied_.reset();
+  doubts_ = 0;
   currentRegulator_.reset();
   velocityBefore_.reset();
 }
 
 void UsualDesign::setTension(Tension tension) {
+  if (trip_.load() != Trip::None) {
+    return;
+  }
   const std::int32_t supply = kConstants.supply().count();
   const std::int32_t magnitude = std::min(std::abs(tension.count()), supply);
   devices_.pwm.set(DutyCycle((magnitude * kWholeDuty + supply / 2) / supply));
-  enableDriver();
+  enableDriver(Trip::None);
 }
 
-void UsualDesign::enableDriver() {
-  if (!cutOff_.load()) {
+void UsualDesign::enableDriver(Trip permitted) {
+  if (trip_.load() == permitted) {
     devices_.enable.set(true);
   }
-  if (cutOff_.load()) {  // the interrupt may have come before the driver was switched on
+  if (trip_.load() != permitted) {  // the interrupt may have come before the driver was switched on
     devices_.enable.set(false);
   }
 }

@@ -53,8 +53,10 @@ class UsualDesign {
   struct HallRecord {
     std::optional<Instant> last;
     std::int32_t count = 0;
-    std::uint16_t rejected = 0;
+    std::uint32_t unclear = 0;
+    std::uint32_t reversals = 0;
   };
+  enum class Trip : std::uint8_t { None, Tripped, Decaying, Braking, Off };
   struct CurrentRecord {
     std::uint32_t sum = 0;
     std::uint32_t number = 0;
@@ -100,14 +102,20 @@ class UsualDesign {
   void followSetPoint(const WheelSetPoint& setPoint, HallCount position, WheelMeasurements& wheel);
   [[nodiscard]] Tension calculate(const WheelSetPoint& setPoint, Velocity velocity,
                                   Current current);
-  [[nodiscard]] Tension velocityTension(std::int16_t setPoint, Velocity velocity);
+  [[nodiscard]] Tension velocityTension(std::int16_t setPoint, Velocity velocity,
+                                        Current current);
   [[nodiscard]] Tension currentTension(std::int16_t setPoint, Velocity velocity, Current current);
   void apply(Tension demand, Velocity velocity);
   void lower();
+  [[nodiscard]] bool plausible(const HallRecord& record) const;
+  void release(const WheelMeasurements& wheel);
+  void watchMotion(const WheelSetPoint& setPoint, HallCount position);
+  void watchReversal(Tension demand);
+  [[nodiscard]] bool doubtful(Velocity velocity, Current current);
   void driverOff();
   void resetAlgorithms();
   void setTension(Tension tension);
-  void enableDriver();
+  void enableDriver(Trip permitted);
 
   Devices devices_;
 
@@ -176,6 +184,7 @@ class UsualDesign {
   Instant measuredAt_{};
   std::optional<Instant> seenEdge_;
   std::int32_t seenCount_ = 0;
+  HallRecord seenHall_;
   Velocity velocity_{};
   std::optional<Instant> velocityAt_;
   CurrentRecord seenCurrent_;
@@ -194,9 +203,14 @@ class UsualDesign {
   bool backwards_ = false;
   std::uint8_t slowCycles_ = 0;
   HallCount stillPosition_{};
-  std::uint8_t stillCycles_ = 0;
+  std::int32_t effort_ = 0;
+  std::uint8_t waitingCycles_ = 0;
   bool blind_ = false;
-  std::atomic<bool> cutOff_{false};
+  bool reversalLate_ = false;
+  Velocity usedVelocity_{};
+  std::optional<Tension> velocityApplied_;
+  std::uint8_t doubts_ = 0;
+  std::atomic<Trip> trip_{Trip::None};
 
   Measurements measurements_{};
 };
