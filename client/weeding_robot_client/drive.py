@@ -184,10 +184,12 @@ class _Driver:
             wish = self._hand.wish(now)
             for report in self._orders.service(None if self._first else wish):
                 self._show(report, wish)
+            if self._link.incompatible:
+                print(f"\r\x1b[K{self._link.incompatible}", flush=True)
+                return False
             if not self._link.connected:
                 self._first = True
-                words = self._link.incompatible or f"no connection on {self._link.path}, trying"
-                print(f"\r\x1b[K{words}", end="", flush=True)
+                print(f"\r\x1b[Kno connection on {self._link.path}, trying", end="", flush=True)
 
     def _ends(self) -> bool:
         """Stops the robot and suspends this program if asked to; true when it must end."""

@@ -95,13 +95,13 @@ def not_connected(link: Link) -> str:
 def arm(
     orders: Orders,
     wish: Wish | None = None,
-    within_s: float = ARM_WITHIN_S,
+    within_s: float | None = None,
     progress: Callable[[str], None] = lambda _words: None,
 ) -> str | None:
     """Orders neutral until the robot is armed. Returns None, or the reason why it is not."""
     neutral = (wish or Wish()).neutral()
     reason: str | None = None
-    end = time.monotonic() + within_s
+    end = time.monotonic() + (ARM_WITHIN_S if within_s is None else within_s)
     while time.monotonic() < end:
         for report in orders.service(neutral):
             if report.ready:

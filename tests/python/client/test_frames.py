@@ -7,7 +7,6 @@ from pathlib import Path
 import pytest
 from cobs import cobs
 from weeding_robot_client.frames import (
-    MAX_BODY,
     MAX_PAYLOAD,
     VERSION,
     Decoder,
