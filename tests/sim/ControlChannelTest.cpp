@@ -103,7 +103,7 @@ TEST_F(ControlChannelTest, WordsThatAreNoActionAreRefused) {
 /// @brief Actions of the PC are refused: its link is in use.
 TEST_F(ControlChannelTest, ActionsOfThePcAreRefused) {
   ControlChannel channel("", robot);
-  for (const char* words : {"connect", "hello", "order velocity 5", "bytes 00", "mark"}) {
+  for (const char* words : {"connect", "hello", "order velocity 5", "bytes 00", "mark", "arm"}) {
     EXPECT_THAT(channel.perform(words), HasSubstr("in a scenario only")) << words;
   }
   EXPECT_EQ(robot.takeSent().size(), 0U);
