@@ -213,7 +213,7 @@ void K64Board::openGates() {
   sim::SCGC1.set(sim::SCGC1_UART4);
   sim::SCGC3.set(sim::SCGC3_ADC1);
   sim::SCGC4.set(sim::SCGC4_UART0);
-  sim::SCGC6.set(sim::SCGC6_PIT | sim::SCGC6_FTM0 | sim::SCGC6_ADC0);
+  sim::SCGC6.set(sim::SCGC6_RNGA | sim::SCGC6_PIT | sim::SCGC6_FTM0 | sim::SCGC6_ADC0);
 }
 
 StartRecord K64Board::takeStartRecord() {

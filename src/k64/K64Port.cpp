@@ -29,6 +29,7 @@ bool K64Port::acknowledge() {
   const bool edge = (flags.read().value >> number_ & 1U) != 0;
   if (edge) {
     flags.write(port::ISFR.bit(number_));
+    const InterruptLock lock;  // the tick writes the same
     ++edges_;
     if (edges_ == kMostEdges) {
       const auto control = controlOf(port_, number_);

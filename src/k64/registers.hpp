@@ -63,11 +63,23 @@ inline constexpr auto SCGC5_PORTC = SCGC5.bit(11);
 inline constexpr auto SCGC5_PORTD = SCGC5.bit(12);
 inline constexpr auto SCGC5_PORTE = SCGC5.bit(13);
 inline constexpr Register<std::uint32_t, 0x4004803C> SCGC6;
+inline constexpr auto SCGC6_RNGA = SCGC6.bit(9);
 inline constexpr auto SCGC6_PIT = SCGC6.bit(23);
 inline constexpr auto SCGC6_FTM0 = SCGC6.bit(24);
 inline constexpr auto SCGC6_ADC0 = SCGC6.bit(27);
 inline constexpr Register<std::uint32_t, 0x40048044> CLKDIV1;
 }  // namespace sim
+
+/// @brief Random number generator.
+namespace rng {
+inline constexpr Register<std::uint32_t, 0x40029000> CR;
+inline constexpr auto CR_GO = CR.bit(0);
+inline constexpr auto CR_HA = CR.bit(1);
+inline constexpr auto CR_INTM = CR.bit(2);
+inline constexpr Register<std::uint32_t, 0x40029004, Access::Read> SR;
+inline constexpr auto SR_OREG_LVL = SR.field(0xFF, 8);
+inline constexpr Register<std::uint32_t, 0x4002900C, Access::Read> OR;
+}  // namespace rng
 
 /// @brief Power management: supervision of the supply.
 namespace pmc {

@@ -58,9 +58,10 @@ class ControlData {
   void saveSetPoints(const SetPoints& setPoints);
 
   /// @brief Saves which sources order stop in this cycle.
-  /// @param sources bit n is set if the source with the mode id n orders stop
+  /// @param sources a bit for each source [bit n: the source with the mode id n orders stop]
   /// @isr{no}
   /// @satisfies FR-175
+  /// @satisfies FR-242
   void saveStop(std::uint8_t sources);
 
   /// @brief Notes whether the control systems are held in this cycle.
@@ -112,6 +113,7 @@ class ControlData {
   /// @satisfies FR-61
   /// @satisfies FR-175
   /// @satisfies FR-242
+  /// @satisfies FR-249
   /// @isr{no}
   [[nodiscard]] ReportData report(OperationStateId state, ModeId mode,
                                   const LinkCounts& counts) const;

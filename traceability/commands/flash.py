@@ -15,6 +15,7 @@ from traceability.commands.firmware import add_product, build_k64
 from traceability.commands.steps import FailureError, MissingError, Steps, run
 from traceability.image import lock_problems
 from traceability.products import image_of
+from traceability.radio_key import KeyFileError, write_keyed
 
 USB = Path("/sys/bus/usb/devices")
 ARM = "0d28"  # vendor of the debug probe that is on the FRDM-K64F
@@ -57,6 +58,12 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--image", type=Path, metavar="BIN", help="write this image, and build nothing"
     )
     parser.add_argument(
+        "--bluetooth-key",
+        type=Path,
+        metavar="FILE",
+        help="write this key (32 hexadecimal digits) into the image of weeding_robot_pc_bluetooth",
+    )
+    parser.add_argument(
         "--dry-run", action="store_true", help="check the image, and say what would be done"
     )
     parser.set_defaults(run=lambda root, options: flash(root, options, parser))
@@ -67,11 +74,16 @@ def flash(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
     if options.way not in (None, name):
         parser.error(f"--drive does not go with --with {options.way}")
     image: Path = options.image or root / image_of(options.product, ".bin")
-    steps = Steps(root, 2 if options.image else 3)
+    steps = Steps(root, (2 if options.image else 3) + bool(options.bluetooth_key))
     if not options.image:
         build_k64(root, steps)
     if steps.failed or not steps.run("image", lambda _log: checked(image)):
         return 1
+    if options.bluetooth_key:
+        keyed = root / "build" / f"{image.stem}.keyed.bin"
+        if not steps.run("key", lambda _log: add_key(image, options.bluetooth_key, keyed)):
+            return 1
+        image = keyed
     name, way = choose(ways(image, options.drive), name)
     if options.dry_run:
         steps.skip(f"flash ({name})", f"dry run, would {way.does}")
@@ -93,6 +105,16 @@ def checked(image: Path) -> str:
     if problems := lock_problems(content):
         raise FailureError("not written, it could lock the chip: " + "; ".join(problems))
     return f"{len(content)} bytes, does not lock the chip"
+
+
+def add_key(image: Path, key_file: Path, keyed: Path) -> str:
+    """Writes a copy of the image with the key; fails without a key or a place for it."""
+    try:
+        keyed.parent.mkdir(parents=True, exist_ok=True)
+        write_keyed(image, key_file, keyed)
+    except KeyFileError as error:
+        raise FailureError(str(error)) from error
+    return f"the key is in a copy of the image, {keyed}"
 
 
 def ways(image: Path, folder: Path | None) -> dict[str, Way]:

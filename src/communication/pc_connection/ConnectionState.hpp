@@ -2,11 +2,10 @@
 
 #include <cstdint>
 
-#include "communication/framing/Frame.hpp"
-
 namespace wr {
 
 class PcConnection;
+struct Frame;
 
 /// @brief What the connection with the PC does in one of its states.
 /// @function Answers each frame of the PC, and looks at the time, in the way of one state.

@@ -129,6 +129,7 @@ class PcConnection final {
  private:
   /// @brief Decodes one byte, and handles the frame that it ends.
   /// @satisfies FR-246
+  /// @satisfies FR-251
   void receive(std::uint8_t byte);
 
   /// @brief Handles a frame of another version: a Hello is answered, any other frame is counted.
@@ -138,6 +139,8 @@ class PcConnection final {
 
   /// @brief Drops and counts a frame of unknown type or with a payload that is too short. The state
   /// answers any other.
+  /// @satisfies FR-248
+  /// @satisfies FR-251
   /// @satisfies FR-44
   /// @satisfies FR-45
   /// @satisfies FR-48
@@ -181,6 +184,7 @@ class PcConnection final {
   /// ends what a firmware before this start may have left on the line.
   /// @return false when the port has no room: nothing is sent
   /// @satisfies FR-247
+  /// @satisfies FR-252
   bool send(FrameType type);
 
   static constexpr std::size_t kChunk = 64;

@@ -31,6 +31,7 @@ class OrderMessage final : public Serializable {
   /// @brief Checks whether the order stops the robot. A stop counts whatever the other fields hold.
   /// @return true for a stop
   /// @satisfies FR-21
+  /// @satisfies FR-240
   /// @isr{yes}
   [[nodiscard]] bool stop() const { return (commands_ & kStop) != 0; }
 

@@ -735,8 +735,8 @@ TEST_F(PcConnectionTest, FR49_LostBytesAreTold) {
 }
 
 /// @brief A count stops at 65535.
-/// @verifies FR-63
-TEST_F(PcConnectionTest, FR63_CountsSaturate) {
+/// @verifies FR-251
+TEST_F(PcConnectionTest, FR251_CountsSaturate) {
   const Bytes chunk = [] {
     Bytes bytes;
     for (int i = 0; i < 2000; ++i) {
@@ -751,8 +751,8 @@ TEST_F(PcConnectionTest, FR63_CountsSaturate) {
 }
 
 /// @brief Counts survive the connection.
-/// @verifies FR-63
-TEST_F(PcConnectionTest, FR63_CountsSurviveTheConnection) {
+/// @verifies FR-251
+TEST_F(PcConnectionTest, FR251_CountsSurviveTheConnection) {
   receive({7, 0});
   handshake();
   wait(milliseconds(1000));
@@ -798,6 +798,7 @@ TEST_F(PcConnectionTest, FR60_AReportIsSentOnlyWhileConnected) {
 /// @brief A report for which the port has no room is dropped whole and counted; its sequence number
 /// is used by the next one.
 /// @verifies FR-64
+/// @verifies FR-252
 TEST_F(PcConnectionTest, FR64_AReportWithoutRoomIsDroppedAndCounted) {
   handshake();
   const std::size_t before = port.sent.size();

@@ -69,7 +69,6 @@ TEST(OrderMessage, FR46_AnUnknownQuantityIsOutOfRange) {
 
 /// @brief Bit 0 of the commands stops, bit 1 acknowledges. With any other bit the order is out of range.
 /// @verifies FR-46
-/// @verifies FR-253
 TEST(OrderMessage, FR46_OnlyTheTwoCommandsAreInRange) {
   for (int commands = 0; commands < 256; ++commands) {
     SerialReader reader;
