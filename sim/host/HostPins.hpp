@@ -50,11 +50,14 @@ struct HostPins {
       : wheels{HostWheelPins(scheduler), HostWheelPins(scheduler), HostWheelPins(scheduler),
                HostWheelPins(scheduler)},
         steering(scheduler),
-        remoteControl{HostEdgeInput(scheduler, false), HostEdgeInput(scheduler, false)} {}
+        remoteControl{HostEdgeInput(scheduler, false), HostEdgeInput(scheduler, false),
+                      HostEdgeInput(scheduler, false)},
+        emergencyStop(scheduler, false) {}
 
   std::array<HostWheelPins, kWheelCount> wheels;
   HostSteeringPins steering;
-  std::array<HostEdgeInput, 2> remoteControl;  ///< velocity, direction
+  std::array<HostEdgeInput, 3> remoteControl;  ///< velocity, direction, enable
+  HostEdgeInput emergencyStop;                 ///< high: the emergency stop is active
 };
 
 }  // namespace wr

@@ -50,7 +50,7 @@ void HostWorld::start() {
 }
 
 void HostWorld::runUntil(Instant instant) {
-  if (equipment_ == HostEquipment::Whole) {
+  if (equipment_ != HostEquipment::MainControl) {
     runWhole(instant);
   } else {
     runMainControl(instant);
