@@ -77,7 +77,7 @@ class VirtualBoard::Parts final : public Surroundings {
         image_(std::move(image)),
         cpu_(kLines, kPriorityBits, options_.timing),
         sim_(*this, image_.size() <= kFlashOption || (image_[kFlashOption] & 1U) != 0),
-        mcg_(*this, options_.externalClock),
+        mcg_(*this, options_.externalClock, options_.failingClockStep),
         osc_(*this, "OSC", 1, kOsc),
         smc_(*this, "SMC", 1, kSmc),
         pmc_(*this, "PMC", 1, kPmc),
@@ -87,7 +87,7 @@ class VirtualBoard::Parts final : public Surroundings {
         pit_(*this),
         uarts_{Uart(*this, kUart0), Uart(*this, kUart4)},
         ftms_{Ftm(*this, 0, 8), Ftm(*this, 1, 2), Ftm(*this, 2, 2), Ftm(*this, 3, 8)},
-        adcs_{Adc(*this, 0, options_.calibrates), Adc(*this, 1, options_.calibrates)},
+        adcs_{Adc(*this, 0, options_.calibrates[0]), Adc(*this, 1, options_.calibrates[1])},
         ports_{Port(*this, 0, pins_[0]), Port(*this, 1, pins_[1]), Port(*this, 2, pins_[2]),
                Port(*this, 3, pins_[3]), Port(*this, 4, pins_[4])},
         gpios_{Gpio(*this, pins_[0], ports_[0]), Gpio(*this, pins_[1], ports_[1]),
@@ -102,7 +102,7 @@ class VirtualBoard::Parts final : public Surroundings {
                 {"PORTB", &ports_[1]}, {"PORTC", &ports_[2]}, {"PORTD", &ports_[3]},
                 {"PORTE", &ports_[4]}},
         timed_{&mcg_,     &wdog_,    &pit_,     &uarts_[0], &uarts_[1], &ftms_[0],
-               &ftms_[1], &ftms_[2], &ftms_[3], &adcs_[0],  &adcs_[1]},
+               &ftms_[1], &ftms_[2], &ftms_[3], &adcs_[0],  &adcs_[1],  &ports_[3]},
         agenda_([this](const Agenda::Level& level) { drive(level.port, level.pin, level.high); }) {
     if (image_.size() > kFlashSize) {
       throw std::runtime_error("the image is larger than the flash");
@@ -212,7 +212,7 @@ class VirtualBoard::Parts final : public Surroundings {
   std::array<Port, kPorts> ports_;
   std::array<Gpio, kPorts> gpios_;
   std::map<std::string_view, Peripheral*> byName_;
-  std::array<Peripheral*, 11> timed_;  ///< those that do something by themselves
+  std::array<Peripheral*, 12> timed_;  ///< those that do something by themselves
   Agenda agenda_;
   struct Place {
     const Block* block = nullptr;
@@ -585,7 +585,9 @@ void VirtualBoard::Parts::drive(char name, unsigned pin, bool level) {
   PinState& pins = port(name);
   pins.driven |= 1U << pin;
   pins.outside = (pins.outside & ~(1U << pin)) | (level ? 1U << pin : 0);
-  ports_[static_cast<std::size_t>(name - 'A')].settle(1U << pin);
+  Port& settled = ports_[static_cast<std::size_t>(name - 'A')];
+  settled.settle(1U << pin);
+  renew(settled);
 }
 
 VirtualBoard::VirtualBoard(std::vector<std::uint8_t> image, Options options)
@@ -686,6 +688,10 @@ void VirtualBoard::setAnalog(int converter, int channel, double volts) {
   parts_->adc(converter).setVolts(static_cast<unsigned>(channel), volts);
 }
 
+void VirtualBoard::openAnalog(int converter, int channel) {
+  parts_->adc(converter).open(static_cast<unsigned>(channel));
+}
+
 void VirtualBoard::onTime(nanoseconds period, std::function<void()> call) {
   parts_->agenda().every(period, parts_->time(), std::move(call));
   parts_->limitTo(parts_->agenda().next());
@@ -702,6 +708,10 @@ void VirtualBoard::raise(int exception) {
 void VirtualBoard::setExternalClock(bool present) {
   parts_->mcg().setExternalClock(present);
   parts_->renew(parts_->mcg());
+}
+
+void VirtualBoard::endClockFailure() {
+  parts_->mcg().endFailure();
 }
 
 void VirtualBoard::reset(Reset cause) {

@@ -15,17 +15,18 @@ MainControllerBuilder::Link::Link(const Devices& devices)
       connection(devices.pcPort, devices.timebase, reader, disconnected, devices.start) {}
 
 MainControllerBuilder::RemoteControl::RemoteControl(const RemoteControlDevices& devices,
-                                                    const Timebase& timebase)
+                                                    const Timebase& timebase,
+                                                    const Timebase& edgeTime)
     : velocityPeriod(velocityInstants),
       velocityWidth(velocityPeriod),
       velocityBuffer(velocityWidth, rcVelocity, devices.velocity),
       velocityPin(devices.velocityPin, readVelocityPin),
-      readVelocityPin(velocityBuffer, velocityPin, timebase),
+      readVelocityPin(velocityBuffer, velocityPin, edgeTime),
       directionPeriod(directionInstants),
       directionWidth(directionPeriod),
       directionBuffer(directionWidth, rcDirection, devices.direction),
       directionPin(devices.directionPin, readDirectionPin),
-      readDirectionPin(directionBuffer, directionPin, timebase),
+      readDirectionPin(directionBuffer, directionPin, edgeTime),
       reader(devices.velocity, devices.direction, timebase) {}
 
 MainControllerBuilder::Modes::Modes(Reader& pcReader, Reader& rcReader, PcConnection& connection)
@@ -57,7 +58,9 @@ void MainControllerBuilder::buildConnection() {
 void MainControllerBuilder::buildRemoteControl() {
   require(devices_.remoteControl.has_value(), AssertId::PartMissing);
   require(!remoteControl_, AssertId::PartDouble);
-  remoteControl_.emplace(*devices_.remoteControl, devices_.timebase);
+  const RemoteControlDevices& devices = *devices_.remoteControl;
+  remoteControl_.emplace(devices, devices_.timebase,
+                         devices.edgeTime != nullptr ? *devices.edgeTime : devices_.timebase);
   remoteControl_->velocityPin.start();
   remoteControl_->directionPin.start();
 }

@@ -45,9 +45,9 @@ inline void closeInterrupts() {
   asm volatile("cpsid i" ::: "memory");
 }
 
-/// @brief Lets the interrupts through again.
+/// @brief Lets the interrupts through again. Those that wait are served before this returns.
 inline void openInterrupts() {
-  asm volatile("cpsie i" ::: "memory");
+  asm volatile("cpsie i\n\tisb" ::: "memory");
 }
 
 /// @brief Tells which exception is being handled.

@@ -76,6 +76,17 @@ Code failAssertion(std::uint8_t number) {
   return code;
 }
 
+Code jumpIntoPeripheral() {
+  Code code;
+  load(code, 0, kPeripheral | 1U);
+  code.push_back(0x4700);  // bx r0
+  return code;
+}
+
+Code divideByZero() {
+  return {0x2001, 0x2100, 0xFBB0, 0xF0F1};  // movs r0, #1; movs r1, #0; udiv r0, r0, r1
+}
+
 Code undefined() {
   return {0xDE00};  // udf #0
 }

@@ -44,6 +44,13 @@ namespace stubs {
 /// Calls assertionFailed with a number; the call is the instruction at kHandlerAddress + 10.
 [[nodiscard]] Code failAssertion(std::uint8_t number);
 
+/// Jumps to kPeripheral, where no code is allowed.
+inline constexpr std::uint32_t kPeripheral = 0x40000000;
+[[nodiscard]] Code jumpIntoPeripheral();
+
+/// Divides by zero: the instruction at kHandlerAddress + 4.
+[[nodiscard]] Code divideByZero();
+
 /// Executes an instruction that is none, at kHandlerAddress.
 [[nodiscard]] Code undefined();
 

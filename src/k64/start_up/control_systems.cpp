@@ -50,6 +50,7 @@ ControlSystemPoolBuilder poolBuilder(tickTimer, kBuilders);
 
 void tickTimerInterrupt() {
   wr::platform::poolBuilder.timer().expired();
+  wr::platform::allowEdges();
   wr::finishStores();
 }
 

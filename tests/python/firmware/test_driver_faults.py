@@ -132,7 +132,22 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
     ),
     "clock of the converters too fast for their calibration": (
         "register-misuse",
-        (Change("K64Adc.cpp", "adc::CFG1_ADLSMP | adc::CFG1_ADIV_8", "adc::CFG1_ADLSMP"),),
+        (Change("K64Adc.cpp", "adc::CFG1_ADLSMP | adc::CFG1_ADIV_8;", "adc::CFG1_ADLSMP;"),),
+    ),
+    "converters clocked by the alternate clock that older parts do not have": (
+        "unmodelled-register",
+        (Change("K64Adc.cpp", "adc::CFG1_ADICLK_BUS", "adc::CFG1.field(1, 0)"),),
+    ),
+    "converters calibrated at the full clock": (
+        "register-misuse",
+        (
+            Change("start_up/reset.cpp", "  wr::platform::calibrateConverters();\n", ""),
+            Change(
+                "start_up/reset.cpp",
+                "  wr::runRobot();\n",
+                "  wr::platform::calibrateConverters();\n  wr::runRobot();\n",
+            ),
+        ),
     ),
     "inputs b of the converters not chosen": (
         "unmodelled-register",  # the inputs a of these channels
