@@ -9,8 +9,8 @@ namespace wr {
 namespace {
 
 constexpr Microseconds kNeutral = milliseconds(500);
-constexpr auto kNeutralCycles = static_cast<std::uint8_t>(
-    kNeutral.count() / SystemConstants::instance().cyclePeriod().count());
+constexpr auto kNeutralCycles =
+    static_cast<std::uint8_t>(kNeutral.count() / SystemConstants::instance().cyclePeriod().count());
 
 bool neutral(const SetPoints& setPoints) {
   return std::ranges::all_of(setPoints.wheels,

@@ -27,14 +27,14 @@ struct EnableChannel {
         pin(input, readPin),
         readPin(buffer, pin, timebase) {}
 
-  Pipe<Microseconds> width;   ///< width of its pulses
-  BasicCollector instants;    ///< instants of its edges
-  PeriodCollector period;     ///< period of its pulses
-  WidthCollector collector;   ///< width of a pulse
-  PulsePosition function;     ///< position that a pulse means
-  EnableBuffer buffer;        ///< stores the position
-  RcPin pin;                  ///< its pin
-  ReadRcPin readPin;          ///< command of its edges
+  Pipe<Microseconds> width;  ///< width of its pulses
+  BasicCollector instants;   ///< instants of its edges
+  PeriodCollector period;    ///< period of its pulses
+  WidthCollector collector;  ///< width of a pulse
+  PulsePosition function;    ///< position that a pulse means
+  EnableBuffer buffer;       ///< stores the position
+  RcPin pin;                 ///< its pin
+  ReadRcPin readPin;         ///< command of its edges
 };
 
 }  // namespace wr

@@ -82,7 +82,8 @@ void EnableSwitch::takePosition(Instant now) {
   }
 }
 
-// A receiver whose radio link returns goes from stop to drive at once. Only an operator stays at PC.
+// A receiver whose radio link returns goes from stop to drive at once. Only an operator stays at
+// PC.
 void EnableSwitch::advanceSequence() {
   if (position_ == Position::Stop) {
     sequence_ = Sequence::Stopped;
@@ -101,7 +102,8 @@ bool EnableSwitch::deflected(Instant now) {
 }
 
 bool EnableSwitch::unattended(Instant now) {
-  const std::int32_t velocity = signals_.velocity.read().value_or(Stamped<Velocity>()).value.count();
+  const std::int32_t velocity =
+      signals_.velocity.read().value_or(Stamped<Velocity>()).value.count();
   const std::int32_t direction = signals_.direction.read().value_or(Stamped<Angle>()).value.count();
   const std::int64_t enable =
       signals_.enable.read().value_or(Stamped<Microseconds>()).value.count();

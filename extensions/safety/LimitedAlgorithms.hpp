@@ -12,11 +12,11 @@ namespace wr {
 /// @brief The algorithms of a wheel whose orders of voltage and current end at the speed limit.
 /// @datatype
 struct LimitedAlgorithms {
-  VelocityAlgorithm velocity;      ///< for orders of velocity
-  TensionAlgorithm tension;        ///< for orders of voltage
-  CurrentAlgorithm current;        ///< for orders of current
-  VelocityAlgorithm tensionLimit;  ///< speed limit of orders of voltage
-  VelocityAlgorithm currentLimit;  ///< speed limit of orders of current
+  VelocityAlgorithm velocity;                          ///< for orders of velocity
+  TensionAlgorithm tension;                            ///< for orders of voltage
+  CurrentAlgorithm current;                            ///< for orders of current
+  VelocityAlgorithm tensionLimit;                      ///< speed limit of orders of voltage
+  VelocityAlgorithm currentLimit;                      ///< speed limit of orders of current
   SpeedLimited limitedTension{tension, tensionLimit};  ///< orders of voltage, limited
   SpeedLimited limitedCurrent{current, currentLimit};  ///< orders of current, limited
 

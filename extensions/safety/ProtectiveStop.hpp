@@ -13,8 +13,8 @@ namespace wr {
 /// @brief Stops the whole robot when one of its parts fails.
 ///
 /// @function Checks the contact of the emergency-stop circuit, the steering and every wheel after each
-/// order. When one of them fails, all control systems hold in the same cycle and in every cycle that
-/// follows, until an order acknowledges.
+/// order. When one of them fails, all control systems hold in the same cycle and in every cycle
+/// that follows, until an order acknowledges.
 ///
 /// @secret Which parts are supervised, and how long a protective stop lasts.
 class ProtectiveStop final : public ControlSystemDecorator {

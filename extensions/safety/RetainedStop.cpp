@@ -10,7 +10,9 @@ constexpr std::uint32_t kReleased = 0xA53C'C396;
 
 }  // namespace
 
-RetainedStop::RetainedStop(Cells& cells, ResetCause cause) : cells_(cells) {
+RetainedStop::RetainedStop(Cells& cells) : cells_(cells) {}
+
+void RetainedStop::begin(ResetCause cause) {
   if (cause == ResetCause::PowerOn) {
     save(false);
   }

@@ -24,10 +24,13 @@ class RetainedStop final : public StopMemory {
 
   /// @brief Binds the object to its memory.
   /// @param cells memory that a reset leaves as it is
+  explicit RetainedStop(Cells& cells);
+
+  /// @brief Checks the cause of the last reset: after power-on there is no stop.
   /// @param cause cause of the last reset
-  /// @post After power-on there is no stop.
   /// @satisfies FR-290
-  RetainedStop(Cells& cells, ResetCause cause);
+  /// @isr{no}
+  void begin(ResetCause cause);
 
   /// @brief Returns the stored value.
   /// @return true if a stop is stored, or if the content fails its check.

@@ -33,7 +33,7 @@ class SafetyBuilder final : public ControlSystemBuilder {
   /// @brief Builders of the robot and the input of the emergency stop. Each lives as long as this builder.
   /// @datatype
   struct Parts {
-    std::span<WheelSystemBuilder> wheels;           ///< builders of the wheels
+    std::span<WheelSystemBuilder> wheels;            ///< builders of the wheels
     std::span<ControlSystemBuilder* const> systems;  ///< builders of all control systems
     EdgeInput& emergencyStop;  ///< contact of the emergency-stop circuit; high: active
   };

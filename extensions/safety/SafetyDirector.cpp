@@ -8,29 +8,26 @@ SafetyDirector::SafetyDirector(ControlSystemPoolBuilder& poolBuilder,
                                MainControllerBuilder& controllerBuilder, const Devices& devices)
     : poolBuilder_(poolBuilder), controllerBuilder_(controllerBuilder), devices_(devices) {}
 
-void SafetyDirector::construct(const RemoteControl& remoteControl) {
+void SafetyDirector::construct() {
   require(!modes_, AssertId::PartDouble);
-  constructSystems();
+  poolBuilder_.buildSystems();
+  poolBuilder_.buildPool();
+  poolBuilder_.buildTimer();
+  controllerBuilder_.buildConnection();
   controllerBuilder_.buildRemoteControl();
-  enable_.emplace(remoteControl.enablePin, devices_.timebase);
+  enable_.emplace(devices_.enablePin, devices_.edgeTime);
   enable_->pin.start();
   modes_.emplace(controllerBuilder_.pcReader(), controllerBuilder_.rcReader(),
                  controllerBuilder_.connection(),
-                 EnableSwitch::Signals{.velocity = remoteControl.velocity,
-                                       .direction = remoteControl.direction,
+                 EnableSwitch::Signals{.velocity = devices_.velocity,
+                                       .direction = devices_.direction,
                                        .enable = enable_->width,
                                        .timebase = devices_.timebase},
                  devices_.memory);
   controllerBuilder_.useModes(modes_->rc, modes_->all);
-  constructController();
-}
-
-void SafetyDirector::constructForPc() {
-  require(!pcMode_, AssertId::PartDouble);
-  constructSystems();
-  pcMode_.emplace(controllerBuilder_.pcReader(), controllerBuilder_.connection(), devices_.memory);
-  controllerBuilder_.useModes(pcMode_->pc, pcMode_->all);
-  constructController();
+  controllerBuilder_.buildStates();
+  controllerBuilder_.buildController(poolBuilder_.pool());
+  controllerBuilder_.buildClock();
 }
 
 void SafetyDirector::start() {
@@ -41,19 +38,6 @@ void SafetyDirector::start() {
 RcPin& SafetyDirector::enablePin() {
   require(enable_.has_value(), AssertId::PartMissing);
   return enable_->pin;
-}
-
-void SafetyDirector::constructSystems() {
-  poolBuilder_.buildSystems();
-  poolBuilder_.buildPool();
-  poolBuilder_.buildTimer();
-  controllerBuilder_.buildConnection();
-}
-
-void SafetyDirector::constructController() {
-  controllerBuilder_.buildStates();
-  controllerBuilder_.buildController(poolBuilder_.pool());
-  controllerBuilder_.buildClock();
 }
 
 }  // namespace wr

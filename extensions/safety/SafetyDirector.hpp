@@ -31,12 +31,8 @@ class SafetyDirector final {
   /// @datatype
   struct Devices {
     const Timebase& timebase;  ///< gives the time
+    const Timebase& edgeTime;  ///< gives the time of an edge of the remote control
     StopMemory& memory;        ///< memory of the PC's stop
-  };
-
-  /// @brief Signals of the remote control. Each lives as long as the director.
-  /// @datatype
-  struct RemoteControl {
     EdgeInput& enablePin;      ///< pin of the enable switch
     Pipe<Velocity>& velocity;  ///< position of the velocity stick
     Pipe<Angle>& direction;    ///< position of the direction stick
@@ -53,20 +49,12 @@ class SafetyDirector final {
   SafetyDirector& operator=(const SafetyDirector&) = delete;
 
   /// @brief Has a robot built that the PC and the remote control command.
-  /// @param remoteControl signals of the remote control
   /// @post start() can be called.
   /// @errors A second call ends the program with the assertion PartDouble.
   /// @satisfies FR-285
   /// @satisfies FR-293
   /// @isr{no}
-  void construct(const RemoteControl& remoteControl);
-
-  /// @brief Has a robot built that only the PC commands.
-  /// @post start() can be called.
-  /// @errors A second call ends the program with the assertion PartDouble.
-  /// @satisfies FR-293
-  /// @isr{no}
-  void constructForPc();
+  void construct();
 
   /// @brief Starts the control cycles.
   /// @pre A robot was built.
@@ -84,15 +72,11 @@ class SafetyDirector final {
   [[nodiscard]] RcPin& enablePin();
 
  private:
-  void constructSystems();
-  void constructController();
-
   ControlSystemPoolBuilder& poolBuilder_;
   MainControllerBuilder& controllerBuilder_;
   Devices devices_;
   std::optional<EnableChannel> enable_;
   std::optional<SafetyModes> modes_;
-  std::optional<SafetyPcMode> pcMode_;
 };
 
 }  // namespace wr

@@ -44,21 +44,4 @@ struct SafetyModes {
   std::array<Mode*, 2> all;       ///< both modes
 };
 
-/// @brief The reading mode of a robot with safety functions that only the PC commands.
-/// @datatype
-struct SafetyPcMode {
-  /// @brief Makes the mode.
-  /// @param pcReader reader of the PC's orders
-  /// @param connection link to the PC
-  /// @param memory memory of the PC's stop
-  SafetyPcMode(Reader& pcReader, PcConnection& connection, StopMemory& memory)
-      : basicPc(pcReader), persistentStop(basicPc, memory), pc(persistentStop, pc, connection),
-        all{&pc} {}
-
-  BasicMode basicPc;              ///< reads orders of the PC
-  PersistentStop persistentStop;  ///< makes the stop of the PC outlive a reset
-  PC pc;                          ///< mode of the PC
-  std::array<Mode*, 1> all;       ///< the mode
-};
-
 }  // namespace wr

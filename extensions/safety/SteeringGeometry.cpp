@@ -16,9 +16,9 @@ namespace {
 constexpr double kWheelbase = 1.582;  // [m]
 constexpr double kTrack = 1.054;      // [m]
 
-constexpr std::size_t kDegrees = 33;          // 0 to 32
-constexpr std::int32_t kDegree = 100;         // [0.01 degree]
-constexpr std::int32_t kWhole = 10000;        // share of the wheel on the greatest circle
+constexpr std::size_t kDegrees = 33;    // 0 to 32
+constexpr std::int32_t kDegree = 100;   // [0.01 degree]
+constexpr std::int32_t kWhole = 10000;  // share of the wheel on the greatest circle
 constexpr double kRadians = 3.14159265358979 / 180;
 
 // Shares of the wheels at one angle. The front wheel on the outside has the greatest circle.
@@ -105,8 +105,8 @@ void SteeringGeometry::changeMode(MainController& /*mCtrl*/) {}
 
 SetPoints SteeringGeometry::distributed(const SetPoints& order) {
   const WheelSetPoint& first = order.wheels.front();
-  const bool alike = std::ranges::all_of(
-      order.wheels, [&](const WheelSetPoint& wheel) { return wheel == first; });
+  const bool alike =
+      std::ranges::all_of(order.wheels, [&](const WheelSetPoint& wheel) { return wheel == first; });
   if (!alike || first.quantity != WheelQuantity::Velocity) {
     return order;
   }

@@ -22,8 +22,8 @@ constexpr Velocity kMargin(300);
 constexpr std::int32_t kMarginShare = 5;  // and a fifth of the set-point
 constexpr std::uint8_t kTooFastCycles = 3;
 
-// Voltage, velocity and current do not match. The share covers a supply of 21 to 29 V, and 15 % of the
-// resistance and of the motor constant.
+// Voltage, velocity and current do not match. The share covers a supply of 21 to 29 V, and 15 % of
+// the resistance and of the motor constant.
 constexpr Tension kResidual(4000);
 constexpr std::int32_t kResidualPercent = 30;
 constexpr std::int32_t kWinding = 1500;  // [mOhm] resistance of winding and leads
@@ -59,8 +59,7 @@ StopCause WheelSupervision::examine(const WheelMeasurements& measured,
   const bool opposing = lasts(opposes(velocity), opposing_, kOpposingCycles);
   const bool tooFast = lasts(exceedsReference(velocity), tooFast_, kTooFastCycles);
   const bool deviating = lasts(deviates(measured), deviating_, kDeviatingCycles);
-  const bool rejecting =
-      lasts(rejectsEdges(measured.rejectedEdges), rejecting_, kRejectingCycles);
+  const bool rejecting = lasts(rejectsEdges(measured.rejectedEdges), rejecting_, kRejectingCycles);
   velocity_ = velocity;
   record(applied, followed);
   if (measured.cutOff) {

@@ -14,7 +14,8 @@ namespace wr {
 /// @brief Plausibility checks of one wheel.
 ///
 /// @function Compares the measurements of a wheel with its voltage, its set-point and the model of its
-/// motor once per cycle, and returns the cause of a protective stop when one of them cannot be right.
+/// motor once per cycle, and returns the cause of a protective stop when one of them cannot be
+/// right.
 ///
 /// @secret Which measurements of a wheel are implausible, and for how long they may be.
 class WheelSupervision final {
@@ -53,9 +54,9 @@ class WheelSupervision final {
   [[nodiscard]] bool rejectsEdges(std::uint16_t rejected);
   void record(std::optional<Tension> applied, const WheelSetPoint* followed);
 
-  std::optional<Tension> tension_;        // voltage during the cycle that ends
+  std::optional<Tension> tension_;         // voltage during the cycle that ends
   std::optional<std::uint16_t> rejected_;  // implausible Hall edges until the cycle before
-  Velocity velocity_{};                   // of the cycle before
+  Velocity velocity_{};                    // of the cycle before
   std::array<std::optional<Velocity>, kReferences> references_{};  // magnitudes of set-points
   bool following_ = false;
   std::uint8_t opposing_ = 0;  // cycles in a row

@@ -45,9 +45,14 @@ HostRobot::HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRe
                                                            .velocity = rcVelocity_,
                                                            .direction = rcDirection_}}),
       director_(poolBuilder_, controllerBuilder_),
-      stopMemory_(stopCells_, ResetCause::PowerOn),
+      stopMemory_(stopCells_),
       safetyDirector_(poolBuilder_, controllerBuilder_,
-                      {.timebase = timebase, .memory = stopMemory_}) {
+                      {.timebase = timebase,
+                       .edgeTime = timebase,
+                       .memory = stopMemory_,
+                       .enablePin = pins_.remoteControl[2],
+                       .velocity = rcVelocity_,
+                       .direction = rcDirection_}) {
   construct();
   connectVectors();
 }
@@ -66,9 +71,8 @@ std::span<ControlSystemBuilder* const> HostRobot::builders() const {
 
 void HostRobot::construct() {
   if (equipment_ == HostEquipment::Safe) {
-    safetyDirector_.construct({.enablePin = pins_.remoteControl[2],
-                               .velocity = rcVelocity_,
-                               .direction = rcDirection_});
+    stopMemory_.begin(ResetCause::PowerOn);
+    safetyDirector_.construct();
     pins_.remoteControl[2].connect([this] { safetyDirector_.enablePin().serve(); });
   } else {
     director_.construct();

@@ -32,8 +32,8 @@ WheelSystemBuilder::Control::Control(const Devices& devices, Actuator& actuator,
       controller({.velocity = velocities,
                   .current = currents,
                   .timebase = devices.timebase,
-                  .algorithms = given.value_or(std::array<WheelAlgorithm*, 3>{
-                      &velocity, &tension, &current}),
+                  .algorithms =
+                      given.value_or(std::array<WheelAlgorithm*, 3>{&velocity, &tension, &current}),
                   .advance = reverse,
                   .stop = stop,
                   .stopWheel = actuator.stopWheel}) {}

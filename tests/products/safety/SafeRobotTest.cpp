@@ -9,9 +9,9 @@ TEST_F(SafeRobot, Probe) {
   std::printf("armed %d inhibit %d cause %d state %d mode %d\n", protection().armed,
               int(protection().inhibit), int(protection().cause), report.state, report.mode);
   const auto show = [&](const char* name) {
-    std::printf("%s rpm %.1f %.1f cause %d wheel %d meas %d tension %d cur %d\n", name, rpm(0), rpm(3),
-                int(protection().cause), protection().wheel, report.velocity[0], report.tension[0],
-                report.current[0]);
+    std::printf("%s rpm %.1f %.1f cause %d wheel %d meas %d tension %d cur %d\n", name, rpm(0),
+                rpm(3), int(protection().cause), protection().wheel, report.velocity[0],
+                report.tension[0], report.current[0]);
   };
   for (int v : {1500, 3000, 0, -3000, 3000, 50, 0}) {
     for (int i = 0; i < 40; ++i) {
