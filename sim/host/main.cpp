@@ -16,6 +16,7 @@ constexpr const char* kUsage =
     "Runs the firmware in a simulated robot on this machine in real time. The PC link is a\n"
     "pseudo-terminal.\n"
     "\n"
+    "  --paper         run the paper's design, without the safety functions\n"
     "  --link PATH      make PATH a symbolic link to the pseudo-terminal\n"
     "  --cycles N       stop after N control cycles\n"
     "  --scenario FILE  play a scenario in stepped time, without link\n"
@@ -26,6 +27,10 @@ constexpr const char* kUsage =
 
 // Time that the robot runs without a look at the clock of the machine.
 constexpr wr::Microseconds kSlice = wr::milliseconds(1);
+
+wr::HostEquipment equipmentOf(const wr::CommandLine& options) {
+  return options.has("--paper") ? wr::HostEquipment::Whole : wr::HostEquipment::Safe;
+}
 
 bool hasRun(const wr::HostWorld& world, const std::optional<std::uint64_t>& cycles,
             wr::Microseconds period) {
@@ -40,7 +45,7 @@ void runInRealTime(const wr::CommandLine& options) {
   std::printf("PC link: %s\n", port.path().c_str());
   std::fflush(stdout);
   const wr::RealTimebase clock;
-  wr::HostWorld world(port);
+  wr::HostWorld world(port, equipmentOf(options));
   world.start();
   const wr::Microseconds period = world.robot.period();
   for (wr::Instant now; !hasRun(world, cycles, period) && !wr::endRequested();) {
@@ -54,13 +59,13 @@ void runInRealTime(const wr::CommandLine& options) {
 
 wr::Exit run(int count, char** arguments) {
   const wr::CommandLine options(count, arguments, {"--link", "--cycles", "--scenario", "--reports"},
-                                {"--help"});
+                                {"--help", "--paper"});
   if (options.has("--help")) {
     std::fputs(kUsage, stdout);
     return wr::Exit::Done;
   }
   if (const auto scenario = options.value("--scenario")) {
-    wr::HostLine robot;
+    wr::HostLine robot(equipmentOf(options));
     robot.start();
     return wr::playScenario(*scenario, options.value("--reports"), robot);
   }
