@@ -12,6 +12,8 @@ namespace wr {
 /// on. Every hold and every acknowledgement ends that permission.
 ///
 /// @secret Which set-points are neutral, and for how long a source has to order them.
+///
+/// @role{control-system-orders, Concrete Class}
 class Arming final : public ControlSystemDecorator {
  public:
   /// @brief Binds the permission to the robot.

@@ -12,6 +12,8 @@ namespace wr {
 /// Derived classes change the orders that they extend.
 ///
 /// @secret Which orders of the wrapped control system pass unchanged.
+///
+/// @role{control-system-orders, Concrete Class}
 class ControlSystemDecorator : public OrderedSystem {
  public:
   /// @brief Checks whether the wrapped control system has carried out the orders of a cycle.

@@ -17,7 +17,7 @@ namespace wr {
 /// @brief The third channel of the remote control, from its pin to the width of its pulses.
 /// @datatype
 struct EnableChannel {
-  /// @brief Makes the channel.
+  /// @brief Makes the channel; its pin interrupts from now on.
   /// @param input pin of the channel
   /// @param timebase gives the time of its edges
   EnableChannel(EdgeInput& input, const Timebase& timebase)
@@ -25,7 +25,9 @@ struct EnableChannel {
         collector(period),
         buffer(collector, function, width),
         pin(input, readPin),
-        readPin(buffer, pin, timebase) {}
+        readPin(buffer, pin, timebase) {
+    pin.start();
+  }
 
   Pipe<Microseconds> width;  ///< width of its pulses
   BasicCollector instants;   ///< instants of its edges

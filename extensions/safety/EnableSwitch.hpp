@@ -57,6 +57,7 @@ class EnableSwitch final : public ModeDecorator {
   void read(MainController& mCtrl) override;
 
   /// @brief Has no effect: the mode that wraps this one changes the mode.
+  /// @param mCtrl controller whose mode stays
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;
 

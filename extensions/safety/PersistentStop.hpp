@@ -32,6 +32,7 @@ class PersistentStop final : public ModeDecorator {
   void read(MainController& mCtrl) override;
 
   /// @brief Has no effect: the mode that wraps this one changes the mode.
+  /// @param mCtrl controller whose mode stays
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;
 

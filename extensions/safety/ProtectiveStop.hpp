@@ -17,6 +17,8 @@ namespace wr {
 /// that follows, until an order acknowledges.
 ///
 /// @secret Which parts are supervised, and how long a protective stop lasts.
+///
+/// @role{control-system-orders, Concrete Class}
 class ProtectiveStop final : public ControlSystemDecorator {
  public:
   /// @brief Binds the protective stop to the robot.

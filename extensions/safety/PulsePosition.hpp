@@ -16,12 +16,12 @@ namespace wr {
 /// @role{functions, Concrete Strategy}
 class PulsePosition final : public Function {
  public:
+  /// @brief Begins without state.
   PulsePosition() = default;
 
-  /// @brief Computes the deflection, rounded to the nearest number.
-  /// @param arguments Raw, Offset and Divisor [us], Scale at full deflection; Lowest and Highest bound the
-  /// width [us]
-  /// @return deflection; nothing when an argument is missing or the width is out of bounds.
+  /// @brief Computes the deflection.
+  /// @param arguments Raw [width, us] and Offset [middle, us]; Lowest and Highest bound the width [us]
+  /// @return deflection [us]; nothing when an argument is missing or the width is out of bounds.
   /// @isr{yes}
   /// @satisfies FR-285
   [[nodiscard]] std::optional<std::int32_t> calculate(const Arguments& arguments) const override;

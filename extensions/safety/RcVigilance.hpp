@@ -22,6 +22,7 @@ class RcVigilance final {
   /// @brief Deflections of all channels [us].
   using Deflections = std::array<std::int32_t, kChannels>;
 
+  /// @brief Begins without pulses.
   RcVigilance() = default;
   RcVigilance(const RcVigilance&) = delete;
   RcVigilance& operator=(const RcVigilance&) = delete;

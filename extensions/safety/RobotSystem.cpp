@@ -1,27 +1,48 @@
 #include "safety/RobotSystem.hpp"
 
+#include <algorithm>
+
+#include "services/assertion.hpp"
+
 namespace wr {
 
-RobotSystem::RobotSystem(ControlSystemPool& pool) : pool_(pool) {}
+void RobotSystem::add(ControlSystem& system) {
+  require(count_ < kCapacity, AssertId::PoolFull);
+  systems_[count_] = &system;
+  ++count_;
+}
 
 bool RobotSystem::completed(std::uint32_t cycle) const {
-  return pool_.completed(cycle);
+  return std::ranges::all_of(
+      systems(), [cycle](const ControlSystem* system) { return system->completed(cycle); });
 }
 
 void RobotSystem::collect(Measurements& measurements, Outputs& outputs) const {
-  pool_.collect(measurements, outputs);
+  for (const ControlSystem* system : systems()) {
+    system->collect(measurements, outputs);
+  }
 }
 
 void RobotSystem::follow(const SetPoints& setPoints, std::uint32_t cycle) {
-  pool_.control(setPoints, cycle);
+  for (ControlSystem* system : systems()) {
+    system->control(setPoints, cycle);
+  }
 }
 
 void RobotSystem::stand(std::uint32_t cycle) {
-  pool_.hold(cycle);
+  for (ControlSystem* system : systems()) {
+    system->hold(cycle);
+  }
 }
 
 void RobotSystem::recover(std::uint32_t cycle) {
-  pool_.acknowledge(cycle);
+  for (ControlSystem* system : systems()) {
+    system->acknowledge(cycle);
+  }
+}
+
+std::span<ControlSystem* const> RobotSystem::systems() const {
+  return std::span<ControlSystem* const>(systems_).first(count_);
 }
 
 }  // namespace wr

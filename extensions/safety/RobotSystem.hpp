@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
-#include "main_control/control_systems/ControlSystemPool.hpp"
 #include "safety/OrderedSystem.hpp"
 
 namespace wr {
@@ -12,12 +14,23 @@ namespace wr {
 /// @function Passes each order on to every control system of the robot, so that a decorator can wrap all of
 /// them at once.
 ///
-/// @secret That one control system stands for several.
+/// @secret How one control system stands for several.
+///
+/// @role{control-system-orders, Concrete Class}
 class RobotSystem final : public OrderedSystem {
  public:
-  /// @brief Binds the system to the pool.
-  /// @param pool control systems of the robot
-  explicit RobotSystem(ControlSystemPool& pool);
+  /// @brief Number of control systems that have room.
+  static constexpr std::size_t kCapacity = 8;
+
+  /// @brief Begins without control systems.
+  RobotSystem() = default;
+
+  /// @brief Adds a control system.
+  /// @param system control system of the robot; it lives as long as this object
+  /// @errors Beyond the capacity the program ends with the assertion PoolFull.
+  /// @satisfies FR-293
+  /// @isr{no}
+  void add(ControlSystem& system);
 
   /// @brief Checks whether every control system of the robot has carried out the orders of a cycle.
   /// @param cycle number of the cycle
@@ -34,11 +47,17 @@ class RobotSystem final : public OrderedSystem {
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
  private:
+  /// @brief Lets every control system follow set-points.
+  /// @param setPoints set-points of the cycle
+  /// @param cycle number of the cycle
+  /// @satisfies FR-293
   void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
   void stand(std::uint32_t cycle) override;
   void recover(std::uint32_t cycle) override;
+  [[nodiscard]] std::span<ControlSystem* const> systems() const;
 
-  ControlSystemPool& pool_;
+  std::array<ControlSystem*, kCapacity> systems_{};
+  std::size_t count_ = 0;
 };
 
 }  // namespace wr

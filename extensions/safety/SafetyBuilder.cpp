@@ -4,8 +4,8 @@
 
 namespace wr {
 
-SafetyBuilder::Chain::Chain(ControlSystemPool& pool, const EdgeInput& emergencyStop)
-    : robot(pool), protectiveStop(robot, emergencyStop), ramp(protectiveStop), arming(ramp) {}
+SafetyBuilder::Chain::Chain(ControlSystem& robot, const EdgeInput& emergencyStop)
+    : protectiveStop(robot, emergencyStop), ramp(protectiveStop), arming(ramp) {}
 
 void SafetyBuilder::Ticks::add(Command& command) {
   require(count_ < commands_.size(), AssertId::PoolFull);
@@ -48,10 +48,10 @@ void SafetyBuilder::buildSystem() {
   require(!chain_, AssertId::PartDouble);
   for (ControlSystemBuilder* builder : parts_.systems) {
     builder->buildSystem();
-    pool_.add(builder->system());
+    robot_.add(builder->system());
     ticks_.add(builder->tickCommand());
   }
-  chain_.emplace(pool_, parts_.emergencyStop);
+  chain_.emplace(robot_, parts_.emergencyStop);
 }
 
 void SafetyBuilder::start() {

@@ -8,7 +8,6 @@
 #include "construction/ControlSystemBuilder.hpp"
 #include "construction/WheelSystemBuilder.hpp"
 #include "devices/EdgeInput.hpp"
-#include "main_control/control_systems/ControlSystemPool.hpp"
 #include "safety/Arming.hpp"
 #include "safety/LimitedAlgorithms.hpp"
 #include "safety/ProtectiveStop.hpp"
@@ -26,8 +25,8 @@ namespace wr {
 ///
 /// @secret Which safety functions wrap the robot, and in which sequence.
 ///
-/// @role{wheel-system-construction, Director}
-/// @role{steering-system-construction, Director}
+/// @role{wheel-system-construction, Concrete Builder}
+/// @role{steering-system-construction, Concrete Builder}
 class SafetyBuilder final : public ControlSystemBuilder {
  public:
   /// @brief Builders of the robot and the input of the emergency stop. Each lives as long as this builder.
@@ -58,8 +57,7 @@ class SafetyBuilder final : public ControlSystemBuilder {
 
  private:
   struct Chain {
-    Chain(ControlSystemPool& pool, const EdgeInput& emergencyStop);
-    RobotSystem robot;
+    Chain(ControlSystem& robot, const EdgeInput& emergencyStop);
     ProtectiveStop protectiveStop;
     SetPointRamp ramp;
     Arming arming;
@@ -74,13 +72,13 @@ class SafetyBuilder final : public ControlSystemBuilder {
     void execute() override;
 
    private:
-    std::array<Command*, ControlSystemPool::kCapacity> commands_{};
+    std::array<Command*, RobotSystem::kCapacity> commands_{};
     std::size_t count_ = 0;
   };
 
   Parts parts_;
   std::array<LimitedAlgorithms, kWheelCount> algorithms_;
-  ControlSystemPool pool_;
+  RobotSystem robot_;
   Ticks ticks_;
   std::optional<Chain> chain_;
 };

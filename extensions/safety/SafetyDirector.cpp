@@ -16,7 +16,6 @@ void SafetyDirector::construct() {
   controllerBuilder_.buildConnection();
   controllerBuilder_.buildRemoteControl();
   enable_.emplace(devices_.enablePin, devices_.edgeTime);
-  enable_->pin.start();
   modes_.emplace(controllerBuilder_.pcReader(), controllerBuilder_.rcReader(),
                  controllerBuilder_.connection(),
                  EnableSwitch::Signals{.velocity = devices_.velocity,

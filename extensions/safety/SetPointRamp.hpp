@@ -15,6 +15,8 @@ namespace wr {
 /// factor, so that the ratio of their changes stays as ordered. Other set-points pass unchanged.
 ///
 /// @secret How far a set-point of velocity changes in a cycle.
+///
+/// @role{control-system-orders, Concrete Class}
 class SetPointRamp final : public ControlSystemDecorator {
  public:
   /// @brief Binds the ramp to the robot.

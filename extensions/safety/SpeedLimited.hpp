@@ -20,15 +20,15 @@ class SpeedLimited final : public WheelAlgorithm {
   SpeedLimited(WheelAlgorithm& wrapped, WheelAlgorithm& velocity);
 
   /// @brief Computes the limited voltage.
-  /// @param setPoint set-point of the wrapped algorithm
+  /// @param setPoint set-point in the unit of the wrapped algorithm [mV or mA]
   /// @param feedback measurements of the wheel
-  /// @return voltage that the wheel shall have.
+  /// @return voltage that the wheel shall have [mV].
   /// @satisfies FR-283
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
   /// @brief Informs both algorithms of the voltage that the wheel got.
-  /// @param tension voltage of the wheel
+  /// @param tension voltage of the wheel [mV]
   /// @satisfies FR-283
   /// @isr{no}
   void applied(Tension tension) override;

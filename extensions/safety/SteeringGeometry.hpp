@@ -26,6 +26,7 @@ class SteeringGeometry final : public ModeDecorator {
   void read(MainController& mCtrl) override;
 
   /// @brief Has no effect: the mode that wraps this one changes the mode.
+  /// @param mCtrl controller whose mode stays
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;
 

@@ -20,13 +20,14 @@ namespace wr {
 /// @secret Which measurements of a wheel are implausible, and for how long they may be.
 class WheelSupervision final {
  public:
+  /// @brief Begins without measurements.
   WheelSupervision() = default;
   WheelSupervision(const WheelSupervision&) = delete;
   WheelSupervision& operator=(const WheelSupervision&) = delete;
 
   /// @brief Checks the measurements of a cycle.
   /// @param measured measurements of the cycle that ends
-  /// @param applied voltage that the wheel has from now on; nothing while its driver is off
+  /// @param applied voltage that the wheel has from now on [mV]; nothing while its driver is off
   /// @param followed set-point that the wheel follows from now on; nullptr while it is halted
   /// @return cause of a protective stop; StopCause::None if the wheel is plausible.
   /// @satisfies FR-273
