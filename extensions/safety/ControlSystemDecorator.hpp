@@ -13,7 +13,7 @@ namespace wr {
 ///
 /// @secret Which orders of the wrapped control system pass unchanged.
 ///
-/// @role{control-system-orders, Concrete Class}
+/// @role{control-system-orders, Abstract Class}
 class ControlSystemDecorator : public OrderedSystem {
  public:
   /// @brief Checks whether the wrapped control system has carried out the orders of a cycle.

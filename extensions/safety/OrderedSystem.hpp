@@ -13,7 +13,7 @@ namespace wr {
 ///
 /// @secret How the parts of an order become one call.
 ///
-/// @role{control-system-orders, Concrete Class}
+/// @role{control-system-orders, Abstract Class}
 class OrderedSystem : public ControlSystem {
  protected:
   OrderedSystem() = default;

@@ -123,7 +123,8 @@ bool WheelSupervision::deviates(const WheelMeasurements& measured) const {
                         measured.velocity->count() / kThousand);
   const Tension winding(kWinding * measured.current->count() / kThousand);
   const Tension residual = *tension_ - turning - winding;
-  const Tension bound = kResidual + magnitude(*tension_) * kResidualPercent / kPercent;
+  const Tension greater = std::max(magnitude(*tension_), magnitude(turning));
+  const Tension bound = kResidual + greater * kResidualPercent / kPercent;
   return magnitude(residual) > bound;
 }
 

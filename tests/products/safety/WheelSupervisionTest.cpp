@@ -159,7 +159,7 @@ TEST_F(SupervisedWheel, FR277_TolerancesOfTheRobotAreNoCause) {
           for (double amperes = -14; amperes <= 14; amperes += 2) {
             const double real = volts * supply / 24;
             const double rpm = (real - 1.5 * resistance * amperes) / (0.05236 * constant);
-            if (std::abs(rpm) > 330 || (rpm * volts < 0)) {
+            if (std::abs(rpm) > 330 || rpm * volts < 0) {
               continue;
             }
             wheel.reset();
