@@ -24,7 +24,7 @@ REMOTE_CONTROL = {
     *("RcVelocity", "RcDirection", "BufferReader", "WidthCollector"),
 }
 SAFETY = {
-    *("OrderedSystem", "ControlSystemDecorator", "RobotSystem", "SafetyBuilder"),
+    *("SafeSystem", "OrderStageDecorator", "RobotStage", "SafetyBuilder"),
     *("ProtectiveStop", "WheelSupervision", "Arming", "SetPointRamp", "SpeedLimited"),
 }
 STOP_MEMORY = {"PersistentStop", "RetainedStop"}

@@ -19,10 +19,10 @@ bool neutral(const SetPoints& setPoints) {
 
 }  // namespace
 
-Arming::Arming(ControlSystem& wrapped) : ControlSystemDecorator(wrapped) {}
+Arming::Arming(OrderStage& wrapped) : OrderStageDecorator(wrapped) {}
 
 void Arming::collect(Measurements& measurements, Outputs& outputs) const {
-  ControlSystemDecorator::collect(measurements, outputs);
+  OrderStageDecorator::collect(measurements, outputs);
   Protection& protection = measurements.protection;
   protection.armed = armed() && protection.inhibit == Inhibit::None;
   if (!armed() && protection.inhibit == Inhibit::None) {
@@ -32,21 +32,21 @@ void Arming::collect(Measurements& measurements, Outputs& outputs) const {
 
 void Arming::follow(const SetPoints& setPoints, std::uint32_t cycle) {
   if (armed()) {
-    wrapped().control(setPoints, cycle);
+    wrapped().follow(setPoints, cycle);
     return;
   }
   neutralCycles_ = neutral(setPoints) ? static_cast<std::uint8_t>(neutralCycles_ + 1) : 0;
-  wrapped().hold(cycle);
+  wrapped().stand(cycle);
 }
 
 void Arming::stand(std::uint32_t cycle) {
   disarm();
-  wrapped().hold(cycle);
+  wrapped().stand(cycle);
 }
 
 void Arming::recover(std::uint32_t cycle) {
   disarm();
-  wrapped().acknowledge(cycle);
+  wrapped().recover(cycle);
 }
 
 void Arming::disarm() {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "safety/ControlSystemDecorator.hpp"
+#include "safety/OrderStageDecorator.hpp"
 
 namespace wr {
 
@@ -12,13 +12,11 @@ namespace wr {
 /// on. Every hold and every acknowledgement ends that permission.
 ///
 /// @secret Which set-points are neutral, and for how long a source has to order them.
-///
-/// @role{control-system-orders, Concrete Class}
-class Arming final : public ControlSystemDecorator {
+class Arming final : public OrderStageDecorator {
  public:
   /// @brief Binds the permission to the robot.
   /// @param wrapped control system that set-points move
-  explicit Arming(ControlSystem& wrapped);
+  explicit Arming(OrderStage& wrapped);
 
   /// @brief Adds the measurements and outputs of the robot, and whether orders may move it.
   /// @param measurements receives the measurements
@@ -27,21 +25,26 @@ class Arming final : public ControlSystemDecorator {
   /// @isr{no}
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
- private:
   /// @brief Passes set-points on; holds until they were neutral for long enough.
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @satisfies FR-280
+  /// @isr{no}
   void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
+
   /// @brief Holds, and ends the permission.
   /// @param cycle number of the cycle
   /// @satisfies FR-280
+  /// @isr{no}
   void stand(std::uint32_t cycle) override;
+
   /// @brief Acknowledges, and ends the permission.
   /// @param cycle number of the cycle
   /// @satisfies FR-280
+  /// @isr{no}
   void recover(std::uint32_t cycle) override;
 
+ private:
   void disarm();
   [[nodiscard]] bool armed() const;
 

@@ -4,11 +4,11 @@
 
 namespace wr {
 
-ProtectiveStop::ProtectiveStop(ControlSystem& wrapped, const EdgeInput& emergencyStop)
-    : ControlSystemDecorator(wrapped), emergencyStop_(emergencyStop) {}
+ProtectiveStop::ProtectiveStop(OrderStage& wrapped, const EdgeInput& emergencyStop)
+    : OrderStageDecorator(wrapped), emergencyStop_(emergencyStop) {}
 
 void ProtectiveStop::collect(Measurements& measurements, Outputs& outputs) const {
-  ControlSystemDecorator::collect(measurements, outputs);
+  OrderStageDecorator::collect(measurements, outputs);
   if (latched()) {
     measurements.protection.inhibit = Inhibit::ProtectiveStop;
     measurements.protection.cause = cause_;
@@ -18,18 +18,18 @@ void ProtectiveStop::collect(Measurements& measurements, Outputs& outputs) const
 
 void ProtectiveStop::follow(const SetPoints& setPoints, std::uint32_t cycle) {
   if (latched()) {
-    wrapped().hold(cycle);
+    wrapped().stand(cycle);
     return;
   }
-  wrapped().control(setPoints, cycle);
+  wrapped().follow(setPoints, cycle);
   examine(&setPoints);
   if (latched()) {
-    wrapped().hold(cycle);
+    wrapped().stand(cycle);
   }
 }
 
 void ProtectiveStop::stand(std::uint32_t cycle) {
-  wrapped().hold(cycle);
+  wrapped().stand(cycle);
   examine(nullptr);
 }
 
@@ -39,7 +39,7 @@ void ProtectiveStop::recover(std::uint32_t cycle) {
   for (WheelSupervision& wheel : wheels_) {
     wheel.reset();
   }
-  wrapped().acknowledge(cycle);
+  wrapped().recover(cycle);
   if (emergencyStop_.level()) {
     latch(StopCause::EmergencyStop, Protection::kNoWheel);
   }
@@ -51,7 +51,7 @@ void ProtectiveStop::examine(const SetPoints* followed) {
   }
   Measurements measurements;
   Outputs outputs;
-  ControlSystemDecorator::collect(measurements, outputs);
+  OrderStageDecorator::collect(measurements, outputs);
   if (measurements.steeringState == SteeringState::Fault) {
     latch(StopCause::SteeringFault, Protection::kNoWheel);
   }

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "devices/EdgeInput.hpp"
-#include "safety/ControlSystemDecorator.hpp"
+#include "safety/OrderStageDecorator.hpp"
 #include "safety/WheelSupervision.hpp"
 #include "units/Measurements.hpp"
 
@@ -17,14 +17,12 @@ namespace wr {
 /// that follows, until an order acknowledges.
 ///
 /// @secret Which parts are supervised, and how long a protective stop lasts.
-///
-/// @role{control-system-orders, Concrete Class}
-class ProtectiveStop final : public ControlSystemDecorator {
+class ProtectiveStop final : public OrderStageDecorator {
  public:
   /// @brief Binds the protective stop to the robot.
   /// @param wrapped all control systems of the robot
   /// @param emergencyStop contact of the emergency-stop circuit; a high level means that it is active
-  ProtectiveStop(ControlSystem& wrapped, const EdgeInput& emergencyStop);
+  ProtectiveStop(OrderStage& wrapped, const EdgeInput& emergencyStop);
 
   /// @brief Adds the measurements and outputs of the robot, and the state of the protective stop.
   /// @param measurements receives the measurements
@@ -33,21 +31,26 @@ class ProtectiveStop final : public ControlSystemDecorator {
   /// @isr{no}
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
- private:
   /// @brief Passes set-points on; holds while a protective stop is latched.
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @satisfies FR-270
+  /// @isr{no}
   void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
+
   /// @brief Holds, and checks the robot.
   /// @param cycle number of the cycle
   /// @satisfies FR-270
+  /// @isr{no}
   void stand(std::uint32_t cycle) override;
+
   /// @brief Releases the protective stop.
   /// @param cycle number of the cycle
   /// @satisfies FR-291
+  /// @isr{no}
   void recover(std::uint32_t cycle) override;
 
+ private:
   /// @brief Checks all parts, and latches the first cause.
   /// @param followed set-points that the robot follows; nullptr while it is held
   /// @satisfies FR-271

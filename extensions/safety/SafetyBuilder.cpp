@@ -4,8 +4,8 @@
 
 namespace wr {
 
-SafetyBuilder::Chain::Chain(ControlSystem& robot, const EdgeInput& emergencyStop)
-    : protectiveStop(robot, emergencyStop), ramp(protectiveStop), arming(ramp) {}
+SafetyBuilder::Chain::Chain(OrderStage& robot, const EdgeInput& emergencyStop)
+    : protectiveStop(robot, emergencyStop), ramp(protectiveStop), arming(ramp), system(arming) {}
 
 void SafetyBuilder::Ticks::add(Command& command) {
   require(count_ < commands_.size(), AssertId::PoolFull);
@@ -63,7 +63,7 @@ void SafetyBuilder::start() {
 
 ControlSystem& SafetyBuilder::system() {
   require(chain_.has_value(), AssertId::PartMissing);
-  return chain_->arming;
+  return chain_->system;
 }
 
 Command& SafetyBuilder::tickCommand() {

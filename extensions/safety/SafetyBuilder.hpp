@@ -11,7 +11,8 @@
 #include "safety/Arming.hpp"
 #include "safety/LimitedAlgorithms.hpp"
 #include "safety/ProtectiveStop.hpp"
-#include "safety/RobotSystem.hpp"
+#include "safety/RobotStage.hpp"
+#include "safety/SafeSystem.hpp"
 #include "safety/SetPointRamp.hpp"
 #include "services/Command.hpp"
 #include "units/SetPoints.hpp"
@@ -57,10 +58,11 @@ class SafetyBuilder final : public ControlSystemBuilder {
 
  private:
   struct Chain {
-    Chain(ControlSystem& robot, const EdgeInput& emergencyStop);
+    Chain(OrderStage& robot, const EdgeInput& emergencyStop);
     ProtectiveStop protectiveStop;
     SetPointRamp ramp;
     Arming arming;
+    SafeSystem system;
   };
 
   /// @brief Executes the tick command of every control system.
@@ -72,13 +74,13 @@ class SafetyBuilder final : public ControlSystemBuilder {
     void execute() override;
 
    private:
-    std::array<Command*, RobotSystem::kCapacity> commands_{};
+    std::array<Command*, RobotStage::kCapacity> commands_{};
     std::size_t count_ = 0;
   };
 
   Parts parts_;
   std::array<LimitedAlgorithms, kWheelCount> algorithms_;
-  RobotSystem robot_;
+  RobotStage robot_;
   Ticks ticks_;
   std::optional<Chain> chain_;
 };

@@ -17,7 +17,7 @@ bool isVelocity(const WheelSetPoint& setPoint) {
 
 }  // namespace
 
-SetPointRamp::SetPointRamp(ControlSystem& wrapped) : ControlSystemDecorator(wrapped) {}
+SetPointRamp::SetPointRamp(OrderStage& wrapped) : OrderStageDecorator(wrapped) {}
 
 void SetPointRamp::follow(const SetPoints& setPoints, std::uint32_t cycle) {
   followMeasured(setPoints);
@@ -31,17 +31,17 @@ void SetPointRamp::follow(const SetPoints& setPoints, std::uint32_t cycle) {
     ramped_[wheel] += greatest > kChange ? change * kChange / greatest : change;
     limited.wheels[wheel].value = static_cast<std::int16_t>(ramped_[wheel]);
   }
-  wrapped().control(limited, cycle);
+  wrapped().follow(limited, cycle);
 }
 
 void SetPointRamp::stand(std::uint32_t cycle) {
   ramped_ = {};
-  wrapped().hold(cycle);
+  wrapped().stand(cycle);
 }
 
 void SetPointRamp::recover(std::uint32_t cycle) {
   ramped_ = {};
-  wrapped().acknowledge(cycle);
+  wrapped().recover(cycle);
 }
 
 // A ramp that begins after an order of voltage or current begins at the measured velocity.

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "safety/ControlSystemDecorator.hpp"
+#include "safety/OrderStageDecorator.hpp"
 #include "units/SetPoints.hpp"
 #include "units/quantities.hpp"
 
@@ -15,29 +15,32 @@ namespace wr {
 /// factor, so that the ratio of their changes stays as ordered. Other set-points pass unchanged.
 ///
 /// @secret How far a set-point of velocity changes in a cycle.
-///
-/// @role{control-system-orders, Concrete Class}
-class SetPointRamp final : public ControlSystemDecorator {
+class SetPointRamp final : public OrderStageDecorator {
  public:
   /// @brief Binds the ramp to the robot.
   /// @param wrapped control system that follows the limited set-points
-  explicit SetPointRamp(ControlSystem& wrapped);
+  explicit SetPointRamp(OrderStage& wrapped);
 
- private:
   /// @brief Passes set-points on, those of velocity limited.
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @satisfies FR-282
+  /// @isr{no}
   void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
+
   /// @brief Holds; the next ramp begins at 0.
   /// @param cycle number of the cycle
   /// @satisfies FR-282
+  /// @isr{no}
   void stand(std::uint32_t cycle) override;
+
   /// @brief Acknowledges; the next ramp begins at 0.
   /// @param cycle number of the cycle
   /// @satisfies FR-282
+  /// @isr{no}
   void recover(std::uint32_t cycle) override;
 
+ private:
   void followMeasured(const SetPoints& setPoints);
   [[nodiscard]] std::int32_t greatestChange(const SetPoints& setPoints) const;
 

@@ -5,7 +5,8 @@
 #include "main_control/SpySystem.hpp"
 #include "safety/Arming.hpp"
 #include "safety/ProtectiveStop.hpp"
-#include "safety/RobotSystem.hpp"
+#include "safety/RobotStage.hpp"
+#include "safety/SafeSystem.hpp"
 #include "safety/SetPointRamp.hpp"
 #include "sensing/FakeEdgeInput.hpp"
 
@@ -18,6 +19,7 @@ const std::vector<std::string> kAcknowledged{"measure", "release", "halt", "acti
 class SafetyChain : public testing::Test {
  protected:
   SafetyChain() {
+    robot.add(spy);
     for (WheelMeasurements& wheel : spy.measured.wheels) {
       wheel.velocity = Velocity();
       wheel.current = Current();
@@ -30,22 +32,22 @@ class SafetyChain : public testing::Test {
     return setPoints;
   }
 
-  void order(ControlSystem& system, const SetPoints& setPoints) {
+  void order(OrderStage& system, const SetPoints& setPoints) {
     spy.calls.clear();
-    system.control(setPoints, ++number);
+    system.follow(setPoints, ++number);
   }
 
-  void hold(ControlSystem& system) {
+  void hold(OrderStage& system) {
     spy.calls.clear();
-    system.hold(++number);
+    system.stand(++number);
   }
 
-  void acknowledge(ControlSystem& system) {
+  void acknowledge(OrderStage& system) {
     spy.calls.clear();
-    system.acknowledge(++number);
+    system.recover(++number);
   }
 
-  static Protection protection(const ControlSystem& system) {
+  static Protection protection(const OrderStage& system) {
     Measurements measurements;
     Outputs outputs;
     system.collect(measurements, outputs);
@@ -54,17 +56,14 @@ class SafetyChain : public testing::Test {
 
   std::uint32_t number = 0;
   SpySystem spy;
+  RobotStage robot;
 };
 
 class RobotOfPool : public SafetyChain {
  protected:
-  RobotOfPool() {
-    robot.add(spy);
-    robot.add(second);
-  }
+  RobotOfPool() { robot.add(second); }
 
   SpySystem second;
-  RobotSystem robot;
 };
 
 /// @brief The robot as one control system passes each order on to every control system, with the number of
@@ -87,10 +86,31 @@ TEST_F(RobotOfPool, FR293_EachOrderReachesEveryControlSystem) {
   EXPECT_EQ(second.calls, kAcknowledged);
 }
 
+/// @brief The robot with safety functions is one control system: each of its orders reaches the first stage.
+/// @verifies FR-293
+TEST_F(RobotOfPool, FR293_TheRobotIsOneControlSystem) {
+  SafeSystem whole(robot);
+  whole.control(alike(7), 1);
+  EXPECT_EQ(second.calls, kControlled);
+  EXPECT_EQ(second.applied, alike(7));
+  EXPECT_TRUE(whole.completed(1));
+  second.calls.clear();
+  whole.hold(2);
+  EXPECT_EQ(second.calls, kHeld);
+  second.calls.clear();
+  whole.acknowledge(3);
+  EXPECT_EQ(second.calls, kAcknowledged);
+  spy.measured.steering = Angle(55);
+  Measurements measurements;
+  Outputs outputs;
+  whole.collect(measurements, outputs);
+  EXPECT_EQ(measurements.steering, Angle(55));
+}
+
 class ProtectiveStopTest : public SafetyChain {
  protected:
   FakeEdgeInput contact;
-  ProtectiveStop stop{spy, contact};
+  ProtectiveStop stop{robot, contact};
 
   ProtectiveStopTest() { contact.set(false); }
 
@@ -187,7 +207,7 @@ TEST_F(ProtectiveStopTest, FR291_AnAcknowledgementReleases) {
 
 class ArmingTest : public SafetyChain {
  protected:
-  Arming arming{spy};
+  Arming arming{robot};
 
   void neutral(int cycles) {
     for (int i = 0; i < cycles; ++i) {
@@ -256,7 +276,7 @@ TEST_F(ArmingTest, FR280_AHoldAndAnAcknowledgementDisarm) {
 TEST_F(ArmingTest, FR281_AProtectiveStopIsReportedFirst) {
   FakeEdgeInput contact;
   contact.set(true);
-  ProtectiveStop stop(spy, contact);
+  ProtectiveStop stop(robot, contact);
   Arming outer(stop);
   for (int cycles = 0; cycles < 10; ++cycles) {
     order(outer, alike(0));
@@ -267,7 +287,7 @@ TEST_F(ArmingTest, FR281_AProtectiveStopIsReportedFirst) {
 
 class SetPointRampTest : public SafetyChain {
  protected:
-  SetPointRamp ramp{spy};
+  SetPointRamp ramp{robot};
 
   int first() const { return spy.applied.wheels[0].value; }
 };

@@ -5,25 +5,23 @@
 #include <cstdint>
 #include <span>
 
-#include "safety/OrderedSystem.hpp"
+#include "main_control/control_systems/ControlSystem.hpp"
+#include "safety/OrderStage.hpp"
 
 namespace wr {
 
-/// @brief All control systems of the robot as one control system.
+/// @brief The last stage of an order: all control systems of the robot.
 ///
-/// @function Passes each order on to every control system of the robot, so that a decorator can wrap all of
-/// them at once.
+/// @function Passes each order on to every control system of the robot, so that the stages before it need not know how many there are.
 ///
-/// @secret How one control system stands for several.
-///
-/// @role{control-system-orders, Concrete Class}
-class RobotSystem final : public OrderedSystem {
+/// @secret How many control systems receive an order.
+class RobotStage final : public OrderStage {
  public:
   /// @brief Number of control systems that have room.
   static constexpr std::size_t kCapacity = 8;
 
   /// @brief Begins without control systems.
-  RobotSystem() = default;
+  RobotStage() = default;
 
   /// @brief Adds a control system.
   /// @param system control system of the robot; it lives as long as this object
@@ -46,14 +44,26 @@ class RobotSystem final : public OrderedSystem {
   /// @isr{no}
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
- private:
   /// @brief Lets every control system follow set-points.
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @satisfies FR-293
+  /// @isr{no}
   void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
+
+  /// @brief Lets every control system hold.
+  /// @param cycle number of the cycle
+  /// @satisfies FR-293
+  /// @isr{no}
   void stand(std::uint32_t cycle) override;
+
+  /// @brief Lets every control system acknowledge.
+  /// @param cycle number of the cycle
+  /// @satisfies FR-293
+  /// @isr{no}
   void recover(std::uint32_t cycle) override;
+
+ private:
   [[nodiscard]] std::span<ControlSystem* const> systems() const;
 
   std::array<ControlSystem*, kCapacity> systems_{};
