@@ -71,7 +71,7 @@ void HostWorld::reset(ResetCause cause) {
 }
 
 void HostWorld::runUntil(Instant instant) {
-  if (equipment_ == HostEquipment::Whole) {
+  if (equipment_ != HostEquipment::MainControl) {
     runWhole(instant);
   } else {
     runMainControl(instant);

@@ -137,6 +137,11 @@ Reader& MainControllerBuilder::pcReader() {
   return link_->reader;
 }
 
+Reader& MainControllerBuilder::rcReader() {
+  require(remoteControl_.has_value(), AssertId::PartMissing);
+  return remoteControl_->reader;
+}
+
 PcConnection& MainControllerBuilder::connection() {
   require(link_.has_value(), AssertId::PartMissing);
   return link_->connection;

@@ -202,6 +202,14 @@ class MainControllerBuilder {
   /// @satisfies FR-78
   [[nodiscard]] Reader& pcReader();
 
+  /// @brief Returns the reader of the remote control's orders.
+  /// @return the reader; it lives as long as the builder.
+  /// @pre buildRemoteControl() was called.
+  /// @errors Without a remote control the program ends with the assertion PartMissing.
+  /// @isr{no}
+  /// @satisfies FR-78
+  [[nodiscard]] Reader& rcReader();
+
   /// @brief The link to the PC.
   /// @return the link; it lives as long as the builder.
   /// @pre buildConnection() was called.
