@@ -5,7 +5,7 @@
 namespace wr {
 
 HostRobot::HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start,
-                     HostEquipment equipment)
+                     HostEquipment equipment, const RetainedStop::Cells& retained)
     : timebase_(timebase),
       equipment_(equipment),
       pins_(scheduler_),
@@ -45,6 +45,7 @@ HostRobot::HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRe
                                                            .velocity = rcVelocity_,
                                                            .direction = rcDirection_}}),
       director_(poolBuilder_, controllerBuilder_),
+      stopCells_(retained),
       stopMemory_(stopCells_),
       safetyDirector_(poolBuilder_, controllerBuilder_,
                       {.timebase = timebase,
@@ -71,7 +72,8 @@ std::span<ControlSystemBuilder* const> HostRobot::builders() const {
 
 void HostRobot::construct() {
   if (equipment_ == HostEquipment::Safe) {
-    stopMemory_.begin(ResetCause::PowerOn);
+    const bool first = start_.cause == ResetCause::Unknown;  // no reset yet
+    stopMemory_.begin(first ? ResetCause::PowerOn : start_.cause);
     safetyDirector_.construct();
     pins_.remoteControl[2].connect([this] { safetyDirector_.enablePin().serve(); });
   } else {

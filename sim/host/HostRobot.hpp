@@ -46,10 +46,16 @@ class HostRobot {
   /// @param pcPort line to the PC
   /// @param start why the firmware starts; without it the cause is unknown
   /// @param equipment how much of the firmware it has
+  /// @param retained memory that the last reset left as it was
   HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start = {},
-            HostEquipment equipment = HostEquipment::Whole);
+            HostEquipment equipment = HostEquipment::Whole,
+            const RetainedStop::Cells& retained = {});
   HostRobot(const HostRobot&) = delete;
   HostRobot& operator=(const HostRobot&) = delete;
+
+  /// @brief Returns the memory that a reset leaves as it is.
+  /// @return the memory of the stop
+  [[nodiscard]] const RetainedStop::Cells& retained() const { return stopCells_; }
 
   /// @brief Starts the control cycles.
   void start();
@@ -122,7 +128,7 @@ class HostRobot {
   ControlSystemPoolBuilder poolBuilder_;
   MainControllerBuilder controllerBuilder_;
   RobotDirector director_;
-  RetainedStop::Cells stopCells_{};
+  RetainedStop::Cells stopCells_;
   RetainedStop stopMemory_;
   SafetyDirector safetyDirector_;
 };

@@ -60,10 +60,11 @@ void HostWorld::beginPeriods() {
 
 // The new firmware is where the old one was, so that all references to the robot stay valid.
 void HostWorld::reset(ResetCause cause) {
+  const RetainedStop::Cells retained = robot.retained();
   edges_.clear();
   std::destroy_at(&binding_);
   std::destroy_at(&robot);
-  std::construct_at(&robot, time, pcPort_, StartRecord{.cause = cause}, equipment_);
+  std::construct_at(&robot, time, pcPort_, StartRecord{.cause = cause}, equipment_, retained);
   std::construct_at(&binding_, robot.pins(), physics);
   observeThreads();
   robot.start();
