@@ -41,6 +41,7 @@ constexpr const char* kUsage =
     "  --bench FILE     with --scenario: measure its last 1000 cycles, write them to FILE as JSON\n"
     "  --timing MODEL   what instructions cost: no-wait-states or slow-flash\n"
     "  --profile        with --bench: count also how often each instruction is executed\n"
+    "  --resets         go on after a reset that the program causes\n"
     "  --stack          tell how much of the stack was used\n"
     "  --trace FILE     write interrupts, resets, pins and sent bytes to FILE, with their times\n"
     "  --help           show this text\n"
@@ -148,7 +149,7 @@ wr::Exit run(int count, char** arguments) {
   const wr::CommandLine options(count, arguments,
                                 {"--image", "--elf", "--link", "--control", "--cycles",
                                  "--scenario", "--reports", "--trace", "--bench", "--timing"},
-                                {"--fast", "--profile", "--stack", "--help"});
+                                {"--fast", "--profile", "--resets", "--stack", "--help"});
   if (options.has("--help")) {
     std::fputs(kUsage, stdout);
     return wr::Exit::Done;
@@ -170,7 +171,9 @@ wr::Exit run(int count, char** arguments) {
     trace.emplace(&file);
   }
   wr::BoardLine robot(wr::readImage(*options.value("--image")),
-                      {.elf = options.value("--elf").value_or(""), .timing = timingOf(options)});
+                      {.elf = options.value("--elf").value_or(""),
+                       .resetsAreFindings = !options.has("--resets"),
+                       .timing = timingOf(options)});
   if (trace) {
     robot.onEvent([&](const wr::k64::Event& event) { trace->add(event); });
   }
