@@ -29,8 +29,8 @@ void HostBinding::measure() {
     pins_.wheels.at(wheel).current.drive(physics_.currentVolts(wheel) / sim::Robot::kReference);
   }
   pins_.steering.angle.drive(physics_.steeringVolts() / sim::Robot::kReference);
-  pins_.steering.leftEnd.drive(!physics_.leftEnd());
-  pins_.steering.rightEnd.drive(!physics_.rightEnd());
+  pins_.steering.leftEnd.drive(physics_.leftEnd());
+  pins_.steering.rightEnd.drive(physics_.rightEnd());
 }
 
 }  // namespace wr

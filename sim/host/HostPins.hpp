@@ -36,8 +36,8 @@ struct HostSteeringPins {
   HostDigitalOutput step;
   HostDigitalOutput direction;  ///< on: left
   HostDigitalOutput enable;
-  HostEdgeInput leftEnd;   ///< low: reached
-  HostEdgeInput rightEnd;  ///< low: reached
+  HostEdgeInput leftEnd;   ///< high: reached
+  HostEdgeInput rightEnd;  ///< high: reached
   HostAnalogInput angle;
 };
 

@@ -103,8 +103,8 @@ void BoardBinding::measure() {
     board_.setAnalog(input.converter, input.channel, physics.currentVolts(wheel));
   }
   board_.setAnalog(kAngle.converter, kAngle.channel, physics.steeringVolts());
-  board_.drive(kLeftEnd.port, kLeftEnd.number, !physics.leftEnd());
-  board_.drive(kRightEnd.port, kRightEnd.number, !physics.rightEnd());
+  board_.drive(kLeftEnd.port, kLeftEnd.number, physics.leftEnd());
+  board_.drive(kRightEnd.port, kRightEnd.number, physics.rightEnd());
 }
 
 }  // namespace wr
