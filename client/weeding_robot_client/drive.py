@@ -3,50 +3,49 @@
 from __future__ import annotations
 
 import argparse
-import itertools
 import os
-import select
+import signal
 import sys
-import termios
 import time
-import tty
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
+from types import FrameType
 
+from weeding_robot_client import keyboard
+from weeding_robot_client.keyboard import Hand, raw_keys, read_keys
 from weeding_robot_client.link import Link
-from weeding_robot_client.messages import Order, Quantity, Report, Welcome
-from weeding_robot_client.monitor import as_line, faults, status
-from weeding_robot_client.options import add_link, open_link
+from weeding_robot_client.messages import Quantity, Report, Welcome
+from weeding_robot_client.monitor import as_line, shown, status
+from weeding_robot_client.options import add_link, open_link, wheel
+from weeding_robot_client.orders import ORDER_EVERY_S, Orders, arm, connect, not_connected
+from weeding_robot_client.reasons import conditions, inhibited
 from weeding_robot_client.recording import Recording
 from weeding_robot_client.script import HELP, Script, ScriptError, Wish, load
 
-KEYS_HELP = """\
-Keys:
-  up, w     10 rpm faster          left, a    1 degree to the left
-  down, s   10 rpm slower          right, d   1 degree to the right
-  space     stop: halts the wheels and holds the steering, in every mode
-  r         release the stop       0          velocity and steering to 0
-  q         quit: orders velocity 0, keeps a stop"""
 DESCRIPTION = f"""\
-Sends orders to the robot, every 100 ms, because an order lives for 200 ms. Without --script the
-keyboard drives. A stop that is already in force stays until it is released.
+Sends orders to the robot every 100 ms, because an order is valid for 200 ms. Without --script the
+keyboard drives. Without a key the orders are neutral, which arms the robot after 0.5 s. A stop that
+is already in force stays until it is released. When the terminal is lost or the program is
+suspended, the robot is ordered to stop.
 
-{KEYS_HELP}"""
+{keyboard.HELP}
+
+Exit codes: 0 done, 1 no connection, not armed, stopped or interrupted, 2 wrong usage."""
 EPILOG = HELP
-
-ORDER_EVERY_S = 0.1
-CONNECT_WITHIN_S = 5.0
-VELOCITY_STEP_RPM = 10.0
-STEERING_STEP_DEGREES = 1.0
-ESCAPES = {b"\x1b[A": b"w", b"\x1b[B": b"s", b"\x1b[C": b"d", b"\x1b[D": b"a"}
-ESCAPES |= {b"\x1bO" + code[-1:]: key for code, key in ESCAPES.items()}
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     add_link(parser)
     parser.add_argument("--script", type=Path, metavar="FILE", help="drive from this file")
+    parser.add_argument(
+        "--wheel",
+        type=wheel,
+        action="append",
+        metavar="N",
+        help="with the keyboard: drive this wheel only (0 front left, 1 front right, 2 rear left, "
+        "3 rear right); more than once for several wheels",
+    )
 
 
 def run(options: argparse.Namespace) -> int:
@@ -57,163 +56,222 @@ def run(options: argparse.Namespace) -> int:
         except (OSError, ScriptError) as error:
             print(error, file=sys.stderr)
             return 2
+        if options.wheel:
+            print("--wheel is for the keyboard; write 'wheel N' in the script", file=sys.stderr)
+            return 2
     elif not sys.stdin.isatty():
-        print("the keyboard needs a terminal; give a file with --script", file=sys.stderr)
+        print("the keyboard needs a terminal; name a file with --script", file=sys.stderr)
         return 2
     link = open_link(options.link)
     if link is None:
         return 1
     with link, Recording(options.csv) as recording:
-        return follow(link, script, recording) if script else by_keyboard(link, recording)
+        if script:
+            return by_script(link, script, recording)
+        return by_keyboard(link, recording, tuple(options.wheel) if options.wheel else None)
 
 
-def order_ids() -> Iterator[int]:
-    """1 to 65535, again and again; 0 stands for orders of the remote control."""
-    return itertools.cycle(range(1, 0x10000))
+def by_script(link: Link, script: Script, recording: Recording) -> int:
+    """Arms the robot and drives by the script. Returns the exit code."""
+
+    def observe(report: Report) -> None:
+        recording.add(report)
+        print(as_line(report), flush=True)
+
+    orders = Orders(link, observe)
+    with ended_by_signals() as requests:
+        try:
+            return _follow(orders, script, requests)
+        except KeyboardInterrupt:
+            orders.stop()
+            raise
 
 
-def follow(link: Link, script: Script, recording: Recording) -> int:
-    """Drives by the script; ends with an error when there is no connection or it is lost."""
-    if not connect(link, recording):
-        print(f"no answer on {link.path}", file=sys.stderr)
+def _follow(orders: Orders, script: Script, requests: list[int]) -> int:
+    error = _prepare(orders)
+    if error:
+        print(error, file=sys.stderr)
         return 1
-    print(status(link), file=sys.stderr)
-    ids = order_ids()
-    start = next_order = time.monotonic()
+    start = time.monotonic()
     while (now := time.monotonic()) < start + script.end_s:
-        if now >= next_order:
-            next_order += ORDER_EVERY_S
-            wish = script.at(now - start)
-            if wish is not None:
-                link.send(wish.order(next(ids)))
-        for report in link.service(max(0.0, min(next_order - time.monotonic(), ORDER_EVERY_S))):
-            recording.add(report)
-            print(as_line(report), flush=True)
-        if not link.connected:
+        rest = min(start + script.end_s - now, ORDER_EVERY_S / 5)
+        orders.service(script.at(now - start), rest)
+        if requests:
+            orders.stop()
+            print("interrupted: the robot was ordered to stop", file=sys.stderr)
+            return 1
+        if not orders.link.connected:
             print("the connection was lost", file=sys.stderr)
             return 1
-    halt(link, script.at(script.end_s) or Wish(), next(ids))
+    orders.end(script.at(script.end_s) or Wish())
+    report = orders.report
+    if report and report.inhibit == "protective stop":
+        print(inhibited(report), file=sys.stderr)
+        return 1
     return 0
 
 
-def connect(link: Link, recording: Recording) -> Report | None:
-    """The first report, or None when none came in time."""
-    for report in link.reports(CONNECT_WITHIN_S):
-        recording.add(report)
-        return report
-    return None
-
-
-def halt(link: Link, wish: Wish, order_id: int) -> None:
-    """The last order: velocity 0; a stop stays."""
-    link.send(replace(wish, quantity=Quantity.VELOCITY, value=0.0).order(order_id))
-    link.service()
+def _prepare(orders: Orders) -> str | None:
+    """Connects and arms; returns why it could not."""
+    report = connect(orders)
+    if report is None:
+        return not_connected(orders.link)
+    print(status(orders.link), file=sys.stderr)
+    if "PC" in report.stop_sources:
+        return f"{inhibited(report)} A script does not release it."
+    return arm(orders, progress=lambda words: print(words, file=sys.stderr))
 
 
 @contextmanager
-def raw_keys(keyboard: int) -> Iterator[None]:
-    """Keys at once and unseen, while Ctrl-C still interrupts."""
-    before = termios.tcgetattr(keyboard)
+def ended_by_signals() -> Iterator[list[int]]:
+    """Collects the requests to end or to suspend, so that the robot is stopped first."""
+    requests: list[int] = []
+
+    def note(number: int, _frame: FrameType | None) -> None:
+        requests.append(number)
+
+    numbers = (signal.SIGHUP, signal.SIGTERM, signal.SIGTSTP)
+    before = {number: signal.signal(number, note) for number in numbers}
     try:
-        tty.setcbreak(keyboard)
+        yield requests
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def by_keyboard(link: Link, recording: Recording, wheels: tuple[int, ...] | None) -> int:
+    """Drives by the keys. Whatever ends it but the key q, the robot is ordered to stop."""
+    orders = Orders(link, recording.add)
+    print(keyboard.HELP)
+    quits = False
+    try:
+        with ended_by_signals() as requests, raw_keys(sys.stdin.fileno()):
+            quits = _Driver(orders, wheels, requests).run()
+    except OSError:
+        pass  # the terminal is gone
+    finally:
+        if not quits:
+            orders.stop()
+    if quits:
+        print()
+    return 0 if quits else 1
+
+
+class _Driver:
+    """The keyboard's loop."""
+
+    def __init__(self, orders: Orders, wheels: tuple[int, ...] | None, requests: list[int]) -> None:
+        self._orders = orders
+        self._link = orders.link
+        self._hand = Hand(wheels)
+        self._requests = requests
+        self._welcome: Welcome | None = None
+        self._conditions: list[str] = []
+        self._first = True  # no report of this connection has come yet
+
+    def run(self) -> bool:
+        """Returns true when the key q ended it, false when the terminal or the program ends."""
+        while True:
+            pressed = read_keys(sys.stdin.fileno())
+            if pressed is None or self._ends():
+                return False
+            now = time.monotonic()
+            for key in pressed:
+                if key == b"q":
+                    self._orders.end(self._hand.wish(now))
+                    return True
+                self._hand.press(key, now)
+            wish = self._hand.wish(now)
+            for report in self._orders.service(None if self._first else wish):
+                self._show(report, wish)
+            if self._link.incompatible:
+                print(f"\r\x1b[K{self._link.incompatible}", flush=True)
+                return False
+            if not self._link.connected:
+                self._first = True
+                print(f"\r\x1b[Kno connection on {self._link.path}, trying", end="", flush=True)
+
+    def _ends(self) -> bool:
+        """Stops the robot and suspends this program if asked to; true when it must end."""
+        if not self._requests:
+            return False
+        if set(self._requests) != {signal.SIGTSTP}:
+            return True
+        self._requests.clear()
+        self._hand.press(b" ", time.monotonic())
+        self._orders.stop()
+        suspend()
+        return False
+
+    def _show(self, report: Report, wish: Wish) -> None:
+        if self._first:
+            self._hand.stop = self._hand.stop or "PC" in report.stop_sources
+            self._first = False
+        self._welcome = show_start(self._link, self._welcome)
+        self._conditions = show_changes(report, self._conditions)
+        show(wish, self._hand, report)
+
+
+def suspend() -> None:
+    """Suspends this program as Ctrl-Z does, and returns when it is continued."""
+    terminal = sys.stdin.fileno()
+    handler = signal.signal(signal.SIGTSTP, signal.SIG_DFL)
+    print("\r\x1b[Ksuspended: the robot was ordered to stop", flush=True)
+    with raw_keys_off(terminal):
+        os.kill(os.getpid(), signal.SIGTSTP)
+    signal.signal(signal.SIGTSTP, handler)
+
+
+@contextmanager
+def raw_keys_off(terminal: int) -> Iterator[None]:
+    """Gives the terminal back to the shell while this program is suspended."""
+    import termios
+    import tty
+
+    raw = termios.tcgetattr(terminal)
+    usual = termios.tcgetattr(terminal)
+    usual[tty.LFLAG] |= termios.ICANON | termios.ECHO
+    termios.tcsetattr(terminal, termios.TCSADRAIN, usual)
+    try:
         yield
     finally:
-        termios.tcsetattr(keyboard, termios.TCSADRAIN, before)
+        termios.tcsetattr(terminal, termios.TCSADRAIN, raw)
 
 
-def keys(data: bytes) -> Iterator[bytes]:
-    """Single keys; arrows become letters."""
-    while data:
-        if data[:3] in ESCAPES:
-            yield ESCAPES[data[:3]]
-            data = data[3:]
-        else:
-            yield data[:1].lower()
-            data = data[1:]
-
-
-def pressed(wish: Wish, key: bytes) -> Wish:
-    """The wish after a key; a value stays within the range of the protocol."""
-    limit = Quantity.VELOCITY.limit
-    if key in (b"w", b"s"):
-        step = VELOCITY_STEP_RPM if key == b"w" else -VELOCITY_STEP_RPM
-        return replace(wish, value=min(limit, max(-limit, wish.value + step)))
-    if key in (b"a", b"d"):
-        step = STEERING_STEP_DEGREES if key == b"a" else -STEERING_STEP_DEGREES
-        angle = wish.steering_degrees + step
-        most = Order.steering_limit_degrees
-        return replace(wish, steering_degrees=min(most, max(-most, angle)))
-    if key == b" ":
-        return replace(wish, value=0.0, stop=True)
-    if key == b"r":
-        return replace(wish, value=0.0, stop=False)
-    if key == b"0":
-        return replace(wish, value=0.0, steering_degrees=0.0)
-    return wish
-
-
-def by_keyboard(link: Link, recording: Recording) -> int:
-    keyboard = sys.stdin.fileno()
-    print(KEYS_HELP)
-    ids = order_ids()
-    wish: Wish | None = None
-    told: Welcome | None = None
-    known: list[str] = []
-    next_order = time.monotonic()
-    with raw_keys(keyboard):
-        try:
-            while True:
-                if select.select([keyboard], [], [], 0)[0]:
-                    data = os.read(keyboard, 64)
-                    for key in keys(data):
-                        if key == b"q":
-                            return 0
-                        wish = pressed(wish, key) if wish else None
-                    if not data:
-                        return 0
-                if wish and time.monotonic() >= next_order:
-                    next_order = time.monotonic() + ORDER_EVERY_S
-                    link.send(wish.order(next(ids)))
-                for report in link.service(0.02):
-                    recording.add(report)
-                    wish = wish or Wish(stop=report.stop)
-                    told = tell_fault(link, told)
-                    known = tell_changes(report, known)
-                    show(wish, report)
-                if not link.connected:
-                    wish = None
-                    print(f"\r\x1b[Kno connection on {link.path}, trying", end="", flush=True)
-        finally:
-            if wish:
-                halt(link, wish, next(ids))
-            print()
-
-
-def tell_fault(link: Link, told: Welcome | None) -> Welcome | None:
+def show_start(link: Link, before: Welcome | None) -> Welcome | None:
     """Shows the fault before the last start once for each connection; returns its Welcome."""
     welcome = link.welcome
-    if welcome and welcome is not told and welcome.start.faulted:
-        print(f"\r\x1b[Klast reset: {welcome.start}", flush=True)
+    if welcome and welcome is not before:
+        if welcome.start.faulted:
+            print(f"\r\x1b[Klast reset: {welcome.start}", flush=True)
+        if welcome.schema_note:
+            print(f"\r\x1b[K{welcome.schema_note}", flush=True)
     return welcome
 
 
-def tell_changes(report: Report, known: list[str]) -> list[str]:
-    """Shows each fault of the robot once when it begins and when it ended; returns all of now."""
-    now = faults(report)
-    for fault in now:
-        if fault not in known:
-            print(f"\r\x1b[K{fault}", flush=True)
-    for fault in known:
-        if fault not in now:
-            print(f"\r\x1b[Kno longer: {fault}", flush=True)
+def show_changes(report: Report, before: list[str]) -> list[str]:
+    """Shows each condition once when it begins and when it ends; returns all present ones."""
+    now = conditions(report)
+    for condition in now:
+        if condition not in before:
+            print(f"\r\x1b[K{condition}", flush=True)
+    for condition in before:
+        if condition not in now:
+            print(f"\r\x1b[Kno longer: {condition}", flush=True)
     return now
 
 
-def show(wish: Wish, report: Report) -> None:
-    stop = "STOP (r releases)" if wish.stop else f"{wish.value:+.0f} rpm"
+def show(wish: Wish, hand: Hand, report: Report) -> None:
+    """Shows the present order and the robot's state in one line."""
+    velocity = max((point.value for point in wish.wheels), key=abs)
+    ordered = "STOP (r releases)" if wish.stop else f"{velocity:+.0f} {Quantity.VELOCITY.unit}"
+    if wish.acknowledge:
+        ordered = "acknowledge"
+    robot = "armed" if report.armed else f"inhibit: {report.inhibit}"
     print(
-        f"\r\x1b[Kordered: {stop}, {wish.steering_degrees:+.0f} deg   robot: {report.state}, "
-        f"mode {report.mode}, {'held' if report.held else 'moving by its set-points'}",
+        f"\r\x1b[Kordered: {ordered}, {wish.steering_degrees:+.0f} deg (speed "
+        f"{hand.speed_rpm:.0f})   robot: {report.state}, mode {report.mode}, {robot}   "
+        f"round trip {shown(report.round_trip_ms, 'd')} ms",
         end="",
         flush=True,
     )

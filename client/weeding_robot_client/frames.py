@@ -1,17 +1,22 @@
-"""Frames of the PC protocol: CRC, byte stuffing, and a decoder that finds its place again."""
+"""Frames of the PC protocol: CRC, byte stuffing, and a decoder that resynchronises at each zero."""
 
 from __future__ import annotations
 
+import binascii
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-VERSION = 1
+from cobs import cobs
+
+VERSION = 2
+MAX_PAYLOAD = 200
 MIN_BODY = 5
-MAX_BODY = 128
+MAX_BODY = MIN_BODY + MAX_PAYLOAD
+CRC_START = 0xFFFF  # of CRC-16/CCITT-FALSE
 
 
 class FrameError(ValueError):
-    """Bytes that are no frame."""
+    """Bytes that are not a frame."""
 
 
 @dataclass(frozen=True)
@@ -19,82 +24,51 @@ class Frame:
     kind: int
     sequence: int
     payload: bytes
+    version: int = VERSION
 
 
 def crc16(data: bytes) -> int:
-    """CRC-16/CCITT-FALSE."""
-    crc = 0xFFFF
-    for byte in data:
-        crc ^= byte << 8
-        for _ in range(8):
-            crc = (crc << 1) ^ 0x1021 if crc & 0x8000 else crc << 1
-        crc &= 0xFFFF
-    return crc
-
-
-def stuff(body: bytes) -> bytes:
-    """Consistent overhead byte stuffing, without the zero that ends the frame."""
-    coded = bytearray()
-    for run in body.split(b"\0"):
-        rest = run
-        while len(rest) >= 254:
-            coded += b"\xff" + rest[:254]
-            rest = rest[254:]
-        coded += bytes([len(rest) + 1]) + rest
-    return bytes(coded)
-
-
-def unstuff(coded: bytes) -> bytes:
-    """Reverse of stuff."""
-    body = bytearray()
-    position = 0
-    while position < len(coded):
-        code = coded[position]
-        run = coded[position + 1 : position + code]
-        if code == 0 or len(run) != code - 1 or 0 in run:
-            raise FrameError("bad byte stuffing")
-        body += run
-        position += code
-        if code != 0xFF and position < len(coded):
-            body.append(0)
-    return bytes(body)
+    """Returns the CRC-16/CCITT-FALSE of the bytes."""
+    return binascii.crc_hqx(data, CRC_START)
 
 
 def encode(frame: Frame) -> bytes:
-    """The bytes on the line."""
-    head = bytes([VERSION, frame.kind, frame.sequence]) + frame.payload
+    """Returns the bytes of a frame on the line."""
+    head = bytes([frame.version, frame.kind, frame.sequence]) + frame.payload
     body = head + crc16(head).to_bytes(2, "little")
     if len(body) > MAX_BODY:
-        raise FrameError("the payload is too long")
-    return stuff(body) + b"\0"
+        raise FrameError(f"the payload has {len(frame.payload)} bytes, more than {MAX_PAYLOAD}")
+    coded: bytes = cobs.encode(body)
+    return coded + b"\0"
 
 
 def decode(coded: bytes) -> Frame:
-    """The frame in the bytes between two zeros."""
-    body = unstuff(coded)
+    """Returns the frame in the bytes between two zeros. Its version is not checked."""
+    try:
+        body: bytes = cobs.decode(coded)
+    except cobs.DecodeError as error:
+        raise FrameError(f"bad byte stuffing: {error}") from error
     if not MIN_BODY <= len(body) <= MAX_BODY:
         raise FrameError(f"a body of {len(body)} bytes")
     if crc16(body[:-2]) != int.from_bytes(body[-2:], "little"):
         raise FrameError("wrong CRC")
-    if body[0] != VERSION:
-        raise FrameError(f"version {body[0]} of the protocol")
-    return Frame(body[1], body[2], body[3:-2])
+    return Frame(body[1], body[2], body[3:-2], body[0])
 
 
 @dataclass
 class Decoder:
-    """Cuts the bytes of a line into frames; drops and counts what is not a frame."""
+    """Cuts the bytes of a line into frames; drops and counts the rest."""
 
     dropped: int = 0
-    _kept: bytearray = field(default_factory=bytearray)
+    _pending: bytearray = field(default_factory=bytearray)
     _too_long: bool = False
 
     def feed(self, data: bytes) -> Iterator[Frame]:
         *ended, rest = data.split(b"\0")
         for piece in ended:
-            self._keep(piece)
-            coded, too_long = bytes(self._kept), self._too_long
-            self._kept.clear()
+            self._append(piece)
+            coded, too_long = bytes(self._pending), self._too_long
+            self._pending.clear()
             self._too_long = False
             if too_long:
                 self.dropped += 1
@@ -103,10 +77,10 @@ class Decoder:
                     yield decode(coded)
                 except FrameError:
                     self.dropped += 1
-        self._keep(rest)
+        self._append(rest)
 
-    def _keep(self, piece: bytes) -> None:
-        self._kept += piece
-        if len(self._kept) > MAX_BODY + 1:
-            self._kept.clear()
+    def _append(self, piece: bytes) -> None:
+        self._pending += piece
+        if len(self._pending) > MAX_BODY + 1:
+            self._pending.clear()
             self._too_long = True

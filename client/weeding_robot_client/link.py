@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import select
-import termios
 import time
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from types import TracebackType
 
-from weeding_robot_client.frames import Decoder, encode
+import serial
+
+from weeding_robot_client.frames import VERSION, Decoder, encode
 from weeding_robot_client.messages import (
+    CLOCK_MS,
     Confirm,
     Hello,
     KeepAlive,
@@ -24,37 +28,44 @@ from weeding_robot_client.messages import (
     to_frame,
 )
 
+BAUD = 115200
 HELLO_EVERY_S = 0.5
+OLD_HELLO_AFTER = 3  # each third Hello is one of version 1: it finds out robots that know no other
 KEEP_ALIVE_AFTER_S = 0.4
 SILENT_AFTER_S = 1.0
 READ_BYTES = 4096
 
 
-def open_line(path: Path) -> int:
-    """Opens a serial port or pseudo-terminal: 115200 baud, 8 data bits, raw, never waiting."""
-    line = os.open(path, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
+class BusyError(OSError):
+    """Another program uses the line."""
+
+
+def open_line(path: Path) -> serial.Serial:
+    """Opens a serial port or pseudo-terminal for this program alone: 115200 baud, never waiting."""
+    if not path.exists():
+        raise FileNotFoundError(errno.ENOENT, "there is no such file", str(path))
     try:
-        settings = termios.tcgetattr(line)
-        settings[0] = 0
-        settings[1] = 0
-        settings[2] = termios.CS8 | termios.CREAD | termios.CLOCAL
-        settings[3] = 0
-        settings[4] = settings[5] = termios.B115200
-        settings[6][termios.VMIN] = settings[6][termios.VTIME] = 0
-        termios.tcsetattr(line, termios.TCSANOW, settings)
-        termios.tcflush(line, termios.TCIFLUSH)
-    except termios.error as error:
-        os.close(line)
-        raise OSError(f"{path} is not a serial port") from error
-    return line
+        return serial.Serial(str(path), BAUD, timeout=0, write_timeout=0, exclusive=True)
+    except serial.SerialException as error:
+        if error.errno == errno.EAGAIN:
+            raise BusyError(errno.EBUSY, "another program uses it", str(path)) from error
+        if error.errno in (errno.EACCES, errno.EBUSY):
+            raise OSError(error.errno, os.strerror(error.errno), str(path)) from error
+        raise OSError(errno.ENOTTY, "it is not a serial port", str(path)) from error
+
+
+def clock_ms(seconds: float) -> int:
+    """Returns a time of this computer in ms, as the orders carry it."""
+    return int(seconds * 1000) % CLOCK_MS
 
 
 class Link:
     """A connection to the robot. Call service() at least every 100 ms, or iterate over reports().
 
     ``connected`` is true from the first report after a handshake until the robot is silent for a
-    second. Reports of a connection that another program began are not taken. A line that went
-    away is opened again as soon as its path exists.
+    second. Reports of a connection that another program began are ignored. A line that went
+    away is opened again as soon as its path exists. ``incompatible`` says why a robot that answers
+    cannot be connected: it speaks another version of the protocol.
     """
 
     def __init__(self, path: Path, clock: Callable[[], float] = time.monotonic) -> None:
@@ -62,8 +73,10 @@ class Link:
         self.welcome: Welcome | None = None
         self.connected = False
         self.damaged = 0
+        self.incompatible: str | None = None
+        self.handshake_ms: int | None = None  # from Hello to Welcome
         self._clock = clock
-        self._line: int | None = open_line(path)
+        self._line: serial.Serial | None = open_line(path)
         self._begin()
 
     def __enter__(self) -> Link:
@@ -79,7 +92,7 @@ class Link:
 
     def close(self) -> None:
         if self._line is not None:
-            os.close(self._line)
+            self._line.close()
             self._line = None
         self.connected = False
 
@@ -88,20 +101,22 @@ class Link:
         reports = []
         for message in self._receive(timeout_s):
             if isinstance(message, Welcome):
-                self._heard_at = self._clock()
-                self.welcome = message
-                self.connected = False
-                self._send(Confirm(message.session))
+                self._answer(message)
             elif self.welcome:
                 self._heard_at = self._clock()
                 self.connected = True
-                reports.append(message)
+                reports.append(self._timed(message))
         self._keep_up()
         return reports
 
     def send(self, order: Order) -> bool:
-        """Sends an order, and returns whether there is a connection to send it on."""
-        return self.connected and self._send(order)
+        """Sends an order with the present time, and returns whether it could be sent.
+
+        A stop is sent without a connection too, because the robot obeys it in every state.
+        """
+        if not (self.connected or order.stop):
+            return False
+        return self._send(replace(order, sent_at_ms=clock_ms(self._clock())))
 
     def reports(self, timeout_s: float | None = None) -> Iterator[Report]:
         """All reports, across lost connections, until none came for the time given."""
@@ -111,16 +126,33 @@ class Link:
                 last = self._clock()
                 yield report
 
+    def _answer(self, welcome: Welcome) -> None:
+        self._heard_at = self._clock()
+        self.connected = False
+        self.incompatible = welcome.incompatible
+        if self.incompatible is None:
+            self.handshake_ms = round((self._heard_at - self._hello_at) * 1000)
+            self.welcome = welcome
+            self._send(Confirm(welcome.session))
+
+    def _timed(self, report: Report) -> Report:
+        """The report with the round trip of its order, if it read one of this connection."""
+        if not (report.order_read and report.source == "PC"):
+            return report
+        passed = (clock_ms(self._clock()) - report.sent_at_ms) % CLOCK_MS
+        return replace(report, round_trip_ms=passed)
+
     def _begin(self) -> None:
         self._decoder = Decoder()
         self._unsent = bytearray()
         self._sequence = 0
+        self._hellos = 0
         self._heard_at = self._sent_at = self._hello_at = float("-inf")
         self.connected = False
         self.welcome = None
 
     def _keep_up(self) -> None:
-        """What the time demands: open the line again, begin again, or keep the connection."""
+        """Opens the line again, begins again, or keeps the connection, as the time demands."""
         now = self._clock()
         if self._line is None:
             try:
@@ -136,7 +168,9 @@ class Link:
         elif now - max(self._hello_at, self._heard_at) >= HELLO_EVERY_S:
             self._hello_at = now
             self._write(b"\0")
-            self._send(Hello())
+            self._hellos += 1
+            old = self._hellos % OLD_HELLO_AFTER == 0
+            self._send(Hello(1 if old else VERSION))
 
     def _send(self, message: ToMcu) -> bool:
         if isinstance(message, Hello):
@@ -157,8 +191,8 @@ class Link:
 
     def _flush(self) -> bool:
         try:
-            while self._unsent and self._line is not None:
-                del self._unsent[: os.write(self._line, self._unsent)]
+            if self._unsent and self._line is not None:
+                del self._unsent[: os.write(self._line.fileno(), self._unsent)]
         except BlockingIOError:
             pass
         except OSError:
@@ -171,14 +205,9 @@ class Link:
             time.sleep(timeout_s)
             return
         self._flush()
-        data = b""
         try:
-            if select.select([self._line], [], [], timeout_s)[0]:
-                data = os.read(self._line, READ_BYTES)
-                if not data:
-                    raise OSError("the line was closed")
-        except BlockingIOError:
-            return
+            select.select([self._line], [], [], timeout_s)
+            data = self._line.read(READ_BYTES)
         except OSError:
             self.close()
             return

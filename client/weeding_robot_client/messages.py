@@ -2,18 +2,34 @@
 
 from __future__ import annotations
 
-import struct
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 from typing import ClassVar
 
-from weeding_robot_client.frames import Frame
+from weeding_robot_client.frames import VERSION, Frame
+from weeding_robot_client.layout import LAYOUTS, SCHEMA_HASH, Layout
 
 WHEELS = ("front left", "front right", "rear left", "rear right")
 STATES = ("Working", "Waiting", "WaitingN", "Reconnecting", "WaitingK")
 MODES = ("RC", "PC", "Bluetooth")
 STEERING_STATES = ("off", "holding", "turning", "fault")
-SOURCES = {0: "RC", 1: "PC", 2: "Bluetooth", 255: None}
+NO_SOURCE = 255
+NO_WHEEL = 255
+INHIBITS = ("none", "no order", "stop", "not armed", "protective stop")
+STOP_CAUSES = (
+    "none",
+    "emergency stop",
+    "steering fault",
+    "overcurrent",
+    "no motion",
+    "wrong direction",
+    "overspeed",
+    "tracking error",
+    "missing measurement",
+    "Hall signals",
+    "reversal",
+)
 RESET_CAUSES = (
     "unknown cause",
     "power on",
@@ -46,15 +62,24 @@ COUNTERS = (
     "unexpected",
     "sequence_gaps",
     "reports_not_sent",
+    "stale_orders",
 )
+STOP_COMMAND = 1
+ACKNOWLEDGE_COMMAND = 2
+CLOCK_MS = 1 << 32  # the clock of the sender begins again at 0
 
 
 class MessageError(ValueError):
     """A frame that is no message, or a message that the protocol does not allow."""
 
 
+def named(names: Sequence[str], number: int, kind: str) -> str:
+    """Returns the name of a number, or the number itself in words when it has no name here."""
+    return names[number] if number < len(names) else f"{kind} {number}"
+
+
 class Quantity(Enum):
-    """What a wheel is ordered to do: its number on the line, unit, units on the line, limit."""
+    """Quantity of a set-point: its number on the line, unit, steps of a unit, limit."""
 
     VELOCITY = (0, "rpm", 10, 300.0)
     TENSION = (1, "V", 1000, 24.0)
@@ -65,13 +90,6 @@ class Quantity(Enum):
         self.unit = unit
         self.scale = scale
         self.limit = limit
-
-    @classmethod
-    def of(cls, code: int) -> Quantity:
-        for quantity in cls:
-            if quantity.code == code:
-                return quantity
-        raise MessageError(f"no quantity has the number {code}")
 
 
 @dataclass(frozen=True)
@@ -91,18 +109,41 @@ class WheelSetPoint:
     def raw(self) -> tuple[int, int]:
         return self.quantity.code, round(self.value * self.quantity.scale)
 
+    def __str__(self) -> str:
+        return f"{self.value:g} {self.quantity.unit}"
+
+
+@dataclass(frozen=True)
+class ReportedSetPoint:
+    """Set-point in a report: any number, in any quantity, also one without a name here."""
+
+    value: float
+    unit: str
+
     @classmethod
-    def from_raw(cls, code: int, value: int) -> WheelSetPoint:
-        quantity = Quantity.of(code)
-        return cls(quantity, value / quantity.scale)
+    def from_raw(cls, code: int, value: int) -> ReportedSetPoint:
+        for quantity in Quantity:
+            if quantity.code == code:
+                return cls(value / quantity.scale, quantity.unit)
+        return cls(float(value), f"(quantity {code})")
+
+    def __str__(self) -> str:
+        return f"{self.value:g} {self.unit}"
 
 
 @dataclass(frozen=True)
 class Hello:
+    """Request for a connection, with the versions and the layout that this client has."""
+
+    version: int = VERSION  # of the frame
     kind: ClassVar[int] = 0x01
 
     def payload(self) -> bytes:
-        return b""
+        if self.version != VERSION:
+            return b""  # other versions have their own layout; an empty Hello fits each
+        return LAYOUTS["Hello"].pack(
+            lowest_version=VERSION, highest_version=VERSION, schema_hash=SCHEMA_HASH
+        )
 
 
 @dataclass(frozen=True)
@@ -111,7 +152,7 @@ class Confirm:
     kind: ClassVar[int] = 0x02
 
     def payload(self) -> bytes:
-        return bytes([self.session])
+        return LAYOUTS["Confirm"].pack(session=self.session)
 
 
 @dataclass(frozen=True)
@@ -124,13 +165,16 @@ class KeepAlive:
 
 @dataclass(frozen=True)
 class Order:
+    """One complete set of set-points; ``sent_at_ms`` is the clock of this computer."""
+
     order_id: int
     steering_degrees: float  # positive to the left
     wheels: tuple[WheelSetPoint, WheelSetPoint, WheelSetPoint, WheelSetPoint]
     stop: bool = False
+    acknowledge: bool = False
+    sent_at_ms: int = 0
     kind: ClassVar[int] = 0x04
     steering_limit_degrees: ClassVar[float] = 32.0
-    form: ClassVar[struct.Struct] = struct.Struct("<HhBhBhBhBhB")
 
     def __post_init__(self) -> None:
         if not abs(self.steering_degrees) <= self.steering_limit_degrees:
@@ -139,9 +183,15 @@ class Order:
             raise MessageError(f"order id {self.order_id}: not within 0 to 65535")
 
     def payload(self) -> bytes:
-        wheels = [part for wheel in self.wheels for part in wheel.raw()]
-        return self.form.pack(
-            self.order_id, round(self.steering_degrees * 100), *wheels, int(self.stop)
+        wheels: dict[str, int] = {}
+        for number, wheel in enumerate(self.wheels):
+            wheels[f"quantity{number}"], wheels[f"set_point{number}"] = wheel.raw()
+        return LAYOUTS["Order"].pack(
+            order_id=self.order_id,
+            sent_at=self.sent_at_ms % CLOCK_MS,
+            steering_set_point=round(self.steering_degrees * 100),
+            commands=STOP_COMMAND * self.stop + ACKNOWLEDGE_COMMAND * self.acknowledge,
+            **wheels,
         )
 
 
@@ -176,27 +226,66 @@ class Welcome:
     cycle_period_ms: int
     waiting_cycles: int
     start: Start
+    protocol_versions: tuple[int, int] = (VERSION, VERSION)  # lowest and highest
+    schema_hash: int | None = SCHEMA_HASH  # None: the robot states none
     kind: ClassVar[int] = 0x81
-    form: ClassVar[struct.Struct] = struct.Struct("<4B8sHBBBHI")
+    layout: ClassVar[Layout] = LAYOUTS["Welcome"]
+    appended: ClassVar[int] = 6  # bytes that version 1 did not have
 
     @classmethod
-    def from_payload(cls, payload: bytes) -> Welcome:
-        session, major, minor, patch, build, period, waiting, *start = cls.form.unpack(payload)
+    def from_payload(cls, payload: bytes, frame_version: int = VERSION) -> Welcome:
+        """Reads a Welcome; one of version 1 ends before the versions that the robot supports."""
+        short = len(payload) < cls.layout.size
+        fields = cls.layout.unpack(payload + bytes(cls.appended))
+        build: object = fields["build_id"]
+        assert isinstance(build, bytes)
+        lowest, highest = fields["lowest_version"], fields["highest_version"]
         return cls(
-            session,
-            (major, minor, patch),
-            build.decode("ascii", "replace"),
-            period,
-            waiting,
-            Start(*start),
+            session=fields["session"],
+            version=(fields["firmware_major"], fields["firmware_minor"], fields["firmware_patch"]),
+            build_id=build.decode("ascii", "replace"),
+            cycle_period_ms=fields["cycle_period_ms"],
+            waiting_cycles=fields["waiting_cycles"],
+            start=Start(
+                fields["reset_cause"],
+                fields["fault"],
+                fields["fault_number"],
+                fields["fault_address"],
+            ),
+            protocol_versions=(frame_version,) * 2 if short else (lowest, highest),
+            schema_hash=None if short else fields["schema_hash"],
+        )
+
+    @property
+    def incompatible(self) -> str | None:
+        """Why there can be no connection, and the next action; None when there can be one."""
+        lowest, highest = self.protocol_versions
+        if lowest <= VERSION <= highest:
+            return None
+        spoken = f"version {lowest}" if lowest == highest else f"versions {lowest} to {highest}"
+        action = "Update this client" if lowest > VERSION else "Flash the robot (./wr flash)"
+        return (
+            f"The robot speaks {spoken} of the PC protocol, this client speaks version {VERSION}. "
+            f"{action}, and connect again."
+        )
+
+    @property
+    def schema_note(self) -> str | None:
+        """How the frames differ within one version; None when they are the same."""
+        if self.incompatible or self.schema_hash in (SCHEMA_HASH, None):
+            return None
+        return (
+            f"The robot's frames have the layout 0x{self.schema_hash:08x}, this client's "
+            f"0x{SCHEMA_HASH:08x}. Fields that only one side has are ignored. To use all fields, "
+            "take client and firmware from one version of the project."
         )
 
 
 @dataclass(frozen=True)
 class WheelReport:
-    """What one wheel was ordered, measured and given; None where the value is missing."""
+    """Set-point, measured values and output of one wheel; None where a value is missing."""
 
-    set_point: WheelSetPoint
+    set_point: ReportedSetPoint
     velocity_rpm: float | None
     current_amperes: float | None
     position_counts: int | None
@@ -204,6 +293,23 @@ class WheelReport:
     cut_off: bool
     blind: bool
     rejected_edges: int
+
+    @classmethod
+    def from_fields(cls, fields: dict[str, int], wheel: int) -> WheelReport:
+        measured = fields["measured"] >> 3 * wheel
+        applied = fields["applied"] >> wheel
+        return cls(
+            set_point=ReportedSetPoint.from_raw(
+                fields[f"quantity{wheel}"], fields[f"set_point{wheel}"]
+            ),
+            velocity_rpm=fields[f"velocity{wheel}"] / 10 if measured & 1 else None,
+            current_amperes=fields[f"current{wheel}"] / 1000 if measured & 2 else None,
+            position_counts=fields[f"position{wheel}"] if measured & 4 else None,
+            tension_volts=fields[f"tension{wheel}"] / 1000 if applied & 1 else None,
+            cut_off=bool(fields["cut_offs"] >> wheel & 1),
+            blind=bool(fields["blind_wheels"] >> wheel & 1),
+            rejected_edges=fields[f"rejected_edges{wheel}"],
+        )
 
 
 @dataclass(frozen=True)
@@ -217,7 +323,13 @@ class Report:
     order_read: bool
     held: bool
     overran: bool
+    armed: bool
+    inhibit: str  # why the robot does not follow its set-points
+    stop_cause: str  # of the latched protective stop
+    stop_wheel: int | None  # wheel that the cause concerns
+    stop_sources: tuple[str, ...]  # sources that order stop
     order_id: int
+    sent_at_ms: int  # echo of the order in force
     steering_set_point_degrees: float
     steering_degrees: float | None
     turn: int | None  # -1 right, 0 none, 1 left
@@ -229,64 +341,52 @@ class Report:
     report_cycles: int  # of the processor; 0 where the platform counts none, as the next two
     awake_cycles: int
     start_cycles: int
+    round_trip_ms: int | None = None  # from the order to this report, by the clock of this computer
     kind: ClassVar[int] = 0x82
-    form: ClassVar[struct.Struct] = struct.Struct("<IIBBBBHhBhBhBhBhhhhihhihhihhiH4hbB11H4B4H3I")
+    layout: ClassVar[Layout] = LAYOUTS["Report"]
 
     @classmethod
     def from_payload(cls, payload: bytes) -> Report:
-        values = cls.form.unpack(payload)
-        cycle, time_ms, state, mode, source, flags, order_id, steering = values[:8]
-        set_points, position, measures = values[8:16], values[16], values[17:29]
-        measured, tensions, turn, applied = values[29], values[30:34], values[34], values[35]
-        counters, (steering_state, ends, cut_offs, blind), rejected = (
-            values[36:47],
-            values[47:51],
-            values[51:55],
+        """Reads a report. A number that has no name here is shown as a number."""
+        fields = cls.layout.unpack(payload)
+        flags, source, sources = fields["flags"], fields["source"], fields["stop_sources"]
+        front_left, front_right, rear_left, rear_right = (
+            WheelReport.from_fields(fields, wheel) for wheel in range(len(WHEELS))
         )
-        report_cycles, awake_cycles, start_cycles = values[55:]
-        if state >= len(STATES) or mode >= len(MODES) or source not in SOURCES:
-            raise MessageError("a report with an unknown state, mode or source")
-        if steering_state >= len(STEERING_STATES):
-            raise MessageError("a report with an unknown state of the steering")
-        wheels = []
-        for wheel in range(len(WHEELS)):
-            velocity, current, counts = measures[3 * wheel : 3 * wheel + 3]
-            bits = measured >> 3 * wheel
-            wheels.append(
-                WheelReport(
-                    WheelSetPoint.from_raw(set_points[2 * wheel], set_points[2 * wheel + 1]),
-                    velocity / 10 if bits & 1 else None,
-                    current / 1000 if bits & 2 else None,
-                    counts if bits & 4 else None,
-                    tensions[wheel] / 1000 if applied >> wheel & 1 else None,
-                    bool(cut_offs >> wheel & 1),
-                    bool(blind >> wheel & 1),
-                    rejected[wheel],
-                )
-            )
         return cls(
-            cycle=cycle,
-            time_ms=time_ms,
-            state=STATES[state],
-            mode=MODES[mode],
-            source=SOURCES[source],
+            cycle=fields["cycle"],
+            time_ms=fields["time_ms"],
+            state=named(STATES, fields["state"], "state"),
+            mode=named(MODES, fields["mode"], "mode"),
+            source=None if source == NO_SOURCE else named(MODES, source, "source"),
             stop=bool(flags & 1),
             order_read=bool(flags & 2),
             held=bool(flags & 4),
             overran=bool(flags & 8),
-            order_id=order_id,
-            steering_set_point_degrees=steering / 100,
-            steering_degrees=position / 100 if measured & 1 << 12 else None,
-            turn=turn if applied & 16 else None,
-            steering_state=STEERING_STATES[steering_state],
-            left_end=bool(ends & 1),
-            right_end=bool(ends & 2),
-            wheels=(wheels[0], wheels[1], wheels[2], wheels[3]),
-            counters=dict(zip(COUNTERS, counters, strict=True)),
-            report_cycles=report_cycles,
-            awake_cycles=awake_cycles,
-            start_cycles=start_cycles,
+            armed=bool(flags & 16),
+            inhibit=named(INHIBITS, fields["inhibit"], "reason"),
+            stop_cause=named(STOP_CAUSES, fields["stop_cause"], "cause"),
+            stop_wheel=None if fields["stop_wheel"] == NO_WHEEL else fields["stop_wheel"],
+            stop_sources=tuple(named(MODES, n, "source") for n in range(8) if sources >> n & 1),
+            order_id=fields["order_id"],
+            sent_at_ms=fields["sent_at"],
+            steering_set_point_degrees=fields["steering_set_point"] / 100,
+            steering_degrees=fields["steering"] / 100 if fields["measured"] & 1 << 12 else None,
+            turn=fields["turn"] if fields["applied"] & 16 else None,
+            steering_state=named(STEERING_STATES, fields["steering_state"], "state"),
+            left_end=bool(fields["steering_ends"] & 1),
+            right_end=bool(fields["steering_ends"] & 2),
+            wheels=(front_left, front_right, rear_left, rear_right),
+            counters={name: fields[name] for name in COUNTERS},
+            report_cycles=fields["report_cycles"],
+            awake_cycles=fields["awake_cycles"],
+            start_cycles=fields["start_cycles"],
         )
+
+    @property
+    def ready(self) -> bool:
+        """Whether an order of the PC that moves the robot would be followed now."""
+        return self.armed or (self.inhibit == "none" and self.order_read and self.source == "PC")
 
 
 ToMcu = Hello | Confirm | KeepAlive | Order
@@ -294,18 +394,35 @@ FromMcu = Welcome | Report
 
 
 def to_frame(message: ToMcu, sequence: int) -> Frame:
-    return Frame(message.kind, sequence, message.payload())
+    version = message.version if isinstance(message, Hello) else VERSION
+    return Frame(message.kind, sequence, message.payload(), version)
 
 
 def from_frame(frame: Frame) -> FromMcu:
-    """The message of the MCU in a frame."""
-    for form in (Welcome, Report):
-        if frame.kind == form.kind:
-            if len(frame.payload) != form.form.size:
-                raise MessageError(f"a {form.__name__} of {len(frame.payload)} bytes")
-            return form.from_payload(frame.payload)
+    """Returns the message of the MCU in a frame.
+
+    A payload that is longer than known is accepted, a shorter one is not. A Welcome of another
+    version is accepted, because it names the versions that the robot supports.
+    """
+    if frame.kind == Welcome.kind:
+        others = frame.version != VERSION
+        _check_size(frame, Welcome.layout.size - (Welcome.appended if others else 0))
+        return Welcome.from_payload(frame.payload, frame.version)
+    if frame.version != VERSION:
+        raise MessageError(f"version {frame.version} of the protocol, not {VERSION}")
+    if frame.kind == Report.kind:
+        _check_size(frame, Report.layout.size)
+        return Report.from_payload(frame.payload)
     raise MessageError(f"unknown type of frame 0x{frame.kind:02x}")
 
 
-def all_wheels(quantity: Quantity, value: float) -> tuple[WheelSetPoint, ...]:
-    return (WheelSetPoint(quantity, value),) * len(WHEELS)
+def _check_size(frame: Frame, least: int) -> None:
+    if len(frame.payload) < least:
+        raise MessageError(f"type 0x{frame.kind:02x}: {len(frame.payload)} bytes, not {least}")
+
+
+def all_wheels(
+    quantity: Quantity, value: float
+) -> tuple[WheelSetPoint, WheelSetPoint, WheelSetPoint, WheelSetPoint]:
+    point = WheelSetPoint(quantity, value)
+    return point, point, point, point

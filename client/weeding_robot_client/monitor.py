@@ -7,14 +7,18 @@ import sys
 import time
 
 from weeding_robot_client.link import Link
-from weeding_robot_client.messages import WHEELS, Report, WheelReport
+from weeding_robot_client.messages import WHEELS, Report
 from weeding_robot_client.options import add_link, open_link, positive
+from weeding_robot_client.reasons import conditions, faults
 from weeding_robot_client.recording import Recording
 
 DESCRIPTION = """\
 Connects to the robot and shows its reports: a table that is renewed in a terminal, one line for
-each report elsewhere. A value that is missing or stale is shown as '-'. Ctrl-C ends it.
-Only one program can use the line at a time; ./wr drive shows the reports too."""
+each report elsewhere. It shows why the robot does not move, who ordered a stop, and the round trip
+from an order to its report. A value that is missing or stale is shown as '-'. Ctrl-C ends it.
+Only one program can use the line at a time; ./wr drive shows the reports too.
+
+Exit codes: 0 done, 1 the line cannot be opened."""
 EPILOG = ""
 MISSING = "-"
 CLEAR = "\x1b[H\x1b[J"
@@ -35,12 +39,12 @@ def run(options: argparse.Namespace) -> int:
         return 1
     table = sys.stdout.isatty() and not options.lines
     count = 0
-    connected: bool | None = None
+    state: tuple[bool, str | None] | None = None
     with link, Recording(options.csv) as recording:
         while options.reports is None or count < options.reports:
             reports = link.service(PATIENCE_S)
-            if connected is not link.connected:
-                connected = link.connected
+            if state != (link.connected, link.incompatible):
+                state = (link.connected, link.incompatible)
                 print(status(link), file=sys.stderr)
             for report in reports:
                 recording.add(report)
@@ -52,10 +56,13 @@ def run(options: argparse.Namespace) -> int:
 
 
 def status(link: Link) -> str:
-    """The state of the connection, with the time of day."""
+    """Returns the state of the connection, with the time of day."""
     text = f"no connection on {link.path}, trying"
-    if link.connected and link.welcome:
+    if link.incompatible:
+        text = link.incompatible
+    elif link.connected and link.welcome:
         text = f"connected to {firmware(link)}; last reset: {link.welcome.start}"
+        text += f"\n{link.welcome.schema_note}" if link.welcome.schema_note else ""
     return f"{time.strftime('%H:%M:%S')} {text}"
 
 
@@ -70,27 +77,25 @@ def shown(value: float | None, form: str) -> str:
 
 
 def flags(report: Report) -> str:
-    marks = [("stop", report.stop), ("held", report.held), ("overrun", report.overran)]
+    marks = [
+        ("armed", report.armed),
+        ("stop", report.stop),
+        ("held", report.held),
+        ("overrun", report.overran),
+    ]
     return " ".join(name for name, is_set in marks if is_set)
 
 
-def faults(report: Report) -> list[str]:
-    """What keeps the robot from doing what it is ordered, in words."""
-    found = [
-        f"{name} wheel {words}"
-        for name, wheel in zip(WHEELS, report.wheels, strict=True)
-        for words, is_set in (
-            ("is cut off: its current was too high", wheel.cut_off),
-            ("has tension but gives no Hall edge", wheel.blind),
-        )
-        if is_set
-    ]
-    if report.steering_state == "fault":
-        found.append("steering is in fault: it did not move as ordered, or its position is missing")
-    for side, reached in (("left", report.left_end), ("right", report.right_end)):
-        if reached:
-            found.append(f"steering is at its {side} end stop")
-    return found
+def inhibit(report: Report) -> str:
+    """Short form of the reason why the robot does not follow its set-points."""
+    if report.inhibit == "none":
+        return ""
+    detail = ""
+    if report.inhibit == "stop":
+        detail = f" of {', '.join(report.stop_sources)}" if report.stop_sources else ""
+    elif report.inhibit == "protective stop":
+        detail = f": {report.stop_cause}"
+    return f"[{report.inhibit}{detail}] "
 
 
 def source(report: Report) -> str:
@@ -99,17 +104,14 @@ def source(report: Report) -> str:
     return f"order {report.order_id} of the PC" if report.source == "PC" else "order of the RC"
 
 
-def set_point(wheel: WheelReport) -> str:
-    return f"{wheel.set_point.value:g} {wheel.set_point.quantity.unit}"
-
-
 def as_line(report: Report) -> str:
-    ordered = dict.fromkeys(set_point(wheel) for wheel in report.wheels)
+    ordered = dict.fromkeys(str(wheel.set_point) for wheel in report.wheels)
     velocities = " ".join(shown(wheel.velocity_rpm, ".1f") for wheel in report.wheels)
     return (
         f"{report.cycle:7} {report.time_ms / 1000:9.1f} s  {report.state:12} {report.mode}  "
         f"{source(report):22} {report.steering_set_point_degrees:g} deg, {', '.join(ordered)}  "
-        f"measured {shown(report.steering_degrees, '.2f')} deg, {velocities} rpm  {flags(report)}"
+        f"measured {shown(report.steering_degrees, '.2f')} deg, {velocities} rpm  "
+        f"{inhibit(report)}{flags(report)}"
     ).rstrip() + "".join(f"; {fault}" for fault in faults(report))
 
 
@@ -124,6 +126,8 @@ def as_table(report: Report, link: Link) -> str:
         f"{firmware(link)}, {session(link)}",
         f"cycle {report.cycle}, {report.time_ms / 1000:.1f} s   state {report.state}   "
         f"reading mode {report.mode}   {source(report)}   {flags(report)}".rstrip(),
+        f"stop ordered by: {', '.join(report.stop_sources) or 'nobody'}   round trip: order "
+        f"{shown(report.round_trip_ms, 'd')} ms, at connect {shown(link.handshake_ms, 'd')} ms",
         "",
         f"steering: set-point {report.steering_set_point_degrees:.2f} deg, measured "
         f"{shown(report.steering_degrees, '.2f')} deg, turn {shown(report.turn, 'd')}, "
@@ -134,11 +138,11 @@ def as_table(report: Report, link: Link) -> str:
     ]
     for name, wheel in zip(WHEELS, report.wheels, strict=True):
         lines.append(
-            f"{name:12} {set_point(wheel):>12} {shown(wheel.velocity_rpm, '.1f'):>8} "
+            f"{name:12} {wheel.set_point!s:>12} {shown(wheel.velocity_rpm, '.1f'):>8} "
             f"{shown(wheel.current_amperes, '.2f'):>8} {shown(wheel.position_counts, 'd'):>9} "
             f"{shown(wheel.tension_volts, '.2f'):>10} {wheel.rejected_edges:>9}"
         )
-    lines += ["", *(faults(report) or ["no fault"])]
+    lines += ["", *(conditions(report) or ["no fault; the robot follows its orders"])]
     raised = [f"{name} {count}" for name, count in report.counters.items() if count]
     lines += ["", "counters: " + (", ".join(raised) or "all 0")]
     if link.damaged:

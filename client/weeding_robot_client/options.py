@@ -6,7 +6,8 @@ import argparse
 import sys
 from pathlib import Path
 
-from weeding_robot_client.link import Link
+from weeding_robot_client.link import BusyError, Link
+from weeding_robot_client.script import ScriptError, wheel_number
 
 DEFAULT_LINK = Path(__file__).resolve().parents[2] / "build" / "pc-link"
 
@@ -29,10 +30,21 @@ def positive(text: str) -> int:
     return number
 
 
+def wheel(text: str) -> int:
+    try:
+        return wheel_number(text)
+    except ScriptError as error:
+        raise argparse.ArgumentTypeError(str(error)) from error
+
+
 def open_link(path: Path) -> Link | None:
-    """The link, or None after a message that says why there is none."""
+    """Returns the link, or None after a message that says why there is none."""
     try:
         return Link(path)
+    except BusyError:
+        print(f"{path} is in use: another program drives or monitors the robot.", file=sys.stderr)
+        print("End that program, and try again.", file=sys.stderr)
+        return None
     except OSError as error:
         print(f"cannot open {path}: {error.strerror or error}", file=sys.stderr)
         print("Run ./wr sim in another terminal, or name a port with --link.", file=sys.stderr)

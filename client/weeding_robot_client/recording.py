@@ -30,7 +30,14 @@ PLAIN_COLUMNS = (
     "order_read",
     "held",
     "overran",
+    "armed",
+    "inhibit",
+    "stop_cause",
+    "stop_wheel",
+    "stop_sources",
     "order_id",
+    "sent_at_ms",
+    "round_trip_ms",
     "steering_set_point_degrees",
     "steering_degrees",
     "turn",
@@ -50,11 +57,17 @@ COLUMNS = (
 def row(report: Report) -> list[object]:
     cells: list[object] = [getattr(report, column) for column in PLAIN_COLUMNS]
     for wheel in report.wheels:
-        cells += [wheel.set_point.value, wheel.set_point.quantity.unit]
+        cells += [wheel.set_point.value, wheel.set_point.unit]
         cells += [getattr(wheel, column) for column in WHEEL_COLUMNS[2:]]
     cells += [report.counters[counter] for counter in COUNTERS]
     cells += [getattr(report, column) for column in COSTS]
-    return [int(cell) if isinstance(cell, bool) else cell for cell in cells]
+    return [_cell(value) for value in cells]
+
+
+def _cell(value: object) -> object:
+    if isinstance(value, bool):
+        return int(value)
+    return " ".join(value) if isinstance(value, tuple) else value
 
 
 class Recording(AbstractContextManager["Recording"]):

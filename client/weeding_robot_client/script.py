@@ -1,55 +1,93 @@
-"""Files that say what to order when."""
+"""Scripts: files of orders with their times."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from weeding_robot_client.messages import MessageError, Order, Quantity, all_wheels
+from weeding_robot_client.messages import (
+    WHEELS,
+    MessageError,
+    Order,
+    Quantity,
+    WheelSetPoint,
+    all_wheels,
+)
 
 HELP = """\
-A script has one line for each change, with times that do not fall:
+A script has one line for each change, with times that do not decrease:
 
   # comment
   at 0s velocity 0 rpm
   at 1.5s velocity 150 rpm steering 10 deg
   at 3s tension 12 V
   at 4s current -2.5 A steering -5 deg
-  at 5s stop
-  at 6s release
-  at 7s end
+  at 5s wheel 0 tension 1 V
+  at 6s stop
+  at 7s release
+  at 8s acknowledge
+  at 9s end
 
-Time starts when the connection stands. 'velocity', 'tension' and 'current' go to all four wheels;
-velocity is that of the motor shaft. Steering is positive to the left. What a line does not name
-stays as it was. 'stop' halts the wheels, also after the script's end, until 'release'.
-The last line is 'end'."""
+Time starts when the robot is armed. 'velocity', 'tension' and 'current' are for all four wheels,
+or, after 'wheel N', for wheel N alone: 0 front left, 1 front right, 2 rear left, 3 rear right.
+'tension' is the voltage of the motor; velocity is that of the motor shaft. Steering is positive to
+the left. A line changes only the values that it names. 'stop' orders stop, also after the end of
+the script, until 'release'. 'acknowledge' releases a protective stop. 'release' and 'acknowledge'
+set all wheels to 0; keep them there for 0.5 s, which arms the robot again. The last line is
+'end'."""
 
-WORDS = re.compile(r"\s*(?:(stop|release|end)|(\w+)\s+(\S+)\s+(\w+))\s*")
+WORDS = re.compile(
+    r"\s*(?:(stop|release|acknowledge|end)\b|(?:wheel\s+(\S+)\s+)?(\w+)\s+(\S+)\s+(\w+))\s*"
+)
 UNITS = {"velocity": "rpm", "tension": "V", "current": "A", "steering": "deg"}
+ACKNOWLEDGE_S = 0.3
+
+Points = tuple[WheelSetPoint, WheelSetPoint, WheelSetPoint, WheelSetPoint]
+STILL: Points = all_wheels(Quantity.VELOCITY, 0.0)
 
 
 class ScriptError(ValueError):
-    """A line of a script that cannot be understood."""
+    """A script with a line that has an error."""
 
 
 @dataclass(frozen=True)
 class Wish:
-    """What to order now."""
+    """Content of the next order."""
 
-    quantity: Quantity = Quantity.VELOCITY
-    value: float = 0.0
+    wheels: Points = STILL
     steering_degrees: float = 0.0
     stop: bool = False
+    acknowledge: bool = False
+
+    @classmethod
+    def of(
+        cls,
+        quantity: Quantity,
+        value: float,
+        steering_degrees: float = 0.0,
+        wheels: Iterable[int] | None = None,
+    ) -> Wish:
+        """Returns a wish with one value for some wheels, or for all; the others stand still."""
+        chosen = range(len(WHEELS)) if wheels is None else wheels
+        wish = cls(steering_degrees=steering_degrees)
+        for wheel in chosen:
+            wish = wish.with_wheel(wheel, WheelSetPoint(quantity, value))
+        return wish
+
+    def with_wheel(self, wheel: int, point: WheelSetPoint) -> Wish:
+        points = list(self.wheels)
+        points[wheel] = point
+        front_left, front_right, rear_left, rear_right = points
+        return replace(self, wheels=(front_left, front_right, rear_left, rear_right))
+
+    def neutral(self) -> Wish:
+        """Returns the same steering and stop, with all wheels at 0."""
+        return replace(self, wheels=STILL, acknowledge=False)
 
     def order(self, order_id: int) -> Order:
-        front_left, front_right, rear_left, rear_right = all_wheels(self.quantity, self.value)
-        return Order(
-            order_id,
-            self.steering_degrees,
-            (front_left, front_right, rear_left, rear_right),
-            self.stop,
-        )
+        return Order(order_id, self.steering_degrees, self.wheels, self.stop, self.acknowledge)
 
 
 @dataclass(frozen=True)
@@ -60,9 +98,12 @@ class Script:
     end_s: float
 
     def at(self, seconds: float) -> Wish | None:
-        """The wish at a time: None before the first."""
-        held = [wish for start, wish in self.wishes if start <= seconds]
-        return held[-1] if held else None
+        """Returns the wish at a time: None before the first."""
+        earlier = [(start, wish) for start, wish in self.wishes if start <= seconds]
+        if not earlier:
+            return None
+        start, wish = earlier[-1]
+        return wish if seconds - start < ACKNOWLEDGE_S else replace(wish, acknowledge=False)
 
 
 def load(path: Path) -> Script:
@@ -104,9 +145,10 @@ def _time(content: str) -> tuple[float, str]:
 
 
 def _change(wish: Wish, rest: str) -> tuple[Wish, bool]:
-    """The wish after the words of one line, and whether they end the script."""
+    """Returns the wish after the words of one line, and whether they end the script."""
     if not rest:
         raise ScriptError("nothing follows the time")
+    wish = replace(wish, acknowledge=False)
     position = 0
     while position < len(rest):
         match = WORDS.match(rest, position)
@@ -115,22 +157,42 @@ def _change(wish: Wish, rest: str) -> tuple[Wish, bool]:
         position = match.end()
         if match[1] == "end":
             if position < len(rest) or match.start() > 0:
-                raise ScriptError("'end' stands alone after its time")
+                raise ScriptError("'end' must be alone after its time")
             return wish, True
-        wish = replace(wish, stop=match[1] == "stop") if match[1] else _set(wish, match)
+        wish = _command(wish, match[1]) if match[1] else _set(wish, match)
     return wish, False
 
 
+def _command(wish: Wish, word: str) -> Wish:
+    if word == "stop":
+        return replace(wish, stop=True)
+    if word == "release":
+        return replace(wish.neutral(), stop=False)
+    return replace(wish.neutral(), acknowledge=True)
+
+
 def _set(wish: Wish, match: re.Match[str]) -> Wish:
-    what, number, unit = match[2], match[3], match[4]
-    if what not in UNITS:
-        raise ScriptError(f"unknown word '{what}'")
-    if unit != UNITS[what]:
-        raise ScriptError(f"{what} is given in {UNITS[what]}, not in {unit}")
+    wheel, name, number, unit = match[2], match[3], match[4], match[5]
+    if name not in UNITS:
+        raise ScriptError(f"unknown word '{name}'")
+    if unit != UNITS[name]:
+        raise ScriptError(f"the unit of {name} is {UNITS[name]}, not {unit}")
     try:
         value = float(number)
     except ValueError as error:
         raise ScriptError(f"'{number}' is not a number") from error
-    if what == "steering":
+    if name == "steering":
+        if wheel is not None:
+            raise ScriptError("steering belongs to no wheel")
         return replace(wish, steering_degrees=value)
-    return replace(wish, quantity=Quantity[what.upper()], value=value)
+    point = WheelSetPoint(Quantity[name.upper()], value)
+    for chosen in range(len(WHEELS)) if wheel is None else (wheel_number(wheel),):
+        wish = wish.with_wheel(chosen, point)
+    return wish
+
+
+def wheel_number(text: str) -> int:
+    """Returns the number of a wheel, 0 to 3. Raises ScriptError for another text."""
+    if text not in map(str, range(len(WHEELS))):
+        raise ScriptError(f"'{text}' is not a wheel from 0 to {len(WHEELS) - 1}")
+    return int(text)

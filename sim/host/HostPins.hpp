@@ -31,18 +31,19 @@ struct HostWheelPins {
 struct HostSteeringPins {
   /// @brief Makes the pins.
   /// @param scheduler serves the interrupts
-  explicit HostSteeringPins(HostScheduler& scheduler) : leftEnd(scheduler), rightEnd(scheduler) {}
+  explicit HostSteeringPins(HostScheduler& scheduler)
+      : leftEnd(scheduler, false), rightEnd(scheduler, false) {}
 
   HostDigitalOutput step;
   HostDigitalOutput direction;  ///< on: left
   HostDigitalOutput enable;
-  HostEdgeInput leftEnd;   ///< low: reached
-  HostEdgeInput rightEnd;  ///< low: reached
+  HostEdgeInput leftEnd;   ///< high: reached, or a broken wire
+  HostEdgeInput rightEnd;  ///< high: reached, or a broken wire
   HostAnalogInput angle;
 };
 
 /// @brief All pins of the firmware on the host, with nothing on them: currents and steering in the
-/// middle, no edges, no end stop.
+/// middle, no edges, no end stop, no emergency stop.
 struct HostPins {
   /// @brief Makes the pins.
   /// @param scheduler serves the interrupts

@@ -1,10 +1,13 @@
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
+#include <span>
 
 #include "sim/host/HostTimebase.hpp"
-#include "sim/host/HostWorld.hpp"
 #include "sim/host/PtySerialPort.hpp"
+#include "sim/program/ControlChannel.hpp"
 #include "sim/program/Program.hpp"
 #include "sim/scenario/HostLine.hpp"
 
@@ -16,8 +19,9 @@ constexpr const char* kUsage =
     "Runs the firmware in a simulated robot on this machine in real time. The PC link is a\n"
     "pseudo-terminal.\n"
     "\n"
-    "  --paper         run the paper's design, without the safety functions\n"
+    "  --paper          run the paper's design, without the safety functions\n"
     "  --link PATH      make PATH a symbolic link to the pseudo-terminal\n"
+    "  --control PATH   accept actions of a scenario at a datagram socket\n"
     "  --cycles N       stop after N control cycles\n"
     "  --scenario FILE  play a scenario in stepped time, without link\n"
     "  --reports FILE   write each report of the scenario to FILE, as comma-separated values\n"
@@ -27,14 +31,25 @@ constexpr const char* kUsage =
 
 // Time that the robot runs without a look at the clock of the machine.
 constexpr wr::Microseconds kSlice = wr::milliseconds(1);
+// Bytes that the line brings in a look at the pseudo-terminal; what is more waits there.
+constexpr std::size_t kBytes = 64;
 
 wr::HostEquipment equipmentOf(const wr::CommandLine& options) {
   return options.has("--paper") ? wr::HostEquipment::Whole : wr::HostEquipment::Safe;
 }
 
-bool hasRun(const wr::HostWorld& world, const std::optional<std::uint64_t>& cycles,
-            wr::Microseconds period) {
-  return cycles && world.nextPulse() > wr::Instant() + period * static_cast<std::int64_t>(*cycles);
+bool hasRun(const wr::HostLine& robot, const std::optional<std::uint64_t>& cycles) {
+  const wr::Microseconds period = robot.world.robot.period();
+  return cycles &&
+         robot.world.nextPulse() > wr::Instant() + period * static_cast<std::int64_t>(*cycles);
+}
+
+// Brings the bytes of the pseudo-terminal to the robot.
+void listen(wr::PtySerialPort& port, wr::HostLine& robot) {
+  std::array<std::uint8_t, kBytes> bytes{};
+  for (std::size_t count = port.read(bytes); count != 0; count = port.read(bytes)) {
+    robot.send(std::span(bytes).first(count));
+  }
 }
 
 void runInRealTime(const wr::CommandLine& options) {
@@ -45,20 +60,24 @@ void runInRealTime(const wr::CommandLine& options) {
   std::printf("PC link: %s\n", port.path().c_str());
   std::fflush(stdout);
   const wr::RealTimebase clock;
-  wr::HostWorld world(port, equipmentOf(options));
-  world.start();
-  const wr::Microseconds period = world.robot.period();
-  for (wr::Instant now; !hasRun(world, cycles, period) && !wr::endRequested();) {
+  wr::HostLine robot(equipmentOf(options));
+  wr::ControlChannel control(options.value("--control").value_or(""), robot);
+  robot.start();
+  for (wr::Instant now; !hasRun(robot, cycles) && !wr::endRequested();) {
     now = now + kSlice;
     while (!wr::endRequested() && clock.now() < now) {
       clock.sleepUntil(now);
     }
-    world.runUntil(now);
+    listen(port, robot);
+    control.serve();
+    robot.world.runUntil(now);
+    port.write(robot.takeSent());  // bytes that nobody reads are lost, as on a line
   }
 }
 
 wr::Exit run(int count, char** arguments) {
-  const wr::CommandLine options(count, arguments, {"--link", "--cycles", "--scenario", "--reports"},
+  const wr::CommandLine options(count, arguments,
+                                {"--link", "--control", "--cycles", "--scenario", "--reports"},
                                 {"--help", "--paper"});
   if (options.has("--help")) {
     std::fputs(kUsage, stdout);

@@ -14,10 +14,11 @@ namespace wr::k64 {
 /// K64P144M120SF5RM, chapter Analog-to-Digital Converter (ADC); limits of its clock: data sheet
 /// K64P144M120SF5, 16-bit ADC operating conditions.
 ///
-/// A conversion takes the voltage at which it begins. An open input keeps the charge that the conversion
-/// before it left on the capacitor of the converter. Modelled are single-ended conversions that
-/// the program starts, and the calibration. Not modelled: hardware triggers, differential inputs,
-/// continuous conversions, the compare function, DMA, other clocks than the bus clock.
+/// A conversion takes the voltage at which it begins. An open input keeps the charge that the
+/// conversion before it left on the capacitor of the converter. Modelled are single-ended
+/// conversions that the program starts, and the calibration. Not modelled: hardware triggers,
+/// differential inputs, continuous conversions, the compare function, DMA, other clocks than the
+/// bus clock.
 class Adc final : public Peripheral {
  public:
   /// @brief What the pin of a channel is.

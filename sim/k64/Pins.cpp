@@ -16,7 +16,7 @@ constexpr std::uint32_t kDfer = 0xC0;
 constexpr std::uint32_t kDfcr = 0xC4;
 constexpr std::uint32_t kDfwr = 0xC8;
 
-constexpr unsigned kPortWithFilters = 3;     // D
+constexpr unsigned kPortWithFilters = 3;        // D
 constexpr std::uint32_t kPinsOfFilters = 0xFF;  // the pins that the port has
 constexpr std::uint32_t kWidth = 0x1F;
 constexpr std::uint64_t kClocksOfSynchronizer = 3;
@@ -73,8 +73,8 @@ void Port::passLater(unsigned pin) {
     waiting_ &= ~bit;
   } else if ((waiting_ & bit) == 0) {
     waiting_ |= bit;
-    passesAt_[pin] = board_.busClock().count(board_.time()) + (filter_[2] & kWidth) +
-                     kClocksOfSynchronizer;
+    passesAt_[pin] =
+        board_.busClock().count(board_.time()) + (filter_[2] & kWidth) + kClocksOfSynchronizer;
   }
 }
 

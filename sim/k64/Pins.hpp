@@ -81,7 +81,7 @@ class Port final : public Peripheral {
   std::uint32_t before_ = 0;   ///< levels seen last
   std::uint32_t onLevel_ = 0;  ///< pins whose interrupt is raised by a level
   std::array<std::uint32_t, 3> filter_{};
-  std::uint32_t waiting_ = 0;                  ///< pins whose level differs from that behind the filter
+  std::uint32_t waiting_ = 0;  ///< pins whose level differs from that behind the filter
   std::array<std::uint64_t, 32> passesAt_{};  ///< count of the bus clock
 };
 

@@ -21,6 +21,7 @@
 #include "sim/k64/Pit.hpp"
 #include "sim/k64/PlainRegisters.hpp"
 #include "sim/k64/Rcm.hpp"
+#include "sim/k64/Rnga.hpp"
 #include "sim/k64/Sim.hpp"
 #include "sim/k64/Symbols.hpp"
 #include "sim/k64/Uart.hpp"
@@ -54,8 +55,8 @@ constexpr unsigned kConverters = 2;
 constexpr Uart::Kind kUart0{.number = 0, .coreClock = true, .fifo = 0x22, .line = 31};
 constexpr Uart::Kind kUart4{.number = 4, .coreClock = false, .fifo = 0x00, .line = 66};
 
-// Blocks whose registers keep what they are given: K64P144M120SF5RM, chapters OSC, SMC, PMC, and
-// Memory Protection Unit (MPU).
+// Blocks whose registers keep what they are given: K64P144M120SF5RM, chapters OSC, SMC, PMC (LVDSC1,
+// LVDSC2, REGSC), and Memory Protection Unit (MPU).
 constexpr std::array<PlainRegister, 1> kOsc{{{0x0, 0x00, 0xAF}}};
 constexpr std::array<PlainRegister, 4> kSmc{
     {{0x0, 0x00, 0x2A}, {0x1, 0x00, 0x00}, {0x2, 0x03, 0x27}, {0x3, 0x01, 0x00}}};
@@ -84,6 +85,7 @@ class VirtualBoard::Parts final : public Surroundings {
         sysmpu_(*this, "SYSMPU", 4, kSysmpu),
         wdog_(*this),
         rcm_(*this),
+        rng_(*this),
         pit_(*this),
         uarts_{Uart(*this, kUart0), Uart(*this, kUart4)},
         ftms_{Ftm(*this, 0, 8), Ftm(*this, 1, 2), Ftm(*this, 2, 2), Ftm(*this, 3, 8)},
@@ -95,7 +97,7 @@ class VirtualBoard::Parts final : public Surroundings {
                Gpio(*this, pins_[4], ports_[4])},
         byName_{{"SIM", &sim_},        {"MCG", &mcg_},        {"OSC", &osc_},
                 {"SMC", &smc_},        {"PMC", &pmc_},        {"SYSMPU", &sysmpu_},
-                {"WDOG", &wdog_},      {"RCM", &rcm_},        {"PIT", &pit_},
+                {"WDOG", &wdog_},      {"RCM", &rcm_},        {"RNG", &rng_},        {"PIT", &pit_},
                 {"UART0", &uarts_[0]}, {"UART4", &uarts_[1]}, {"FTM0", &ftms_[0]},
                 {"FTM1", &ftms_[1]},   {"FTM2", &ftms_[2]},   {"FTM3", &ftms_[3]},
                 {"ADC0", &adcs_[0]},   {"ADC1", &adcs_[1]},   {"PORTA", &ports_[0]},
@@ -205,6 +207,7 @@ class VirtualBoard::Parts final : public Surroundings {
   PlainRegisters sysmpu_;
   Wdog wdog_;
   Rcm rcm_;
+  Rnga rng_;
   Pit pit_;
   std::array<Uart, 2> uarts_;
   std::array<Ftm, kTimers> ftms_;

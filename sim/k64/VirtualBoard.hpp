@@ -21,14 +21,15 @@ class ExecutedCode;
 
 /// @brief What a virtual board does and has.
 struct Options {
-  std::filesystem::path elf{};    ///< names the functions of findings; may be empty
-  bool externalClock = true;      ///< the clock of 50 MHz is there
-  unsigned failingClockStep = 0;  ///< step of the clock generator that never ends: 2 the change to the
-                                  ///< external clock, 3 the lock of the PLL, 4 the change to the PLL
+  std::filesystem::path elf{};  ///< names the functions of findings; may be empty
+  bool externalClock = true;    ///< the clock of 50 MHz is there
+  unsigned failingClockStep =
+      0;  ///< step of the clock generator that never ends: 2 the change to the
+          ///< external clock, 3 the lock of the PLL, 4 the change to the PLL
   std::array<bool, 2> calibrates{true, true};  ///< the calibration of each converter succeeds
-  bool resetsAreFindings = true;  ///< a reset that the program causes stops the run
-  Timing timing = Timing::NoWaitStates;  ///< what instructions cost
-  bool faultsAreFindings = true;         ///< a fault stops the run; false: the program gets it
+  bool resetsAreFindings = true;               ///< a reset that the program causes stops the run
+  Timing timing = Timing::NoWaitStates;        ///< what instructions cost
+  bool faultsAreFindings = true;  ///< a fault stops the run; false: the program gets it
 };
 
 /// @brief A K64 microcontroller with its clock and a line to a PC, which runs an image unchanged.

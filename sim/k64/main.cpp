@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "sim/host/PtySerialPort.hpp"
+#include "sim/program/ControlChannel.hpp"
 #include "sim/program/Program.hpp"
 #include "sim/scenario/BoardLine.hpp"
 #include "sim/scenario/CycleMeter.hpp"
@@ -32,6 +33,7 @@ constexpr const char* kUsage =
     "  --image BIN      what flash holds from address 0\n"
     "  --elf ELF        names the functions in findings\n"
     "  --link PATH      make PATH a symbolic link to the pseudo-terminal\n"
+    "  --control PATH   accept actions of a scenario at a datagram socket\n"
     "  --cycles N       stop after N control cycles\n"
     "  --fast           run as fast as possible, without link; needs --cycles\n"
     "  --scenario FILE  play a scenario in stepped time, without link\n"
@@ -81,16 +83,20 @@ wr::Exit runInRealTime(wr::BoardLine& robot, const wr::CommandLine& options) {
   wr::catchEndRequests();
   wr::PtySerialPort port;
   const wr::SymbolicLink link(options.value("--link").value_or(""), port.path());
+  wr::ControlChannel control(options.value("--control").value_or(""), robot);
   const std::optional<std::uint64_t> cycles = options.count("--cycles");
   std::printf("PC link: %s\n", port.path().c_str());
   std::fflush(stdout);
   const auto start = std::chrono::steady_clock::now();
   std::array<std::uint8_t, kBytes> bytes{};
   while (!wr::endRequested() && !(cycles && hasRun(robot, *cycles))) {
-    robot.send(std::span(bytes).first(port.read(bytes)));
+    for (std::size_t count = port.read(bytes); count != 0; count = port.read(bytes)) {
+      robot.send(std::span(bytes).first(count));
+    }
     if (!robot.board.runUntil(robot.board.now() + kSlice)) {
       break;
     }
+    control.serve();
     port.write(robot.takeSent());  // what nobody reads is lost, as on a line
     std::this_thread::sleep_until(start + robot.board.now());
   }
@@ -140,8 +146,8 @@ wr::k64::Timing timingOf(const wr::CommandLine& options) {
 
 wr::Exit run(int count, char** arguments) {
   const wr::CommandLine options(count, arguments,
-                                {"--image", "--elf", "--link", "--cycles", "--scenario",
-                                 "--reports", "--trace", "--bench", "--timing"},
+                                {"--image", "--elf", "--link", "--control", "--cycles",
+                                 "--scenario", "--reports", "--trace", "--bench", "--timing"},
                                 {"--fast", "--profile", "--stack", "--help"});
   if (options.has("--help")) {
     std::fputs(kUsage, stdout);

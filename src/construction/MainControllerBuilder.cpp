@@ -8,11 +8,10 @@
 namespace wr {
 
 MainControllerBuilder::Link::Link(const Devices& devices)
-    : reader(devices.timebase),
-      handshaking(connected, disconnected),
+    : handshaking(connected, disconnected),
       disconnected(handshaking),
       connected(handshaking, disconnected),
-      connection(devices.pcPort, devices.timebase, reader, disconnected, devices.start) {}
+      connection(devices.pcPort, reader, disconnected, devices.start) {}
 
 MainControllerBuilder::RemoteControl::RemoteControl(const RemoteControlDevices& devices,
                                                     const Timebase& timebase,

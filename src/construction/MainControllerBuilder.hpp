@@ -75,7 +75,8 @@ class MainControllerBuilder {
     EdgeInput& directionPin;   ///< pulses of the direction lever
     Pipe<Velocity>& velocity;  ///< velocity that the pulses mean
     Pipe<Angle>& direction;    ///< direction that the pulses mean
-    const Timebase* edgeTime = nullptr;  ///< gives the time of an edge; none: the timebase of all devices
+    const Timebase* edgeTime =
+        nullptr;  ///< gives the time of an edge; none: the timebase of all devices
   };
 
   /// @brief What the platform gives to the main controller. Each device lives as long as the builder.

@@ -47,8 +47,8 @@ WheelSystemBuilder::System::System(const Devices& devices, Actuator& actuator, S
       haltWheel(control.controller, actuator.wheel),
       system({.wheel = devices.wheel,
               .thread = devices.thread,
-              .registerPosition = registerPosition,
               .readVelocity = readVelocity,
+              .registerPosition = registerPosition,
               .readCurrent = readCurrent,
               .applyControl = applyControl,
               .haltWheel = haltWheel}) {}

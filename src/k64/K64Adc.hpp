@@ -97,6 +97,7 @@ class K64Adc final : public AnalogInput {
 
   /// @isr{yes}
   /// @satisfies FR-142
+  /// @satisfies FR-205
   [[nodiscard]] std::optional<std::uint16_t> sample() override;
 
  private:

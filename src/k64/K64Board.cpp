@@ -123,8 +123,8 @@ void connect(const Pin& pin, Mux to) {
   }
 }
 
-// The digital filters of the port of the Hall sensors, the only port that has them, take 31 bus clocks
-// of the full clock: they pass no pulse that is shorter than 0.5 us.
+// The digital filters of the port of the Hall sensors, the only port that has them, take 31 bus
+// clocks of the full clock: they pass no pulse that is shorter than 0.5 us.
 void filterHallSensors() {
   constexpr std::uint32_t kWidth = 31;
   constexpr auto kPort = static_cast<std::uint32_t>(Port::D) * port::kPortDistance;
@@ -182,9 +182,9 @@ void K64Board::enableGuards() {
 
 std::uint16_t K64Board::startClock() {
   sim::CLKDIV1.write(kDividers);
-  // The core stays on the internal FLL until the external clock is known to run. The clock of the FLL
-  // may jump when its reference changes (erratum 7993). That does no harm here: the dividers are set,
-  // the clock is used for some microseconds only, and no device works with it.
+  // The core stays on the internal FLL until the external clock is known to run. The clock of the
+  // FLL may jump when its reference changes (erratum 7993). That does no harm here: the dividers
+  // are set, the clock is used for some microseconds only, and no device works with it.
   mcg::C2.write(mcg::C2_LOCRE0 | mcg::C2_RANGE_VERY_HIGH);
   mcg::C1.write(mcg::C1_CLKS_PLL_FLL | mcg::C1_FRDIV_1536);
   if (!comes(mcg::S_IREFST, {})) {
@@ -213,7 +213,7 @@ void K64Board::openGates() {
   sim::SCGC1.set(sim::SCGC1_UART4);
   sim::SCGC3.set(sim::SCGC3_ADC1);
   sim::SCGC4.set(sim::SCGC4_UART0);
-  sim::SCGC6.set(sim::SCGC6_PIT | sim::SCGC6_FTM0 | sim::SCGC6_ADC0);
+  sim::SCGC6.set(sim::SCGC6_RNGA | sim::SCGC6_PIT | sim::SCGC6_FTM0 | sim::SCGC6_ADC0);
 }
 
 StartRecord K64Board::takeStartRecord() {

@@ -41,6 +41,7 @@ class K64Board {
   /// @pre makeOutputsSafe() was called.
   /// @isr{no}
   /// @satisfies FR-144
+  /// @satisfies FR-202
   static void connectInputs();
 
   /// @brief Lets the core execute instructions with floating-point numbers.
@@ -50,6 +51,7 @@ class K64Board {
   /// @brief Makes a division by zero a fault, and a supply below 2.56 V a reset.
   /// @isr{no}
   /// @satisfies FR-204
+  /// @satisfies FR-206
   static void enableGuards();
 
   /// @brief Brings the core from the clock after reset to 120 MHz.

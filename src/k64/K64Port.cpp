@@ -29,6 +29,7 @@ bool K64Port::acknowledge() {
   const bool edge = (flags.read().value >> number_ & 1U) != 0;
   if (edge) {
     flags.write(port::ISFR.bit(number_));
+    const InterruptLock lock;  // the tick writes the same
     ++edges_;
     if (edges_ == kMostEdges) {
       const auto control = controlOf(port_, number_);
@@ -49,7 +50,8 @@ void K64Port::allowEdges() {
   }
   const InterruptLock lock;  // the interrupts of the edges write the same
   if (edges_ >= kMostEdges) {
-    start();
+    const auto control = controlOf(port_, number_);
+    control.write(control.read() | port::PCR_IRQC_BOTH_EDGES);
   }
   edges_ = 0;
 }

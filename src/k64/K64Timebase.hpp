@@ -27,7 +27,7 @@ class K64Timebase final : public Timebase {
     /// @brief Records the present time.
     /// @satisfies FR-200
     /// @isr{yes}
-    void record() { time_ = clock_.now(); }
+    void record();
 
     /// @return the recorded time [us]
     /// @satisfies FR-200

@@ -45,7 +45,7 @@ inline void closeInterrupts() {
   asm volatile("cpsid i" ::: "memory");
 }
 
-/// @brief Lets the interrupts through again. Those that wait are served before this returns.
+/// @brief Lets the interrupts through again.
 inline void openInterrupts() {
   asm volatile("cpsie i\n\tisb" ::: "memory");
 }

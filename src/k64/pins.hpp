@@ -51,9 +51,9 @@ struct PinRow {
 };
 
 // The pins that the firmware uses, one on a line. A signal of a peripheral has the name that the
-// part gives it. PTA2 is SWO after reset, which no probe of this board needs. PTE25 is also the data
-// line of the accelerometer, which is not used. Left alone: J2-2, which is PTC12 from revision E of the board on only; before, it
-// is PTA0, a pin of the debugger.
+// part gives it. PTA2 is SWO after reset, which no probe of this board needs. PTE25 is also the
+// data line of the accelerometer, which is not used. Left alone: J2-2, which is PTC12 from revision
+// E of the board on only; before, it is PTA0, a pin of the debugger.
 // clang-format off
 inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3", "After reset it is the NMI; as an input it is none."},

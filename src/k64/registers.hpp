@@ -63,11 +63,23 @@ inline constexpr auto SCGC5_PORTC = SCGC5.bit(11);
 inline constexpr auto SCGC5_PORTD = SCGC5.bit(12);
 inline constexpr auto SCGC5_PORTE = SCGC5.bit(13);
 inline constexpr Register<std::uint32_t, 0x4004803C> SCGC6;
+inline constexpr auto SCGC6_RNGA = SCGC6.bit(9);
 inline constexpr auto SCGC6_PIT = SCGC6.bit(23);
 inline constexpr auto SCGC6_FTM0 = SCGC6.bit(24);
 inline constexpr auto SCGC6_ADC0 = SCGC6.bit(27);
 inline constexpr Register<std::uint32_t, 0x40048044> CLKDIV1;
 }  // namespace sim
+
+/// @brief Random number generator.
+namespace rng {
+inline constexpr Register<std::uint32_t, 0x40029000> CR;
+inline constexpr auto CR_GO = CR.bit(0);
+inline constexpr auto CR_HA = CR.bit(1);
+inline constexpr auto CR_INTM = CR.bit(2);
+inline constexpr Register<std::uint32_t, 0x40029004, Access::Read> SR;
+inline constexpr auto SR_OREG_LVL = SR.field(0xFF, 8);
+inline constexpr Register<std::uint32_t, 0x4002900C, Access::Read> OR;
+}  // namespace rng
 
 /// @brief Power management: supervision of the supply.
 namespace pmc {
@@ -190,7 +202,6 @@ inline constexpr auto C2_RIE = C2.bit(5);
 inline constexpr auto C2_TIE = C2.bit(7);
 inline constexpr Register<std::uint8_t, 0x4006A004, Access::Read> S1;
 inline constexpr auto S1_FE = S1.bit(1);
-inline constexpr auto S1_NF = S1.bit(2);
 inline constexpr auto S1_OR = S1.bit(3);
 inline constexpr auto S1_RDRF = S1.bit(5);
 inline constexpr auto S1_TDRE = S1.bit(7);
@@ -198,6 +209,16 @@ inline constexpr Register<std::uint8_t, 0x4006A006> C3;
 inline constexpr auto C3_ORIE = C3.bit(3);
 inline constexpr Register<std::uint8_t, 0x4006A007, Access::Flags> D;
 inline constexpr Register<std::uint8_t, 0x4006A00A> C4;
+inline constexpr Register<std::uint8_t, 0x4006A00C, Access::Read> ED;
+inline constexpr auto ED_NOISY = ED.bit(7);
+inline constexpr Register<std::uint8_t, 0x4006A010> PFIFO;
+inline constexpr auto PFIFO_RXFE = PFIFO.bit(3);
+inline constexpr auto PFIFO_TXFE = PFIFO.bit(7);
+inline constexpr Register<std::uint8_t, 0x4006A011, Access::Flags> CFIFO;
+inline constexpr auto CFIFO_RXFLUSH = CFIFO.bit(6);
+inline constexpr auto CFIFO_TXFLUSH = CFIFO.bit(7);
+inline constexpr Register<std::uint8_t, 0x4006A014, Access::Read> TCFIFO;
+inline constexpr Register<std::uint8_t, 0x4006A016, Access::Read> RCFIFO;
 }  // namespace uart
 
 /// @brief Interrupt controller of the core.

@@ -182,6 +182,23 @@ TEST(K64AdcInTheRobot, FR142_ReportsHaveTheCurrentsAndTheAngle) {
   }
 }
 
+/// @brief The report shows no angle when the wire of its sensor is open and its input has the resistor.
+/// @verifies FR-205
+TEST(K64AdcInTheRobot, FR205_OpenInputOfTheAngleIsMissing) {
+  constexpr Input kAngle = kInputs[4];
+  BoardRobot robot;
+  robot.startUp();
+  robot.connect();
+  ASSERT_NE(robot.report().measured & kSteeringPosition, 0);
+  robot.board.onWrite([&](std::uint32_t address, unsigned /*size*/, std::uint32_t value) {
+    if (address == kConverterBegin + kDistance && (value & kNoChannel) == kAngle.channel) {
+      robot.board.setAnalog(kAngle.converter, kAngle.channel, 0.0);
+    }
+  });
+  robot.silentCycles(3);
+  EXPECT_EQ(robot.report().measured & kSteeringPosition, 0);
+}
+
 /// @brief When the calibration failed the robot runs, and its reports tell that the currents and the angle
 /// are missing.
 /// @verifies FR-143

@@ -134,8 +134,8 @@ std::ostream& operator<<(std::ostream& out, const ClockFailure& failure) {
 
 class K64BoardWithoutClock : public testing::TestWithParam<ClockFailure> {
  protected:
-  // Runs to a time of an attempt. The outputs are safe at each microsecond but those between a reset
-  // and the first stores of the start.
+  // Runs to a time of an attempt. The outputs are safe at each microsecond but those between a
+  // reset and the first stores of the start.
   static void runSafely(BoardRobot& robot, nanoseconds duration) {
     constexpr nanoseconds kFirstStores{100'000};
     const nanoseconds end = robot.board.now() + duration;
@@ -185,6 +185,17 @@ INSTANTIATE_TEST_SUITE_P(
                     ClockFailure{"NoLock", {.failingClockStep = 3}, 3},
                     ClockFailure{"NoChangeToPll", {.failingClockStep = 4}, 4}),
     [](const auto& each) { return each.param.name; });
+
+/// @brief Without the external clock no cycle runs. When the clock comes back the cycles begin.
+/// @verifies FR-73
+TEST(K64BoardOnBoard, FR73_StartIsTriedAgainUntilTheClockComes) {
+  BoardRobot robot(k64::Options{.externalClock = false});
+  robot.run(seconds(1));
+  EXPECT_EQ(robot.line.pulses().size(), 0U);
+  robot.board.setExternalClock(true);
+  robot.run(milliseconds(340 + 210));
+  EXPECT_GE(robot.line.pulses().size(), 2U);
+}
 
 // An order that turns all wheels.
 constexpr PcOrder kDriveOrder{.id = 1,
@@ -340,6 +351,17 @@ TEST_P(K64BoardEnds, FR75_WhileTheRobotDrives) {
   robot.board.raise(static_cast<int>(GetParam().exception));
   EXPECT_EQ(unsafeAtReset(robot), "");
   EXPECT_EQ(robot.board.pwmDuty(0, 0), 0.0);
+}
+
+/// @brief A division by zero is a fault like others: the record is made, and the reset comes.
+/// @verifies FR-206
+TEST(K64BoardOnBoard, FR206_DivisionByZeroIsAFault) {
+  BoardRobot robot(withHandler(unchanged(), kUnusedException, stubs::divideByZero()));
+  robot.cycles(2);
+  robot.board.raise(kUnusedException);
+  EXPECT_EQ(unsafeAtReset(robot), "");
+  robot.startUp();
+  EXPECT_EQ(robot.askForWelcome().faultKind, kUsageFault);
 }
 
 /// @brief A stack that overflows is a fault like others: the record is made, and the reset comes.

@@ -37,9 +37,10 @@ TEST(K64PitOnBoard, FR1_PulsesComeEvery100Milliseconds) {
 TEST(K64PitOnBoard, FR100_TicksComeEveryMillisecond) {
   constexpr std::uint32_t kTickException = exceptionOf(49);
   constexpr int kCycles = 20;
-  constexpr PcOrder kOrder{.id = 1,
-                           .steering = 150,
-                           .wheels = {{{.value = 3000}, {.value = 3000}, {.value = 3000}, {.value = 3000}}}};
+  constexpr PcOrder kOrder{
+      .id = 1,
+      .steering = 150,
+      .wheels = {{{.value = 3000}, {.value = 3000}, {.value = 3000}, {.value = 3000}}}};
   BoardRobot robot;
   robot.startUp();
   robot.commandByPc(kOrder);

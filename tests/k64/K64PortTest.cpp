@@ -6,6 +6,7 @@
 
 #include "k64/BoardRobot.hpp"
 #include "k64/DriverBoard.hpp"
+#include "k64/patch.hpp"
 
 namespace wr::test {
 namespace {
@@ -136,8 +137,8 @@ TEST_F(K64PortOnBoard, FR202_ShortPulsesAtHallSensorsHaveNoEdge) {
   EXPECT_GE(edges().at(4), 1);
 }
 
-// Pulses of the remote control: widths of velocity, direction and enable in microseconds. The program
-// computes for 50 us after each edge.
+// Pulses of the remote control: widths of velocity, direction and enable in microseconds. The
+// program computes for some microseconds after each edge.
 std::vector<std::uint16_t> widths(DriverBoard& drivers) {
   return drivers.ask('W');
 }
@@ -197,22 +198,70 @@ TEST_F(K64PortOnBoard, FR144_LevelsAreThoseOfThePins) {
 }
 
 /// @brief Noise of 200 kHz at all Hall sensors and all signals of the remote control leaves the cycles their
-/// time: none is late, and the watchdog does not reset.
+/// time: in a second ten of them run, none is late, and the watchdog does not reset.
 /// @verifies FR-201
 TEST(K64PortInTheRobot, FR201_NoiseDoesNotStarveTheCycles) {
   BoardRobot robot;
   robot.startUp();
-  robot.connect();
+  bool noise = true;
   bool level = false;
-  robot.board.onTime(nanoseconds(5000), [&] {
+  robot.board.onTime(nanoseconds(2500), [&] {
     level = !level;
     for (const Wire& wire : kEdgeInputs) {
-      robot.board.drive(wire.port, wire.number, level);
+      if (noise) {
+        robot.board.drive(wire.port, wire.number, level);
+      }
     }
   });
-  robot.cycles(8);
+  robot.run(seconds(1));
+  noise = false;
   EXPECT_EQ(robot.board.resets(), 0);
+  EXPECT_EQ(robot.line.pulses().size(), 10U);
+  robot.connect();
   EXPECT_EQ(robot.report().overruns, 0);
+}
+
+/// @brief In the robot one interrupt serves the end of a pulse of the remote control and the begin of another
+/// one at the same moment.
+/// @verifies FR-200
+TEST(K64PortInTheRobot, FR200_OneInterruptServesEdgesThatComeTogether) {
+  constexpr std::uint32_t kEdgeException = exceptionOf(60);
+  BoardRobot robot;
+  robot.startUp();
+  int interrupts = 0;
+  robot.line.onEvent([&](const k64::Event& event) {
+    interrupts +=
+        event.kind == k64::Event::Kind::ExceptionEntered && event.number == kEdgeException ? 1 : 0;
+  });
+  robot.board.drive('B', 18, true);
+  robot.run(milliseconds(1));
+  EXPECT_EQ(interrupts, 1);
+  robot.board.drive('B', 18, false);
+  robot.board.drive('B', 19, true);
+  robot.run(milliseconds(1));
+  EXPECT_EQ(interrupts, 2);
+}
+
+/// @brief A robot at rest with pulses of 0.5 us at its Hall sensors counts none of them.
+/// @verifies FR-202
+TEST(K64PortInTheRobot, FR202_ShortPulsesMoveNoWheel) {
+  BoardRobot robot;
+  robot.startUp();
+  robot.connect();
+  for (int pulse = 0; pulse < 100; ++pulse) {
+    for (std::size_t sensor = 0; sensor < 8; ++sensor) {
+      const Wire& wire = kEdgeInputs.at(sensor);
+      const bool level = robot.board.pin(wire.port, wire.number);
+      robot.board.drive(wire.port, wire.number, !level);
+      robot.board.driveAt(robot.board.now() + nanoseconds(500), wire.port, wire.number, level);
+    }
+    robot.run(nanoseconds(100'000));
+  }
+  robot.silentCycles(2);
+  for (std::size_t wheel = 0; wheel < 4; ++wheel) {
+    EXPECT_EQ(robot.report().position.at(wheel), 0);
+    EXPECT_EQ(robot.report().rejectedEdges.at(wheel), 0);
+  }
 }
 
 /// @brief A wheel that the PC lets turn is measured: its Hall sensors interrupt at each edge.

@@ -95,6 +95,13 @@ Code overflowStack() {
   return {0xB401, 0xE7FD};  // 1: push {r0}; b 1b
 }
 
+Code keepDevicesWaiting(std::uint32_t rounds) {
+  Code code;
+  load(code, 2, rounds);
+  code.insert(code.end(), {0x3A01, 0xD1FD, 0x4770});  // 1: subs r2, #1; bne 1b; bx lr
+  return code;
+}
+
 Code takeTime(std::uint32_t rounds) {
   Code code;
   load(code, 0, 0xE000ED23);                  // SHPR3, priority of SysTick

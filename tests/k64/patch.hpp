@@ -57,6 +57,10 @@ inline constexpr std::uint32_t kPeripheral = 0x40000000;
 /// Pushes onto the stack without end.
 [[nodiscard]] Code overflowStack();
 
+/// Takes time above the priority of all devices: two instructions for each round. For
+/// kUnusedException.
+[[nodiscard]] Code keepDevicesWaiting(std::uint32_t rounds);
+
 /// Lowers the priority of kUnusedException below that of all devices, then takes time: two
 /// instructions for each round.
 [[nodiscard]] Code takeTime(std::uint32_t rounds);

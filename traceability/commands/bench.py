@@ -14,11 +14,11 @@ from functools import partial
 from pathlib import Path
 from typing import Any, TextIO
 
-from weeding_robot_client.drive import connect, halt, order_ids
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import Quantity, Report
 from weeding_robot_client.options import positive
-from weeding_robot_client.recording import Recording
+from weeding_robot_client.orders import Orders as Sender
+from weeding_robot_client.orders import arm, connect, not_connected
 from weeding_robot_client.script import Wish
 
 from traceability.commands.builds import (
@@ -198,11 +198,7 @@ def orders_of(text: str) -> list[Orders]:
     for line in text.splitlines():
         if match := ORDER.match(line.strip()):
             first, last, _, velocity, steering = match.groups(default="0")
-            wish = Wish(
-                quantity=Quantity.VELOCITY,
-                value=int(velocity) / 10,
-                steering_degrees=int(steering) / 100,
-            )
+            wish = Wish.of(Quantity.VELOCITY, int(velocity) / 10, int(steering) / 100)
             found.append(Orders(int(first) / 1000, int(last) / 1000, wish))
     return found
 
@@ -241,26 +237,28 @@ def on_board(root: Path, port: Path, seconds: float | None) -> int:
 
 
 def drive(port: Path, wanted: Iterator[Wish]) -> list[Report]:
-    """Orders each wish for a cycle; the reports that came meanwhile."""
+    """Arms the robot and orders each wish for a cycle; returns the reports."""
     try:
         link = Link(port)
     except OSError as error:
         raise FailureError(str(error)) from error
-    with link, Recording(None) as recording:
-        if not connect(link, recording):
-            raise FailureError(f"no answer on {port}")
-        ids = order_ids()
+    with link:
+        sender = Sender(link)
+        if not connect(sender):
+            raise FailureError(not_connected(link))
+        if reason := arm(sender):
+            raise FailureError(f"the robot is not armed. {reason}")
         reports = []
         due = time.monotonic()
         wish = Wish()
         for wish in wanted:
-            link.send(wish.order(next(ids)))
+            sender.send(wish)
             due += PERIOD_MS / 1000
             while (left := due - time.monotonic()) > 0:
                 reports += link.service(left)
             if not link.connected:
                 raise FailureError("the connection was lost")
-        halt(link, wish, next(ids))
+        sender.end(wish)
     return reports
 
 

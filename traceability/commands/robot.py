@@ -1,23 +1,39 @@
-"""./wr drive and ./wr monitor: the client of the PC protocol."""
+"""./wr drive, monitor, arm, acknowledge and bring-up: the client of the PC protocol."""
 
 from __future__ import annotations
 
 import argparse
+from collections.abc import Callable
 
-from weeding_robot_client import drive, monitor
+from weeding_robot_client import bring_up, drive, monitor, procedures
+
+Options = Callable[[argparse.ArgumentParser], None]
+Run = Callable[[argparse.Namespace], int]
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    for module, name, text in (
-        (drive, "drive", "drive the robot from the keyboard or from a file"),
-        (monitor, "monitor", "show what the robot reports"),
-    ):
+    arm, acknowledge = procedures.run_arm, procedures.run_acknowledge
+    help_of = {
+        "drive": "drive the robot from the keyboard or from a file",
+        "monitor": "show what the robot reports",
+        "arm": "send neutral orders until the robot is armed",
+        "acknowledge": "acknowledge a protective stop",
+        "bring-up": "check a new robot step by step, up to the first turning wheel",
+    }
+    entries: dict[str, tuple[Options, Run, str, str]] = {
+        "drive": (drive.add_options, drive.run, drive.DESCRIPTION, drive.EPILOG),
+        "monitor": (monitor.add_options, monitor.run, monitor.DESCRIPTION, monitor.EPILOG),
+        "arm": (procedures.add_options, arm, procedures.ARM, ""),
+        "acknowledge": (procedures.add_options, acknowledge, procedures.ACKNOWLEDGE, ""),
+        "bring-up": (bring_up.add_options, bring_up.run, bring_up.DESCRIPTION, ""),
+    }
+    for name, (add_options, run, description, epilog) in entries.items():
         parser = commands.add_parser(
             name,
-            help=text,
-            description=module.DESCRIPTION,
-            epilog=module.EPILOG,
+            help=help_of[name],
+            description=description,
+            epilog=epilog,
             formatter_class=argparse.RawDescriptionHelpFormatter,
         )
-        module.add_options(parser)
-        parser.set_defaults(run=lambda _root, options, run=module.run: run(options))
+        add_options(parser)
+        parser.set_defaults(run=lambda _root, options, run=run: run(options))

@@ -35,6 +35,12 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="name of the link made to the pseudo-terminal (default: build/pc-link)",
     )
     parser.add_argument(
+        "--control",
+        type=Path,
+        metavar="PATH",
+        help="socket that accepts actions of a scenario (default: build/sim-control)",
+    )
+    parser.add_argument(
         "--cycles", type=positive, help="end after this number of control cycles of 100 ms"
     )
     parser.add_argument(
@@ -89,12 +95,14 @@ def command(root: Path, options: argparse.Namespace) -> list[str]:
         words += ["--image", str(image), "--elf", str(elf)]
     elif options.product == PAPER:
         words.append("--paper")
-    link = options.link
-    if link is None and not stepped:
-        link = root / "build" / "pc-link"
-        link.parent.mkdir(parents=True, exist_ok=True)
+    link, control = options.link, options.control
+    if not stepped:
+        link = link or root / "build" / "pc-link"
+        control = control or root / "build" / "sim-control"
+        (root / "build").mkdir(parents=True, exist_ok=True)
     for name, value in (
         ("--link", link),
+        ("--control", control),
         ("--cycles", options.cycles),
         ("--scenario", options.scenario),
         ("--reports", options.reports),

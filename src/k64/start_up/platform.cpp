@@ -18,7 +18,7 @@ constinit K64Watchdog watchdog;
 constinit K64Timebase timebase;
 constinit K64Pit cycleTimer(K64Pit::Channel::First);
 constinit K64Pit tickTimer(K64Pit::Channel::Second);
-K64Uart pcPort(K64Uart::Port::Uart0);
+K64Uart pcPort(K64Uart::Port::Uart0, timebase);
 constinit K64Thread mainThread(kMainThreadLine);
 
 constinit std::array<WheelDevices, kWheelCount> wheels{

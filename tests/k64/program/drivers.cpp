@@ -38,7 +38,7 @@ std::array<std::uint16_t, edgeInputs.size()> edges{};
 std::array<std::uint16_t, 8> runs{};  // numbers of the threads, in the order in which they ran
 std::size_t runCount = 0;
 
-K64Uart secondPort(K64Uart::Port::Uart4);
+K64Uart secondPort(K64Uart::Port::Uart4, platform::timebase);
 
 void note(std::uint16_t thread) {
   runs[runCount % runs.size()] = thread;
@@ -92,7 +92,7 @@ std::array<Pulse, 3> pulses{};
 
 // Serves an input of the remote control, and computes as long as a product may do that.
 void servePulse(std::size_t input) {
-  constexpr std::uint32_t kRounds = 2000;
+  constexpr std::uint32_t kRounds = 400;
   countEdges(kHallCount + input, kHallCount + input + 1);
   Pulse& pulse = pulses[input];
   const Instant now = platform::rcEdgeTime.now();

@@ -6,19 +6,23 @@ import itertools
 import os
 import pty
 import select
+import signal
 import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import pytest
-from weeding_robot_client import drive, monitor
-from weeding_robot_client.drive import keys, pressed
+from weeding_robot_client import drive, monitor, procedures
+from weeding_robot_client import orders as orders_module
+from weeding_robot_client.keyboard import Hand, keys
 from weeding_robot_client.link import Link
-from weeding_robot_client.messages import Quantity
+from weeding_robot_client.messages import Quantity, WheelSetPoint
+from weeding_robot_client.reasons import faults
 from weeding_robot_client.recording import COLUMNS
 from weeding_robot_client.script import HELP, ScriptError, Wish, parse
 
@@ -26,17 +30,20 @@ ROOT = Path(__file__).parents[3]
 
 
 def options(mcu: Any, **more: Any) -> argparse.Namespace:
-    defaults = {"link": mcu.path, "csv": None, "script": None, "lines": True, "reports": None}
+    defaults = {
+        **{"link": mcu.path, "csv": None, "script": None, "lines": True, "reports": None},
+        "wheel": None,
+    }
     return argparse.Namespace(**{**defaults, **more})
 
 
 def orders(mcu: Any) -> list[tuple[int, int, int]]:
-    """Velocity of the first wheel, steering and stop of each order, as on the line."""
+    """Velocity of the first wheel, steering and commands of each order, as on the line."""
     return [
         (
-            int.from_bytes(frame.payload[5:7], "little", signed=True),
-            int.from_bytes(frame.payload[2:4], "little", signed=True),
-            frame.payload[16],
+            int.from_bytes(frame.payload[9:11], "little", signed=True),
+            int.from_bytes(frame.payload[6:8], "little", signed=True),
+            frame.payload[20],
         )
         for frame in mcu.of_kind(0x04)
     ]
@@ -45,11 +52,32 @@ def orders(mcu: Any) -> list[tuple[int, int, int]]:
 def test_the_script_of_the_help_is_understood() -> None:
     lines = [line for line in HELP.splitlines() if line.startswith("  ")]
     script = parse("\n".join(lines))
-    assert script.end_s == 7.0
-    assert script.at(2.0) == Wish(value=150.0, steering_degrees=10.0)
-    assert script.at(4.5) == Wish(Quantity.CURRENT, -2.5, -5.0)
-    assert script.at(5.0) == Wish(Quantity.CURRENT, -2.5, -5.0, stop=True)
-    assert script.at(6.9) == Wish(Quantity.CURRENT, -2.5, -5.0, stop=False)
+    assert script.end_s == 9.0
+    assert script.at(2.0) == Wish.of(Quantity.VELOCITY, 150.0, 10.0)
+    current = Wish.of(Quantity.CURRENT, -2.5, -5.0)
+    assert script.at(4.5) == current
+    one = current.with_wheel(0, WheelSetPoint(Quantity.TENSION, 1.0))
+    assert script.at(5.5) == one
+    assert script.at(6.0) == replace(one, stop=True)
+    assert script.at(7.0) == Wish(steering_degrees=-5.0)
+    assert script.at(8.1) == Wish(steering_degrees=-5.0, acknowledge=True)
+    assert script.at(8.9) == Wish(steering_degrees=-5.0)
+
+
+def test_each_wheel_has_its_own_value() -> None:
+    script = parse("at 0s velocity 5 rpm wheel 2 tension 1 V wheel 3 velocity -7 rpm\nat 1s end")
+    wish = script.at(0.0)
+    assert wish is not None
+    assert [str(point) for point in wish.wheels] == ["5 rpm", "5 rpm", "1 V", "-7 rpm"]
+
+
+@pytest.mark.parametrize("words", ["release", "acknowledge"])
+def test_release_and_acknowledge_set_the_wheels_to_0(words: str) -> None:
+    script = parse(f"at 0s velocity 50 rpm stop\nat 1s {words}\nat 3s end")
+    wish = script.at(1.0)
+    assert wish is not None
+    assert not any(point.value for point in wish.wheels)
+    assert wish.stop == (words == "acknowledge")
 
 
 def test_nothing_is_ordered_before_the_first_line() -> None:
@@ -60,7 +88,10 @@ def test_nothing_is_ordered_before_the_first_line() -> None:
     ("text", "place", "reason"),
     [
         ("at 0s velocity 150", 1, "cannot understand"),
-        ("at 0s velocity 150 V", 1, "in rpm, not in V"),
+        ("at 0s velocity 150 V", 1, "is rpm, not V"),
+        ("at 0s wheel 4 velocity 5 rpm", 1, "not a wheel"),
+        ("at 0s wheel x velocity 5 rpm", 1, "not a wheel"),
+        ("at 0s wheel 0 steering 5 deg", 1, "belongs to no wheel"),
         ("\nat 0s velocity 301 rpm", 2, "not within"),
         ("at 0s steering 33 deg", 1, "not within"),
         ("at 0s speed 3 rpm", 1, "unknown word"),
@@ -69,8 +100,8 @@ def test_nothing_is_ordered_before_the_first_line() -> None:
         ("at 0s", 1, "nothing follows"),
         ("at 2s stop\nat 1s release", 2, "before the line above"),
         ("at 2s end\nat 3s stop", 2, "nothing may follow"),
-        ("at 2s stop end", 1, "stands alone"),
-        ("at 2s end stop", 1, "stands alone"),
+        ("at 2s stop end", 1, "must be alone"),
+        ("at 2s end stop", 1, "must be alone"),
     ],
 )
 def test_a_wrong_line_is_named(text: str, place: int, reason: str) -> None:
@@ -84,23 +115,75 @@ def test_a_script_without_end_is_refused() -> None:
 
 
 def test_keys_and_arrows() -> None:
-    assert list(keys(b"w\x1b[A\x1bOBq")) == [b"w", b"w", b"s", b"q"]
-    wish = Wish()
-    for key, repeat in ((b"w", 40), (b"a", 40)):
-        for _ in range(repeat):
-            wish = pressed(wish, key)
-    assert wish == Wish(value=300.0, steering_degrees=32.0)
-    assert pressed(wish, b" ") == Wish(value=0.0, steering_degrees=32.0, stop=True)
-    assert pressed(pressed(wish, b" "), b"r") == Wish(value=0.0, steering_degrees=32.0)
-    assert pressed(wish, b"0") == Wish()
-    assert pressed(wish, b"x") == wish
-    for key in (b"s", b"d"):
+    assert list(keys(b"w\x1b[A\x1bOBQ\x1b[D\x1b[C")) == [b"w", b"w", b"s", b"q", b"j", b"l"]
+
+
+def velocity(hand: Hand, now: float) -> float:
+    return hand.wish(now).wheels[0].value
+
+
+def test_a_motion_lasts_for_300_ms_after_the_last_key() -> None:
+    hand = Hand()
+    assert velocity(hand, 0.0) == 0.0
+    hand.press(b"w", 10.0)
+    assert velocity(hand, 10.29) == 50.0
+    assert velocity(hand, 10.31) == 0.0
+    hand.press(b"w", 11.0)
+    hand.press(b"w", 11.25)
+    assert velocity(hand, 11.5) == 50.0
+    hand.press(b"s", 11.6)
+    assert velocity(hand, 11.7) == -50.0
+    assert velocity(hand, 12.0) == 0.0
+
+
+def test_a_steering_key_prolongs_a_motion_but_begins_none() -> None:
+    hand = Hand()
+    hand.press(b"j", 1.0)
+    assert velocity(hand, 1.1) == 0.0
+    hand.press(b"w", 2.0)
+    hand.press(b"j", 2.2)
+    assert velocity(hand, 2.45) == 50.0
+    hand.press(b"j", 2.6)
+    assert velocity(hand, 2.65) == 0.0
+    assert hand.wish(3.0).steering_degrees == 3.0
+
+
+def test_speed_and_steering_keep_their_limits() -> None:
+    hand = Hand()
+    for key in (b"+", b"j"):
+        for _ in range(60):
+            hand.press(key, 0.0)
+    assert (hand.speed_rpm, hand.steering_degrees) == (300.0, 32.0)
+    for key in (b"-", b"l"):
         for _ in range(80):
-            wish = pressed(wish, key)
-    assert wish == Wish(value=-300.0, steering_degrees=-32.0)
+            hand.press(key, 0.0)
+    assert (hand.speed_rpm, hand.steering_degrees) == (10.0, -32.0)
+    hand.press(b"0", 0.0)
+    hand.press(b"x", 0.0)
+    assert hand.wish(0.0) == Wish()
 
 
-def test_a_script_drives_and_its_end_orders_standstill(
+def test_stop_release_and_acknowledge_end_a_motion() -> None:
+    hand = Hand()
+    for key in (b" ", b"r", b"a"):
+        hand.press(b"w", 5.0)
+        hand.press(key, 5.1)
+        assert velocity(hand, 5.1) == 0.0
+        assert hand.stop == (key == b" ")
+    assert hand.wish(5.3).acknowledge
+    assert not hand.wish(5.5).acknowledge
+    hand.press(b" ", 6.0)
+    hand.press(b"w", 6.1)
+    assert hand.wish(6.2) == Wish(stop=True)
+
+
+def test_the_keyboard_can_drive_some_wheels_only() -> None:
+    hand = Hand(wheels=(2,))
+    hand.press(b"w", 0.0)
+    assert [point.value for point in hand.wish(0.1).wheels] == [0.0, 0.0, 50.0, 0.0]
+
+
+def test_a_script_arms_drives_and_its_end_orders_standstill(
     mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     script = tmp_path / "script"
@@ -109,14 +192,51 @@ def test_a_script_drives_and_its_end_orders_standstill(
     assert drive.run(options(mcu, script=script, csv=table)) == 0
     time.sleep(0.2)
     ordered = [key for key, _ in itertools.groupby(orders(mcu))]
-    assert ordered == [(500, 0, 0), (500, -200, 1), (0, -200, 1)]
+    assert ordered == [(0, 0, 0), (500, 0, 0), (500, -200, 1), (0, -200, 1)]
     rows = list(csv.DictReader(table.open()))
     assert len(rows) >= 5
     assert tuple(rows[0]) == COLUMNS
     assert rows[-1]["state"] == "Working"
-    assert rows[-1]["steering_degrees"] == ""
     assert rows[-1]["damaged"] == "0"
-    assert "Working" in capsys.readouterr().out
+    assert {row["armed"] for row in rows} == {"0", "1"}
+    assert {"not armed", "none", "stop"} <= {row["inhibit"] for row in rows}
+    assert rows[-1]["stop_sources"] == "PC"
+    assert any(0 <= int(row["round_trip_ms"] or -1) < 200 for row in rows)
+    shown = capsys.readouterr()
+    assert "Working" in shown.out
+    assert "[stop of PC]" in shown.out
+    assert "Send neutral orders for 0.5 s" in shown.err
+
+
+def test_a_script_does_not_release_a_stop(
+    mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    mcu.stop = True
+    script = tmp_path / "script"
+    script.write_text("at 0s velocity 50 rpm\nat 1s end\n")
+    assert drive.run(options(mcu, script=script)) == 1
+    assert "./wr arm" in capsys.readouterr().err
+    assert not orders(mcu)
+
+
+def test_a_script_ends_with_an_error_when_the_robot_has_stopped_itself(
+    mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    script = tmp_path / "script"
+    script.write_text("at 0s velocity 50 rpm\nat 1s end\n")
+    threading.Timer(1.0, mcu.control, ("estop press",)).start()
+    assert drive.run(options(mcu, script=script)) == 1
+    assert "protective stop, the emergency stop is pressed" in capsys.readouterr().err
+
+
+def test_a_script_is_refused_by_a_robot_of_another_version(
+    mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    mcu.versions = (1, 1)
+    script = tmp_path / "script"
+    script.write_text("at 0s velocity 50 rpm\nat 1s end\n")
+    assert drive.run(options(mcu, script=script)) == 1
+    assert "version 1 of the PC protocol" in capsys.readouterr().err
 
 
 def test_a_script_ends_with_an_error_when_the_connection_is_lost(
@@ -124,9 +244,21 @@ def test_a_script_ends_with_an_error_when_the_connection_is_lost(
 ) -> None:
     script = tmp_path / "script"
     script.write_text("at 0s velocity 50 rpm\nat 60s end\n")
-    threading.Timer(1.0, mcu.fall_silent).start()
+    threading.Timer(1.0, setattr, (mcu, "silent", True)).start()
     assert drive.run(options(mcu, script=script)) == 1
     assert "lost" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("sent", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT])
+def test_a_script_that_is_ended_orders_stop(mcu: Any, tmp_path: Path, sent: int) -> None:
+    script = tmp_path / "script"
+    script.write_text("at 0s velocity 50 rpm\nat 60s end\n")
+    program = start_drive(mcu, "--script", str(script), stdin=subprocess.DEVNULL)
+    wait_for(lambda: (500, 0, 0) in orders(mcu))
+    program.send_signal(sent)
+    assert program.wait(10) == (130 if sent == signal.SIGINT else 1)
+    assert orders(mcu)[-1] == (0, 0, 1)
+    assert mcu.stop
 
 
 def test_a_script_that_is_wrong_is_wrong_usage(
@@ -148,7 +280,7 @@ def test_the_monitor_shows_lines(mcu: Any, capsys: pytest.CaptureFixture[str]) -
     assert monitor.run(options(mcu, reports=3)) == 0
     shown = capsys.readouterr()
     assert len(shown.out.splitlines()) == 3
-    assert "0 deg, 0 rpm  measured - deg, - - - - rpm" in shown.out
+    assert "0 deg, 0 rpm  measured 0.00 deg, 0.0 0.0 0.0 0.0 rpm  [no order]" in shown.out
     assert "connected to firmware 1.2.3 build 0123abcd; last reset: power on\n" in shown.err
 
 
@@ -170,8 +302,8 @@ def test_driving_by_keyboard_tells_a_fault_once(
     mcu.start = start
     with Link(mcu.path) as link:
         next(link.reports(5.0))
-        welcome = drive.tell_fault(link, None)
-        assert drive.tell_fault(link, welcome) is welcome
+        welcome = drive.show_start(link, None)
+        assert drive.show_start(link, welcome) is welcome
     shown = capsys.readouterr().out
     assert shown.count("last reset: watchdog, after clock failed in step 2") == told
 
@@ -182,11 +314,12 @@ def test_the_monitor_shows_a_table(mcu: Any) -> None:
         table = monitor.as_table(report, link)
     assert "rear right" in table
     assert "counters: all 0" in table
-    assert "no fault" in table
+    assert "The robot does not move: no order. Send orders" in table
+    assert "stop ordered by: nobody" in table
 
 
-CUT_OFF = "front left wheel is cut off: its current was too high"
-BLIND = "rear right wheel has tension but gives no Hall edge"
+CUT_OFF = "front left wheel has an overcurrent trip: its current was too high"
+BLIND = "rear right wheel has no motion feedback: it has voltage but gives no Hall edge"
 
 
 @pytest.mark.parametrize(
@@ -210,7 +343,7 @@ def test_the_monitor_tells_faults_in_words(
     with Link(mcu.path) as link:
         report = next(link.reports(5.0))
         table = monitor.as_table(report, link)
-    assert monitor.faults(report) == words
+    assert faults(report) == words
     assert monitor.as_line(report).split("; ")[1:] == words
     assert all(word in table.splitlines() for word in words)
 
@@ -229,13 +362,15 @@ def test_driving_by_keyboard_tells_when_a_fault_begins_and_ends(
     mcu.conditions = (1, 0, 0b0001, 0, 0, 0, 0, 0)
     with Link(mcu.path) as link:
         reports = link.reports(5.0)
-        known = drive.tell_changes(next(reports), [])
-        known = drive.tell_changes(next(reports), known)
+        known = drive.show_changes(next(reports), [])
+        known = drive.show_changes(next(reports), known)
         assert capsys.readouterr().out.count(CUT_OFF) == 1
         mcu.conditions = (1, 0, 0, 0b1000, 0, 0, 0, 0)
-        while monitor.faults(report := next(reports)) == known:
+        while CUT_OFF in faults(report := next(reports)):
             pass
-        assert drive.tell_changes(report, known) == [BLIND]
+        known = drive.show_changes(report, known)
+        assert BLIND in known
+        assert CUT_OFF not in known
     shown = capsys.readouterr().out
     assert shown.count(f"no longer: {CUT_OFF}") == 1
     assert shown.count(BLIND) == 1
@@ -259,30 +394,147 @@ def wait_for(condition: Callable[[], Any], seconds: float = 10.0) -> None:
         time.sleep(0.005)
 
 
-def test_the_keyboard_drives_in_a_terminal(mcu: Any) -> None:
-    mcu.stop = 1
-    terminal, inner = pty.openpty()
-    program = subprocess.Popen(
-        [sys.executable, "-m", "traceability", "drive", "--link", mcu.path],
-        cwd=ROOT, stdin=inner, stdout=inner, stderr=inner,
+def start_drive(mcu: Any, *words: str, stdin: int) -> subprocess.Popen[bytes]:
+    output = subprocess.DEVNULL if stdin == subprocess.DEVNULL else stdin
+    return subprocess.Popen(
+        [sys.executable, "-m", "traceability", "drive", "--link", mcu.path, *words],
+        cwd=ROOT, stdin=stdin, stdout=output, stderr=output,
+        env={**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'client'}"},
     )  # fmt: skip
-    try:
-        read_until(terminal, b"STOP (r releases)")
-        wait_for(lambda: orders(mcu))
-        os.write(terminal, b"r")
-        read_until(terminal, b"ordered: +0 rpm")
-        os.write(terminal, b"w\x1b[A\x1b[D")
-        read_until(terminal, b"ordered: +20 rpm, +1 deg")
-        time.sleep(0.2)
-        os.write(terminal, b"q")
-        assert program.wait(10) == 0
-    finally:
-        program.kill()
-        program.wait()
-        os.close(inner)
-        os.close(terminal)
-    time.sleep(0.2)
+
+
+@dataclass
+class Terminal:
+    """A terminal with the keyboard's program in it."""
+
+    keys: int
+    inner: int
+    program: subprocess.Popen[bytes]
+
+    def type(self, text: bytes, seconds: float = 0.0) -> None:
+        """Types a text once, or again and again for a time, as a key that is held."""
+        end = time.monotonic() + seconds
+        os.write(self.keys, text)
+        while time.monotonic() < end:
+            time.sleep(0.05)
+            os.write(self.keys, text)
+
+    def hang_up(self) -> None:
+        os.close(self.inner)
+        os.close(self.keys)
+        self.inner = self.keys = -1
+
+
+@pytest.fixture
+def terminal(mcu: Any) -> Iterator[Terminal]:
+    keyboard, inner = pty.openpty()
+    tried = Terminal(keyboard, inner, start_drive(mcu, stdin=inner))
+    yield tried
+    tried.program.kill()
+    tried.program.wait()
+    if tried.keys >= 0:
+        tried.hang_up()
+
+
+def test_the_keyboard_drives_while_a_key_is_held(mcu: Any, terminal: Terminal) -> None:
+    mcu.stop = True
+    read_until(terminal.keys, b"STOP (r releases)")
+    wait_for(lambda: orders(mcu))
+    terminal.type(b"r")
+    read_until(terminal.keys, b"ordered: +0 rpm")
+    wait_for(lambda: mcu.armed)
+    terminal.type(b"\x1b[D")
+    terminal.type(b"\x1b[A", seconds=0.5)
+    read_until(terminal.keys, b"ordered: +50 rpm, +1 deg")
+    released = time.monotonic()
+    wait_for(lambda: orders(mcu)[-1] == (0, 100, 0))
+    assert time.monotonic() - released < 0.6
+    terminal.type(b"q")
+    assert terminal.program.wait(10) == 0
     ordered = orders(mcu)
     assert ordered[0] == (0, 0, 1)
-    assert (200, 100, 0) in ordered
+    assert (500, 100, 0) in ordered
     assert ordered[-1] == (0, 100, 0)
+    assert not mcu.stop
+
+
+def test_acknowledge_key_releases_a_protective_stop(mcu: Any, terminal: Terminal) -> None:
+    read_until(terminal.keys, b"armed")
+    mcu.control("estop press")
+    read_until(terminal.keys, b"the emergency stop is pressed")
+    mcu.control("estop release")
+    time.sleep(0.1)
+    assert mcu.latched
+    terminal.type(b"a")
+    wait_for(lambda: not mcu.latched)
+    wait_for(lambda: mcu.armed)
+
+
+def test_the_loss_of_the_terminal_stops_the_robot(mcu: Any, terminal: Terminal) -> None:
+    read_until(terminal.keys, b"ordered: +0 rpm")
+    terminal.hang_up()
+    assert terminal.program.wait(10) == 1
+    assert mcu.stop
+
+
+@pytest.mark.parametrize("sent", [signal.SIGHUP, signal.SIGTERM, signal.SIGINT])
+def test_a_signal_that_ends_the_keyboard_stops_the_robot(
+    mcu: Any, terminal: Terminal, sent: int
+) -> None:
+    read_until(terminal.keys, b"ordered: +0 rpm")
+    terminal.program.send_signal(sent)
+    assert terminal.program.wait(10) == (130 if sent == signal.SIGINT else 1)
+    assert mcu.stop
+
+
+def test_a_program_that_is_suspended_stops_the_robot_first(mcu: Any, terminal: Terminal) -> None:
+    read_until(terminal.keys, b"ordered: +0 rpm")
+    terminal.program.send_signal(signal.SIGTSTP)
+    wait_for(lambda: mcu.stop)
+    time.sleep(0.3)
+    terminal.program.send_signal(signal.SIGCONT)
+    read_until(terminal.keys, b"STOP (r releases)")
+    terminal.type(b"r")
+    wait_for(lambda: not mcu.stop)
+
+
+def test_a_busy_line_is_explained(mcu: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    with Link(mcu.path):
+        assert monitor.run(options(mcu, reports=1)) == 1
+    assert "is in use: another program drives or monitors the robot" in capsys.readouterr().err
+
+
+def test_arm_reports_progress_and_the_reason(mcu: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    mcu.stop = True
+    assert procedures.run_arm(options(mcu)) == 0
+    shown = capsys.readouterr().out
+    assert "releases the stop of the PC" in shown
+    assert shown.endswith("armed\n")
+    assert not mcu.stop
+
+
+def test_arm_says_why_it_cannot(
+    mcu: Any, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(orders_module, "ARM_WITHIN_S", 0.5)
+    mcu.control("rc enable stop")
+    assert procedures.run_arm(options(mcu)) == 1
+    shown = capsys.readouterr().out
+    assert "not armed: The robot does not move: a stop is in force. The remote control" in shown
+
+
+def test_acknowledge_releases_a_protective_stop_and_arms(
+    mcu: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    mcu.latched = 5
+    assert procedures.run_acknowledge(options(mcu)) == 0
+    assert mcu.latched == 0
+    assert capsys.readouterr().out.endswith("armed\n")
+    acknowledged = [order for order in orders(mcu) if order[2] & 2]
+    assert acknowledged
+    assert set(acknowledged) == {(0, 0, 2)}
+
+
+def test_a_robot_without_safety_functions_needs_no_arming(mcu: Any) -> None:
+    mcu.has_safety = False
+    assert procedures.run_arm(options(mcu)) == 0

@@ -5,16 +5,16 @@ import random
 from pathlib import Path
 
 import pytest
+from cobs import cobs
 from weeding_robot_client.frames import (
-    MAX_BODY,
+    MAX_PAYLOAD,
+    VERSION,
     Decoder,
     Frame,
     FrameError,
     crc16,
     decode,
     encode,
-    stuff,
-    unstuff,
 )
 
 ROOT = Path(__file__).parents[3]
@@ -36,7 +36,7 @@ def test_worked_example_is_coded_and_decoded(example: list[str]) -> None:
     _, _, head, crc, line = example
     body = bytes.fromhex(head)
     assert crc16(body) == int(crc, 16)
-    frame = Frame(body[1], body[2], body[3:])
+    frame = Frame(body[1], body[2], body[3:], version=body[0])
     assert encode(frame) == bytes.fromhex(line)
     assert list(Decoder().feed(bytes.fromhex(line))) == [frame]
 
@@ -45,28 +45,25 @@ def test_check_value_of_the_crc() -> None:
     assert crc16(b"123456789") == 0x29B1
 
 
-def test_random_bodies_survive_stuffing() -> None:
+def test_a_payload_of_200_bytes_is_the_longest() -> None:
+    longest = Frame(0x82, 1, bytes(200))
+    assert list(Decoder().feed(encode(longest))) == [longest]
+    with pytest.raises(FrameError, match="201 bytes, more than 200"):
+        encode(Frame(0x82, 1, bytes(201)))
+
+
+def test_a_frame_on_the_line_has_one_zero_at_its_end() -> None:
     source = random.Random(SEED)
-    for _ in range(2000):
-        size = source.randrange(0, 600)
-        body = bytes(source.choices(range(256), [40] + [1] * 255, k=size))
-        coded = stuff(body)
-        assert 0 not in coded
-        assert unstuff(coded) == body, f"seed {SEED}"
-        if size <= MAX_BODY:
-            assert len(coded) == size + 1
-
-
-def test_runs_longer_than_a_code_survive_stuffing() -> None:
-    for size in (253, 254, 255, 508, 509):
-        for body in (b"\1" * size, b"\1" * size + b"\0", b"\0" + b"\1" * size):
-            assert unstuff(stuff(body)) == body
+    for size in range(MAX_PAYLOAD + 1):
+        line = encode(Frame(0x82, 0, bytes(source.choices((0, 1, 255), k=size))))
+        assert line.index(0) == len(line) - 1, f"seed {SEED}"
+        assert len(line) == size + 7  # header 3, CRC 2, stuffing 1, end 1
 
 
 def test_random_frames_come_out_of_a_line_that_is_cut_anywhere() -> None:
     source = random.Random(SEED)
     frames = [
-        Frame(source.randrange(256), source.randrange(256), source.randbytes(source.randrange(124)))
+        Frame(source.randrange(256), source.randrange(256), source.randbytes(source.randrange(201)))
         for _ in range(300)
     ]
     line = b"".join(encode(frame) for frame in frames)
@@ -119,11 +116,11 @@ def test_a_frame_that_never_ends_is_dropped_in_bounded_memory() -> None:
 @pytest.mark.parametrize(
     ("coded", "reason"),
     [
-        (stuff(b"\1\2\3\4"), "4 bytes"),
+        (cobs.encode(b"\1\2\3\4"), "4 bytes"),
         (b"\5\1", "stuffing"),
         (b"\3\1\0", "stuffing"),
-        (stuff(bytes.fromhex("010100c89e")), "CRC"),
-        (stuff(b"\2\1\0" + crc16(b"\2\1\0").to_bytes(2, "little")), "version 2"),
+        (cobs.encode(bytes.fromhex("010100c89e")), "CRC"),
+        (cobs.encode(bytes(206)), "206 bytes"),
     ],
 )
 def test_bytes_that_are_no_frame_are_refused(coded: bytes, reason: str) -> None:
@@ -131,6 +128,12 @@ def test_bytes_that_are_no_frame_are_refused(coded: bytes, reason: str) -> None:
         decode(coded)
 
 
-def test_a_payload_that_is_too_long_is_refused() -> None:
-    with pytest.raises(FrameError, match="too long"):
-        encode(Frame(1, 0, bytes(MAX_BODY)))
+def test_a_frame_of_another_version_is_decoded_with_its_version() -> None:
+    body = b"\3\x81\0"
+    coded = cobs.encode(body + crc16(body).to_bytes(2, "little"))
+    assert decode(coded) == Frame(0x81, 0, b"", version=3)
+
+
+def test_frames_are_of_version_2() -> None:
+    assert VERSION == 2
+    assert cobs.decode(encode(Frame(1, 0, b""))[:-1])[0] == 2

@@ -1,12 +1,14 @@
 """The link of the client, with a microcontroller in Python on a pseudo-terminal."""
 
+import fcntl
 import itertools
+import os
 import time
 from pathlib import Path
 from typing import Any
 
 import pytest
-from weeding_robot_client.link import Link
+from weeding_robot_client.link import BusyError, Link
 from weeding_robot_client.messages import Order, Quantity, Report, WheelSetPoint
 
 HELLO, CONFIRM, KEEP_ALIVE, ORDER = 0x01, 0x02, 0x03, 0x04
@@ -124,7 +126,7 @@ def test_a_line_that_goes_away_is_opened_again(mcu: Any, tmp_path: Path) -> None
 
 
 def test_a_path_that_is_no_line_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(OSError, match="No such file"):
+    with pytest.raises(OSError, match="no such file"):
         Link(tmp_path / "missing")
     plain = tmp_path / "file"
     plain.touch()
@@ -136,3 +138,87 @@ def test_iteration_over_reports_ends_when_none_comes(mcu: Any) -> None:
     mcu.silent = True
     with Link(mcu.path) as link:
         assert list(link.reports(0.2)) == []
+
+
+def test_a_second_program_cannot_open_the_line(mcu: Any) -> None:
+    with Link(mcu.path), pytest.raises(BusyError, match="another program"):
+        Link(mcu.path)
+    with Link(mcu.path):
+        pass
+
+
+def test_a_line_that_another_program_has_locked_is_busy(mcu: Any) -> None:
+    other = os.open(mcu.path, os.O_RDWR | os.O_NOCTTY)
+    try:
+        fcntl.flock(other, fcntl.LOCK_EX)
+        with pytest.raises(BusyError):
+            Link(mcu.path)
+    finally:
+        os.close(other)
+
+
+def test_hello_carries_versions_and_schema_hash(mcu: Any) -> None:
+    with Link(mcu.path) as link:
+        first_report(link)
+    payload = mcu.of_kind(HELLO)[0].payload
+    assert payload == b"\2\2" + mcu.schema.to_bytes(4, "little")
+
+
+def test_a_robot_of_version_1_is_found_out(mcu: Any) -> None:
+    mcu.versions = (1, 1)
+    with Link(mcu.path) as link:
+        assert serve_until(link, lambda: link.incompatible, 5.0)
+        assert not link.connected
+        assert link.incompatible == (
+            "The robot speaks version 1 of the PC protocol, this client speaks version 2. "
+            "Flash the robot (./wr flash), and connect again."
+        )
+    assert not mcu.of_kind(CONFIRM)
+
+
+def test_a_robot_of_later_versions_asks_for_a_newer_client(mcu: Any) -> None:
+    mcu.versions = (3, 4)
+    with Link(mcu.path) as link:
+        assert serve_until(link, lambda: link.incompatible, 5.0)
+        assert "speaks versions 3 to 4" in str(link.incompatible)
+        assert "Update this client" in str(link.incompatible)
+
+
+def test_a_robot_with_another_layout_of_the_same_version_is_connected(mcu: Any) -> None:
+    mcu.schema ^= 1
+    mcu.more = b"fields of later"
+    with Link(mcu.path) as link:
+        first_report(link)
+        assert link.welcome is not None
+        note = str(link.welcome.schema_note)
+    assert f"0x{mcu.schema:08x}" in note
+    assert "ignored" in note
+
+
+def test_the_round_trip_is_from_the_order_to_the_report_that_echoes_it(mcu: Any) -> None:
+    with Link(mcu.path) as link:
+        assert first_report(link).round_trip_ms is None
+        link.send(order(5))
+        read = next(r for r in link.reports(2.0) if r.order_read)
+        assert read.round_trip_ms is not None
+        assert 0 <= read.round_trip_ms <= 100
+        assert link.handshake_ms is not None
+        assert 0 <= link.handshake_ms <= 500
+
+
+def test_a_stop_is_sent_without_a_connection(mcu: Any) -> None:
+    mcu.silent = True
+    with Link(mcu.path) as link:
+        link.service(0.05)
+        point = WheelSetPoint(Quantity.VELOCITY, 0.0)
+        assert link.send(Order(1, 0.0, (point, point, point, point), stop=True))
+        assert serve_until(link, lambda: mcu.stop)
+
+
+def test_an_unknown_state_does_not_end_the_connection(mcu: Any) -> None:
+    mcu.numbers = {8: 9, 9: 7, 10: 6, 120: 99, 121: 98}
+    with Link(mcu.path) as link:
+        report = first_report(link)
+        assert link.connected
+    assert (report.state, report.mode, report.source) == ("state 9", "mode 7", "source 6")
+    assert (report.inhibit, report.stop_cause) == ("reason 99", "cause 98")

@@ -16,6 +16,7 @@ from weeding_robot_client.messages import (
     Order,
     Quantity,
     Report,
+    ReportedSetPoint,
     Start,
     Welcome,
     WheelSetPoint,
@@ -41,6 +42,7 @@ def wheels(*values: tuple[Quantity, float]) -> tuple[WheelSetPoint, ...]:
 
 
 RPM_150 = wheels(*[(Quantity.VELOCITY, 150.0)] * 4)
+STILL = wheels(*[(Quantity.VELOCITY, 0.0)] * 4)
 
 
 @pytest.mark.parametrize(
@@ -49,12 +51,18 @@ RPM_150 = wheels(*[(Quantity.VELOCITY, 150.0)] * 4)
         ("hello", Hello()),
         ("confirm", Confirm(1)),
         ("keep alive", KeepAlive()),
-        ("order 258", Order(258, -12.5, RPM_150)),
+        ("order 258", Order(258, -12.5, RPM_150, sent_at_ms=5000)),
         (
             "order 259",
-            Order(259, 0.0, wheels((Quantity.TENSION, 12.0), (Quantity.CURRENT, -2.5)) * 2),
+            Order(
+                259,
+                0.0,
+                wheels((Quantity.TENSION, 12.0), (Quantity.CURRENT, -2.5)) * 2,
+                sent_at_ms=5100,
+            ),
         ),
-        ("order 260", Order(260, 0.0, wheels(*[(Quantity.VELOCITY, 0.0)] * 4), stop=True)),
+        ("order 260", Order(260, 0.0, STILL, stop=True, sent_at_ms=5200)),
+        ("order 261", Order(261, 0.0, STILL, acknowledge=True, sent_at_ms=5300)),
     ],
 )
 def test_message_to_the_mcu_is_the_worked_example(name: str, message: Order) -> None:
@@ -111,7 +119,7 @@ def test_report_of_the_worked_example() -> None:
     assert (report.source, report.order_id, report.order_read) == ("PC", 258, True)
     assert not (report.stop or report.held or report.overran)
     assert report.steering_set_point_degrees == -12.5
-    assert tuple(wheel.set_point for wheel in report.wheels) == RPM_150
+    assert [str(wheel.set_point) for wheel in report.wheels] == ["150 rpm"] * 4
     assert report.steering_degrees is None
     assert report.turn is None
     for wheel in report.wheels:
@@ -155,11 +163,18 @@ FIELDS = {
     "ends": (97, "<B"),
     "cut_offs": (98, "<B"),
     "blind": (99, "<B"),
+    "inhibit": (120, "<B"),
+    "stop_cause": (121, "<B"),
+    "stop_wheel": (122, "<B"),
+    "stop_sources": (123, "<B"),
+    "sent_at": (124, "<I"),
+    "stale_orders": (128, "<H"),
 }
+REPORT_BYTES = 130
 
 
 def report_with(**values: int) -> Report:
-    payload = bytearray(120)
+    payload = bytearray(REPORT_BYTES)
     for name, value in values.items():
         offset, form = FIELDS[name]
         struct.pack_into(form, payload, offset, value)
@@ -169,7 +184,7 @@ def report_with(**values: int) -> Report:
 
 
 def test_flags_of_a_report() -> None:
-    names = ("stop", "order_read", "held", "overran")
+    names = ("stop", "order_read", "held", "overran", "armed")
     for bit, name in enumerate(names):
         report = report_with(flags=1 << bit)
         assert [other for other in names if getattr(report, other)] == [name]
@@ -200,7 +215,7 @@ def test_each_applied_bit_makes_just_its_value_valid() -> None:
 
 
 def test_wheel_values_have_their_own_places() -> None:
-    payload = bytearray(120)
+    payload = bytearray(REPORT_BYTES)
     for wheel in range(4):
         struct.pack_into("<Bh", payload, 16 + 3 * wheel, 1, 1000 * wheel)
         struct.pack_into("<hhi", payload, 30 + 8 * wheel, 10 + wheel, 20 + wheel, -70000 - wheel)
@@ -211,7 +226,7 @@ def test_wheel_values_have_their_own_places() -> None:
     report = from_frame(Frame(0x82, 0, bytes(payload)))
     assert isinstance(report, Report)
     for number, wheel in enumerate(report.wheels):
-        assert wheel.set_point == WheelSetPoint(Quantity.TENSION, number)
+        assert wheel.set_point == ReportedSetPoint(number, "V")
         assert wheel.velocity_rpm == (10 + number) / 10
         assert wheel.current_amperes == (20 + number) / 1000
         assert wheel.position_counts == -70000 - number
@@ -239,17 +254,44 @@ def test_every_steering_state_of_the_protocol_has_its_word() -> None:
     assert told == ", ".join(f"{number} {word}" for number, word in enumerate(words))
 
 
-def test_counters_are_eleven_numbers() -> None:
-    report = report_with(overruns=3, reports_not_sent=65535)
+def test_counters_are_twelve_numbers() -> None:
+    report = report_with(overruns=3, reports_not_sent=65535, stale_orders=8)
+    assert len(report.counters) == 12
     assert report.counters["overruns"] == 3
     assert report.counters["reports_not_sent"] == 65535
+    assert report.counters["stale_orders"] == 8
+
+
+def test_state_of_the_safety_functions() -> None:
+    report = report_with(
+        inhibit=4, stop_cause=5, stop_wheel=2, stop_sources=0b11, sent_at=4_000_000_000
+    )
+    assert (report.inhibit, report.stop_cause) == ("protective stop", "wrong direction")
+    assert (report.stop_wheel, report.stop_sources) == (2, ("RC", "PC"))
+    assert report.sent_at_ms == 4_000_000_000
+    assert report_with(stop_wheel=255).stop_wheel is None
+
+
+@pytest.mark.parametrize(
+    ("enumeration", "field"), [("Inhibit", "inhibit"), ("StopCause", "stop_cause")]
+)
+def test_every_reason_of_the_firmware_has_a_name(enumeration: str, field: str) -> None:
+    header = (EXAMPLES.parents[1] / "src" / "units" / "Measurements.hpp").read_text()
+    body = header.split(f"enum class {enumeration} :")[1].split("};")[0]
+    firmware = {int(number): name for name, number in re.findall(r"(\w+) = (\d+)", body)}
+    assert len(firmware) >= 5
+    for number, name in firmware.items():
+        word = getattr(report_with(**{field: number}), field)
+        assert word.replace(" ", "").lower().startswith(name.lower())
 
 
 def test_every_value_on_the_line_survives_the_units() -> None:
     for quantity in Quantity:
         most = round(quantity.limit * quantity.scale)
         for raw in range(-most, most + 1, 7):
-            assert WheelSetPoint.from_raw(quantity.code, raw).raw() == (quantity.code, raw)
+            shown = ReportedSetPoint.from_raw(quantity.code, raw)
+            assert shown.unit == quantity.unit
+            assert WheelSetPoint(quantity, shown.value).raw() == (quantity.code, raw)
 
 
 def test_random_orders_hold_their_fields_where_the_protocol_says() -> None:
@@ -258,13 +300,16 @@ def test_random_orders_hold_their_fields_where_the_protocol_says() -> None:
         chosen = [source.choice(list(Quantity)) for _ in range(4)]
         points = wheels(*[(q, round(source.uniform(-q.limit, q.limit), 1)) for q in chosen])
         angle = source.randrange(-3200, 3201)
-        order = Order(source.randrange(65536), angle / 100, points, source.random() < 0.5)
+        sent = source.randrange(1 << 33)
+        stop, acknowledge = source.random() < 0.5, source.random() < 0.5
+        order = Order(source.randrange(65536), angle / 100, points, stop, acknowledge, sent)
         payload = order.payload()
-        assert len(payload) == 17
-        assert struct.unpack_from("<Hh", payload) == (order.order_id, angle), f"seed {SEED}"
+        assert len(payload) == 21
+        head = (order.order_id, sent % 2**32, angle)
+        assert struct.unpack_from("<HIh", payload) == head, f"seed {SEED}"
         for wheel, point in enumerate(points):
-            assert struct.unpack_from("<Bh", payload, 4 + 3 * wheel) == point.raw()
-        assert payload[16] == int(order.stop)
+            assert struct.unpack_from("<Bh", payload, 8 + 3 * wheel) == point.raw()
+        assert payload[20] == stop + 2 * acknowledge
 
 
 @pytest.mark.parametrize(
@@ -291,14 +336,11 @@ def test_an_order_out_of_range_is_refused() -> None:
 @pytest.mark.parametrize(
     ("frame", "reason"),
     [
-        (Frame(0x82, 0, bytes(119)), "119 bytes"),
-        (Frame(0x81, 0, bytes(15)), "15 bytes"),
+        (Frame(0x82, 0, bytes(129)), "129 bytes"),
+        (Frame(0x81, 0, bytes(28)), "28 bytes"),
+        (Frame(0x81, 0, bytes(22), version=1), "22 bytes"),
         (Frame(0x83, 0, b""), "0x83"),
-        (Frame(0x82, 0, bytes(8) + b"\5" + bytes(111)), "unknown state"),
-        (Frame(0x82, 0, bytes(9) + b"\3" + bytes(110)), "mode"),
-        (Frame(0x82, 0, bytes(10) + b"\3" + bytes(109)), "source"),
-        (Frame(0x82, 0, bytes(16) + b"\3" + bytes(103)), "quantity"),
-        (Frame(0x82, 0, bytes(96) + b"\4" + bytes(23)), "steering"),
+        (Frame(0x82, 0, bytes(130), version=3), "version 3"),
     ],
 )
 def test_a_frame_that_is_no_message_is_refused(frame: Frame, reason: str) -> None:
@@ -306,7 +348,57 @@ def test_a_frame_that_is_no_message_is_refused(frame: Frame, reason: str) -> Non
         from_frame(frame)
 
 
+def test_longer_payloads_of_later_robots_are_accepted() -> None:
+    payload = bytes(REPORT_BYTES)
+    assert from_frame(Frame(0x82, 0, payload + b"later")) == from_frame(Frame(0x82, 0, payload))
+    frame = example("welcome: session 1")
+    longer = Frame(frame.kind, frame.sequence, frame.payload + b"later")
+    assert from_frame(longer) == from_frame(frame)
+
+
+@pytest.mark.parametrize(
+    ("offset", "field", "shown"),
+    [
+        (8, "state", "state 77"),
+        (9, "mode", "mode 77"),
+        (10, "source", "source 77"),
+        (96, "steering_state", "state 77"),
+        (120, "inhibit", "reason 77"),
+        (121, "stop_cause", "cause 77"),
+        (122, "stop_wheel", 77),
+    ],
+)
+def test_a_number_without_a_name_is_shown_as_a_number(
+    offset: int, field: str, shown: object
+) -> None:
+    payload = bytearray(REPORT_BYTES)
+    payload[offset] = 77
+    report = from_frame(Frame(0x82, 0, bytes(payload)))
+    assert isinstance(report, Report)
+    assert getattr(report, field) == shown
+
+
+def test_an_unknown_quantity_and_a_value_out_of_range_are_shown() -> None:
+    payload = bytearray(REPORT_BYTES)
+    struct.pack_into("<BhBh", payload, 16, 9, -123, 0, 32000)
+    report = from_frame(Frame(0x82, 0, bytes(payload)))
+    assert isinstance(report, Report)
+    assert str(report.wheels[0].set_point) == "-123 (quantity 9)"
+    assert str(report.wheels[1].set_point) == "3200 rpm"
+
+
+def test_an_unknown_source_of_a_stop_is_shown_as_a_number() -> None:
+    assert report_with(stop_sources=0b10000100).stop_sources == ("Bluetooth", "source 7")
+
+
+def test_the_welcome_of_version_1_names_its_version() -> None:
+    welcome = from_frame(Frame(0x81, 0, bytes(23), version=1))
+    assert isinstance(welcome, Welcome)
+    assert welcome.protocol_versions == (1, 1)
+    assert welcome.schema_hash is None
+
+
 def test_the_numbers_of_all_products_have_names() -> None:
-    report = from_frame(Frame(0x82, 0, bytes(8) + b"\4\2\2" + bytes(109)))
+    report = from_frame(Frame(0x82, 0, bytes(8) + b"\4\2\2" + bytes(119)))
     assert isinstance(report, Report)
     assert (report.state, report.mode, report.source) == ("WaitingK", "Bluetooth", "Bluetooth")

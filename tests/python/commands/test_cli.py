@@ -26,6 +26,9 @@ COMMANDS = (
     "sim",
     "drive",
     "monitor",
+    "arm",
+    "acknowledge",
+    "bring-up",
     "serve",
 )
 

@@ -44,16 +44,21 @@ def called(root: Path) -> list[str]:
 
 def test_without_board_the_firmware_runs_on_this_machine(root: Path) -> None:
     assert cli.main(["sim", "--cycles", "3"]) == 0
-    link = str(root / "build/pc-link")
-    assert called(root) == ["weeding_robot_host", "--link", link, "--cycles", "3"]
+    link, control = str(root / "build/pc-link"), str(root / "build/sim-control")
+    assert called(root) == [
+        *("weeding_robot_host", "--link", link, "--control", control, "--cycles", "3")
+    ]
 
 
 def test_with_board_the_image_runs_on_the_virtual_k64(root: Path) -> None:
-    assert cli.main(["sim", "--board", "--link", "here", "--trace", "events"]) == 0
+    assert (
+        cli.main(["sim", "--board", "--link", "here", "--control", "there", "--trace", "events"])
+        == 0
+    )
     image = str(root / "build/k64/weeding_robot")
     assert called(root) == [
         *("weeding_robot_board", "--image", f"{image}.bin", "--elf", f"{image}.elf"),
-        *("--link", "here", "--trace", "events"),
+        *("--link", "here", "--control", "there", "--trace", "events"),
     ]
 
 

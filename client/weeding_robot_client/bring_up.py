@@ -1,0 +1,755 @@
+"""Leads a person from the bare board to the first turning wheel, and records the result."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, field
+from datetime import datetime
+from functools import partial
+from pathlib import Path
+
+from serial.tools import list_ports
+
+from weeding_robot_client.link import Link
+from weeding_robot_client.messages import WHEELS, Quantity, Report
+from weeding_robot_client.monitor import firmware
+from weeding_robot_client.operators import (
+    Control,
+    Operator,
+    OperatorError,
+    Person,
+    SimulatedOperator,
+)
+from weeding_robot_client.options import DEFAULT_LINK, open_link
+from weeding_robot_client.orders import Orders, acknowledge, arm, connect, not_connected
+from weeding_robot_client.reasons import cause, inhibited
+from weeding_robot_client.script import Wish
+
+ROOT = Path(__file__).resolve().parents[2]
+DEFAULT_FOLDER = ROOT / "build" / "bring-up"
+DEFAULT_CONTROL = ROOT / "build" / "sim-control"
+IMAGES = ROOT / "build" / "k64"
+DESCRIPTION = """\
+Leads you through the checks of a new robot, one step after the other: port, connection, image,
+reset cause, inputs, end stops, remote control, emergency stop. Only then it turns one wheel at a
+time with 1 V, finds swapped motor leads and Hall sensors, and tries the stop while a wheel turns.
+Each step says what to do and what is expected; 's' and Enter skips a step that waits for you.
+No motor is switched on before the emergency stop has passed and you have confirmed that the wheels
+are off the ground. Ctrl-C stops the robot. The result is written to a record of this date, in JSON
+and Markdown.
+
+Exit codes: 0 every step passed, 1 a step failed or was skipped, 2 wrong usage."""
+
+PROBE_VENDOR = 0x0D28  # USB vendor of the debug probe of the board, which has the serial port
+SUPPLY_VOLTS = (21.0, 29.0)
+REST_AMPERES = 0.5
+ANGLE_DEGREES = 33.0
+ANGLE_SPREAD_DEGREES = 1.0
+STICK_RPM = 3.0
+STICK_DEGREES = 2.0
+OBSERVE_S = 2.0
+FAIL_SAFE_S = 0.3
+CYCLE_S = 0.1  # a report shows a stop at most this long after it
+WHEEL_VOLTS = 1.0
+WHEEL_S = 1.0
+COUNTS_LEAST = 3  # Hall edges that show motion
+CURRENT_LEAST_AMPERES = 0.15  # below, the sign of a current is noise
+STOP_WITHIN_S = 1.0
+REST_RPM = 3.0
+GOOD_RESETS = ("power on", "reset pin", "debugger", "software", "unknown cause")
+
+
+_UNSEEN = (
+    "the Hall sensors count, but this wheel was not seen to turn",
+    "Check that motor and Hall cable belong to the same wheel.",
+)
+# Finding and next action, by: the Hall count rises, the wheel was seen to turn forwards.
+POLARITY: dict[tuple[bool, bool | None], tuple[str, str] | None] = {
+    (True, True): None,
+    (True, False): (
+        "motor leads and Hall pair are both swapped",
+        "Swap the two motor leads and the two Hall wires of this wheel.",
+    ),
+    (False, True): ("the Hall pair is swapped", "Swap the two Hall wires of this wheel."),
+    (False, False): ("the motor leads are swapped", "Swap the two motor leads of this wheel."),
+    (True, None): _UNSEEN,
+    (False, None): _UNSEEN,
+}
+
+
+class SkipError(RuntimeError):
+    """The operator skips a step."""
+
+
+class FailError(RuntimeError):
+    """A step failed: what was seen, and the next action."""
+
+    def __init__(self, seen: str, advice: str = "") -> None:
+        super().__init__(seen)
+        self.seen = seen
+        self.advice = advice
+
+
+@dataclass
+class Outcome:
+    """Record of one step."""
+
+    step: str
+    expected: str
+    verdict: str = "not done"
+    seen: str = ""
+    advice: str = ""
+    at: str = ""
+
+
+@dataclass
+class Record:
+    """Record of a bring-up."""
+
+    started: str
+    link: str
+    firmware: str = "unknown"
+    simulated: bool = False
+    steps: list[Outcome] = field(default_factory=list)
+
+    @property
+    def passed(self) -> bool:
+        return bool(self.steps) and all(step.verdict == "pass" for step in self.steps)
+
+    def write(self, folder: Path) -> Path:
+        """Writes the record as JSON and as Markdown; returns the path of the Markdown file."""
+        folder.mkdir(parents=True, exist_ok=True)
+        stem = folder / self.started.replace(":", "-")
+        content = {**asdict(self), "passed": self.passed}
+        stem.with_suffix(".json").write_text(json.dumps(content, indent=1) + "\n", "utf-8")
+        page = stem.with_suffix(".md")
+        page.write_text(self._markdown(), "utf-8")
+        return page
+
+    def _markdown(self) -> str:
+        lines = [
+            f"# Bring-up of {self.started}",
+            "",
+            f"* Port: {self.link}" + (" (simulated robot)" if self.simulated else ""),
+            f"* Robot: {self.firmware}",
+            f"* Result: {'all steps passed' if self.passed else 'NOT all steps passed'}",
+            "",
+            "| step | expected | seen | result | next action |",
+            "|---|---|---|---|---|",
+        ]
+        for step in self.steps:
+            cells = (step.step, step.expected, step.seen, step.verdict, step.advice)
+            lines.append("| " + " | ".join(cell.replace("|", "/") for cell in cells) + " |")
+        return "\n".join(lines) + "\n"
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step: its check returns what was seen, or raises FailError or SkipError."""
+
+    name: str
+    expected: str
+    check: Callable[[], str]
+    needs: tuple[str, ...] = ()
+
+
+class BringUp:
+    """The steps, on a link that is open."""
+
+    def __init__(
+        self, link: Link, operator: Operator, images: Path = IMAGES, has_rc: bool = True
+    ) -> None:
+        self.orders = Orders(link)
+        self.link = link
+        self._operator = operator
+        self._images = images
+        self._has_rc = has_rc
+        self._wish: Wish | None = None
+
+    def steps(self) -> list[Step]:
+        """Returns the steps in their order."""
+        safe = ("connection", "emergency stop", "wheels off the ground")
+        wheels = [
+            Step(
+                f"wheel {number}, {name}",
+                f"{WHEEL_VOLTS:g} V on this wheel alone turns it forwards, its Hall count rises",
+                partial(self._wheel, number),
+                safe,
+            )
+            for number, name in enumerate(WHEELS)
+        ]
+        rc = [
+            Step(
+                "remote control: enable switch at stop",
+                "the remote control orders stop",
+                self._enable_stop,
+                ("connection",),
+            ),
+            Step(
+                "remote control: enable switch at PC",
+                "the remote control orders no stop, and the PC's orders are read",
+                self._enable_pc,
+                ("connection",),
+            ),
+            Step(
+                "remote control: enable switch at RC drives, sticks centred",
+                "the remote control's orders are read, with velocity 0 and steering 0",
+                self._enable_drive,
+                ("connection",),
+            ),
+            Step(
+                "remote control: transmitter off",
+                f"the remote control orders stop within {FAIL_SAFE_S} s",
+                self._transmitter_off,
+                ("connection",),
+            ),
+        ]
+        first_wheel = wheels[0].name
+        return [
+            Step("connection", "the robot answers, and versions fit", self._connection),
+            Step(
+                "image",
+                "the build id is that of an image in build/k64",
+                self._image,
+                ("connection",),
+            ),
+            Step(
+                "reset cause",
+                "the last reset was wanted, and no fault was recorded",
+                self._reset_cause,
+                ("connection",),
+            ),
+            Step(
+                "supply",
+                f"{SUPPLY_VOLTS[0]:g} to {SUPPLY_VOLTS[1]:g} V at the motor supply",
+                self._supply,
+            ),
+            Step(
+                "analog inputs",
+                f"each current within {REST_AMPERES} A of 0, steering angle within "
+                f"{ANGLE_DEGREES:g} degrees and steady",
+                self._analog_inputs,
+                ("connection",),
+            ),
+            *(
+                Step(
+                    f"{side} end stop",
+                    "not reached at rest, reached while pressed, not reached after that",
+                    partial(self._end_stop, side),
+                    ("connection",),
+                )
+                for side in ("left", "right")
+            ),
+            *(rc if self._has_rc else []),
+            Step(
+                "emergency stop",
+                "pressed: protective stop; released: still stopped; acknowledged: armed",
+                self._emergency_stop,
+                ("connection",),
+            ),
+            Step(
+                "wheels off the ground",
+                "the wheels can turn freely, and nobody can touch them",
+                self._wheels_off_ground,
+                ("connection", "emergency stop"),
+            ),
+            *wheels,
+            Step(
+                "stop of the PC while a wheel turns",
+                f"the wheel is at rest within {STOP_WITHIN_S:g} s",
+                self._stop_while_turning,
+                (*safe, first_wheel),
+            ),
+            Step(
+                "emergency stop while a wheel turns",
+                f"the wheel is at rest within {STOP_WITHIN_S:g} s",
+                self._emergency_stop_while_turning,
+                (*safe, first_wheel),
+            ),
+        ]
+
+    # ---- what the steps are made of ------------------------------------------
+
+    def idle(self) -> None:
+        self.orders.service(self._wish)
+
+    def _do(self, action: str, instruction: str) -> float:
+        """Asks for an action; returns the time of its begin."""
+        self._operator.perform(action, instruction, self.idle)
+        return time.monotonic()
+
+    def _wait(
+        self, condition: Callable[[Report], bool], missing: str, advice: str = ""
+    ) -> tuple[Report, float]:
+        """Waits for a report; returns it and its time. Fails when it does not come."""
+        end = time.monotonic() + self._operator.patience_s
+        while time.monotonic() < end:
+            for report in self.orders.service(self._wish):
+                if condition(report):
+                    return report, time.monotonic()
+            if not self.link.connected:
+                raise FailError("the connection was lost", "Check cable and power.")
+            if self._operator.skips():
+                raise SkipError
+        last = self.orders.report
+        words = inhibited(last) if last else None
+        raise FailError(missing + (f" (last report: {words})" if words else ""), advice)
+
+    def _observe(self, wish: Wish | None, seconds: float) -> list[Report]:
+        reports = []
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            reports += self.orders.service(wish)
+        if not reports:
+            raise FailError("no report came", "Check cable and power.")
+        return reports
+
+    def _arm(self) -> None:
+        reason = arm(self.orders)
+        if reason:
+            raise FailError(f"not armed: {reason}")
+
+    # ---- the steps -----------------------------------------------------------
+
+    def _connection(self) -> str:
+        if connect(self.orders) is None:
+            raise FailError(not_connected(self.link), "Check port, cable, power and firmware.")
+        self._wish = Wish()
+        note = self.link.welcome.schema_note if self.link.welcome else None
+        return firmware(self.link) + (f"; {note}" if note else "")
+
+    def _image(self) -> str:
+        assert self.link.welcome is not None
+        build_id = self.link.welcome.build_id
+        images = sorted(self._images.glob("weeding_robot*.bin"))
+        if not images:
+            raise FailError(
+                f"there is no image in {self._images} to compare with", "Build it: ./wr firmware"
+            )
+        same = [path.stem for path in images if build_id.encode() in path.read_bytes()]
+        if not same:
+            raise FailError(
+                f"build {build_id} is in no image of {self._images}",
+                "Build and flash: ./wr flash",
+            )
+        return f"build {build_id}, as in {', '.join(same)}"
+
+    def _reset_cause(self) -> str:
+        assert self.link.welcome is not None
+        start = self.link.welcome.start
+        if start.faulted or str(start) not in GOOD_RESETS:
+            raise FailError(str(start), "Find the cause before you go on; docs/protocol.rst.")
+        return str(start)
+
+    def _supply(self) -> str:
+        low, high = SUPPLY_VOLTS
+        volts = self._operator.number("Measure the motor supply with a voltmeter. Volts", self.idle)
+        if volts is None:
+            raise SkipError
+        if not low <= volts <= high:
+            raise FailError(f"{volts:g} V", "Connect a supply of 24 V with a current limit.")
+        return f"{volts:g} V"
+
+    def _analog_inputs(self) -> str:
+        reports = self._observe(self._wish, OBSERVE_S)
+        for wheel, name in enumerate(WHEELS):
+            currents = [report.wheels[wheel].current_amperes for report in reports]
+            worst = max(currents, key=lambda value: 99.0 if value is None else abs(value))
+            if worst is None or abs(worst) > REST_AMPERES:
+                seen = "is missing" if worst is None else f"is {worst:.2f} A at rest"
+                raise FailError(
+                    f"the current of the {name} wheel {seen}",
+                    "Check the cable of this current sensor and its supply.",
+                )
+        angles = [report.steering_degrees for report in reports]
+        known = [angle for angle in angles if angle is not None]
+        if len(known) < len(angles):
+            raise FailError("the steering angle is missing", "Check the cable of the angle sensor.")
+        if max(map(abs, known)) > ANGLE_DEGREES or max(known) - min(known) > ANGLE_SPREAD_DEGREES:
+            raise FailError(
+                f"the steering angle is {min(known):.1f} to {max(known):.1f} degrees",
+                "Check the cable and the mounting of the angle sensor.",
+            )
+        return f"all currents near 0, steering angle {known[-1]:.1f} degrees"
+
+    def _end_stop(self, side: str) -> str:
+        def reached(report: Report) -> bool:
+            return report.left_end if side == "left" else report.right_end
+
+        if any(map(reached, self._observe(self._wish, OBSERVE_S / 4))):
+            raise FailError(
+                f"the {side} end stop is reached although nobody presses it",
+                "Turn the steering to the middle. Else check the wire: the contact is closed at "
+                "rest, and a broken wire is seen as reached.",
+            )
+        self._do(f"{side} end press", f"press the {side} end stop by hand and keep it pressed")
+        self._wait(reached, f"the {side} end stop was not seen", "Check its wire and its pin.")
+        self._do(f"{side} end release", f"release the {side} end stop")
+        self._wait(lambda report: not reached(report), "it is still reached", "Check the contact.")
+        return "seen pressed and released"
+
+    def _enable_stop(self) -> str:
+        self._do("enable stop", "switch the transmitter on, enable switch to 'stop'")
+        self._wait(
+            lambda report: "RC" in report.stop_sources,
+            "the remote control orders no stop",
+            "Check the receiver's third channel (rc_enable) and its end points.",
+        )
+        return "the remote control orders stop"
+
+    def _enable_pc(self) -> str:
+        self._do("enable pc", "centre the sticks, enable switch to 'PC'")
+        self._wait(
+            lambda report: (
+                "RC" not in report.stop_sources and report.order_read and report.source == "PC"
+            ),
+            "the PC's orders are not read",
+            "Check that the velocity stick is centred, and the middle position of the switch.",
+        )
+        return "the PC's orders are read"
+
+    def _enable_drive(self) -> str:
+        self._wish = None  # the remote control gives the orders
+        try:
+            self._do("enable drive", "centre the sticks, enable switch to 'RC drives'")
+            self._wait(
+                lambda report: report.order_read and report.source == "RC",
+                "the remote control's orders are not read",
+                "Check the first two channels of the receiver.",
+            )
+            reports = [report for report in self._observe(None, 1.0) if report.source == "RC"]
+        finally:
+            self._wish = Wish()
+        velocity = max(abs(wheel.set_point.value) for r in reports for wheel in r.wheels)
+        angle = max(abs(report.steering_set_point_degrees) for report in reports)
+        if velocity > STICK_RPM or angle > STICK_DEGREES:
+            raise FailError(
+                f"centred sticks order {velocity:g} rpm and {angle:g} degrees",
+                "Set the trims of the transmitter to 0.",
+            )
+        return f"centred sticks order {velocity:g} rpm and {angle:g} degrees"
+
+    def _transmitter_off(self) -> str:
+        if self.orders.report and "RC" in self.orders.report.stop_sources:
+            raise FailError("the remote control orders stop already", "Set the switch to 'PC'.")
+        begin = self._do("transmitter off", "switch the transmitter off at the moment of Enter")
+        _, seen = self._wait(
+            lambda report: "RC" in report.stop_sources,
+            "no stop followed: the receiver keeps the last pulses",
+            "Set the fail-safe of the receiver: no pulses, or the enable channel at 'stop'.",
+        )
+        limit = FAIL_SAFE_S + CYCLE_S + self._operator.reaction_s
+        took = seen - begin
+        self._do("transmitter on", "switch the transmitter on, sticks centred, switch to 'PC'")
+        self._wait(
+            lambda report: "RC" not in report.stop_sources, "the remote control still orders stop"
+        )
+        if took > limit:
+            raise FailError(
+                f"the stop was reported after {took:.2f} s, later than {limit:.1f} s",
+                "Set the fail-safe of the receiver to act without delay.",
+            )
+        return f"the stop was reported after {took:.2f} s (at most {limit:.1f} s)"
+
+    def _emergency_stop(self) -> str:
+        def stopped(report: Report) -> bool:
+            return report.inhibit == "protective stop" and report.stop_cause == "emergency stop"
+
+        self._do("estop press", "press the emergency stop")
+        self._wait(
+            stopped,
+            "the emergency stop was not seen",
+            "Check its auxiliary contact. Connect no motor before this step passes.",
+        )
+        self._do("estop release", "release the emergency stop")
+        still = self._observe(self._wish, OBSERVE_S)
+        if not stopped(still[-1]):
+            raise FailError("the protective stop ended without an acknowledge")
+        acknowledge(self.orders)
+        self._arm()
+        return "seen pressed; latched after release; acknowledged and armed"
+
+    def _wheels_off_ground(self) -> str:
+        self._do("lift", "connect the motors, lift the robot so that all wheels are off the ground")
+        for question in (
+            "Are all four wheels off the ground, and is the robot secured?",
+            "Is nobody near the wheels, and your hand at the emergency stop?",
+            "Is the supply limited in current (5 A)?",
+        ):
+            if not self._operator.confirm(question, self.idle):
+                raise FailError(f"not confirmed: {question}", "Do that first.")
+        return "confirmed"
+
+    def _wheel(self, number: int) -> str:
+        name = WHEELS[number]
+        self._do(f"watch {number}", f"watch the {name} wheel: it turns for {WHEEL_S:g} s")
+        self._arm()
+        before = self._observe(Wish(), 0.3)[-1]
+        wish = Wish.of(Quantity.TENSION, WHEEL_VOLTS, wheels=(number,))
+        reports = self._observe(wish, WHEEL_S)
+        if isinstance(self._operator, SimulatedOperator):
+            self._operator.watch(number)
+        reports += self._observe(Wish(), 0.3)
+        saw = self._operator.sees_forward(number, name, self.idle)
+        motion = Motion.of(number, before, reports, saw)
+        fault = motion.fault()
+        if fault:
+            if reports[-1].inhibit == "protective stop":
+                acknowledge(self.orders)
+            raise FailError(f"{motion}: {fault[0]}", fault[1])
+        return f"{motion}: right"
+
+    def _turn_first_wheel(self) -> None:
+        self._arm()
+        wish = Wish.of(Quantity.TENSION, WHEEL_VOLTS, wheels=(0,))
+        reports = self._observe(wish, WHEEL_S)
+        velocity = reports[-1].wheels[0].velocity_rpm
+        self._wish = wish
+        if velocity is None or velocity < REST_RPM:
+            self._wish = Wish()
+            raise FailError("the wheel does not turn")
+
+    def _at_rest(self, begin: float, what: str) -> str:
+        _, seen = self._wait(
+            lambda report: abs(report.wheels[0].velocity_rpm or 0.0) < REST_RPM,
+            f"the wheel still turns after {what}",
+            "Switch the supply off.",
+        )
+        took = seen - begin
+        if took > STOP_WITHIN_S + self._operator.reaction_s:
+            raise FailError(f"at rest only {took:.2f} s after {what}")
+        return f"at rest {took:.2f} s after {what}"
+
+    def _stop_while_turning(self) -> str:
+        self._turn_first_wheel()
+        begin = time.monotonic()
+        self._wish = Wish(stop=True)
+        try:
+            self._wait(lambda report: report.stop, "the robot reports no stop")
+            seen = self._at_rest(begin, "the stop")
+        finally:
+            self._wish = Wish()
+        self._arm()
+        return seen
+
+    def _emergency_stop_while_turning(self) -> str:
+        self._turn_first_wheel()
+        try:
+            begin = self._do("estop press", "press the emergency stop while the wheel turns")
+            self._wait(
+                lambda report: report.stop_cause == "emergency stop", "no protective stop followed"
+            )
+            seen = self._at_rest(begin, "the emergency stop")
+        finally:
+            self._wish = Wish()
+        self._do("estop release", "release the emergency stop")
+        self._observe(self._wish, 0.5)
+        acknowledge(self.orders)
+        self._arm()
+        return seen
+
+
+@dataclass(frozen=True)
+class Motion:
+    """What one wheel did with a low voltage forwards."""
+
+    wheel: int
+    counts: int
+    amperes: float | None  # the greatest one
+    others: tuple[str, ...]  # wheels that moved and should not
+    saw_forward: bool | None
+    stop: str | None  # cause of a protective stop
+
+    @classmethod
+    def of(cls, wheel: int, before: Report, reports: list[Report], saw: bool | None) -> Motion:
+        def moved(number: int) -> int:
+            start, end = (r.wheels[number].position_counts for r in (before, reports[-1]))
+            return 0 if start is None or end is None else end - start
+
+        currents = [r.wheels[wheel].current_amperes for r in reports]
+        known = [value for value in currents if value is not None]
+        stopped = [cause(r) for r in reports if r.inhibit == "protective stop"]
+        others = [
+            name
+            for number, name in enumerate(WHEELS)
+            if number != wheel and abs(moved(number)) >= COUNTS_LEAST
+        ]
+        return cls(
+            wheel,
+            moved(wheel),
+            max(known, key=abs) if known else None,
+            tuple(others),
+            saw,
+            stopped[0] if stopped else None,
+        )
+
+    def __str__(self) -> str:
+        amperes = "-" if self.amperes is None else f"{self.amperes:.2f}"
+        eyes = {True: "forwards", False: "backwards", None: "not at all"}[self.saw_forward]
+        text = f"Hall count {self.counts:+d}, greatest current {amperes} A, turned {eyes}"
+        return text + (f", protective stop: {self.stop}" if self.stop else "")
+
+    def fault(self) -> tuple[str, str] | None:
+        """Returns the finding and the next action; None when all is right."""
+        if abs(self.counts) < COUNTS_LEAST:
+            return self._without_counts()
+        polarity = POLARITY[self.counts > 0, self.saw_forward]
+        if polarity:
+            return polarity
+        if self.amperes is not None and self.amperes < -CURRENT_LEAST_AMPERES:
+            return (
+                "the current has the wrong sign",
+                "Turn the current sensor of this wheel around, or swap its outputs.",
+            )
+        if self.others:
+            return (
+                f"also moved: {', '.join(self.others)}",
+                "Check that the drivers' wires belong to one wheel each.",
+            )
+        return None
+
+    def _without_counts(self) -> tuple[str, str]:
+        if self.others:
+            return (
+                f"not this wheel moved, but {', '.join(self.others)}",
+                "The cables of these wheels are exchanged: connect them as the wiring table says.",
+            )
+        if self.saw_forward is None:
+            return "no motion", "Check driver supply, motor leads and that the wheel turns freely."
+        return (
+            "the wheel turned, and the Hall sensors gave no edges",
+            "Check the Hall cable of this wheel and its supply.",
+        )
+
+
+def perform(bring_up: BringUp, record: Record) -> None:
+    """Goes through the steps. However it ends, the robot is ordered to stop or is neutral."""
+    steps = bring_up.steps()
+    outcomes = [Outcome(step.name, step.expected) for step in steps]
+    record.steps = outcomes
+    verdicts: dict[str, str] = {}
+    try:
+        for number, (step, outcome) in enumerate(zip(steps, outcomes, strict=True), start=1):
+            print(f"\n{number}/{len(steps)} {step.name}\n   expected: {step.expected}")
+            outcome.at = now()
+            missing = [name for name in step.needs if verdicts.get(name) != "pass"]
+            if missing:
+                outcome.verdict, outcome.seen = "skip", f"needs: {', '.join(missing)}"
+            else:
+                _attempt(step, outcome)
+            verdicts[step.name] = outcome.verdict
+            print(f"   {outcome.verdict.upper()}: {outcome.seen}")
+            if outcome.advice:
+                print(f"   next: {outcome.advice}")
+        bring_up.orders.end(Wish())
+    except BaseException:
+        bring_up.orders.stop()
+        raise
+    finally:
+        record.firmware = firmware(bring_up.link)
+
+
+def _attempt(step: Step, outcome: Outcome) -> None:
+    try:
+        outcome.seen = step.check()
+        outcome.verdict = "pass"
+    except FailError as error:
+        outcome.verdict, outcome.seen, outcome.advice = "fail", error.seen, error.advice
+    except SkipError:
+        outcome.verdict, outcome.seen = "skip", "skipped by the operator"
+
+
+def now() -> str:
+    return datetime.now().astimezone().isoformat(timespec="seconds")
+
+
+def find_port() -> list[Path]:
+    """Returns the serial ports of boards with this debug probe, by their lasting names."""
+    ports = [Path(port.device) for port in list_ports.comports() if port.vid == PROBE_VENDOR]
+    names = {path.resolve(): path for path in sorted(Path("/dev/serial/by-id").glob("*"))}
+    return [names.get(port.resolve(), port) for port in ports]
+
+
+def choose_link(link: Path | None) -> Path | None:
+    """Returns the port to use; None after a message when there is none or more than one."""
+    if link is not None:
+        return link
+    ports = find_port()
+    if len(ports) == 1:
+        return ports[0]
+    if ports:
+        print("more than one board is connected; choose one:", file=sys.stderr)
+        for port in ports:
+            print(f"  ./wr bring-up --link {port}", file=sys.stderr)
+        return None
+    print("no board found: connect the USB socket that is marked SDA, or name the port with --link",
+          file=sys.stderr)  # fmt: skip
+    return None
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--link", type=Path, metavar="PATH", help="serial port (default: that of the board)"
+    )
+    parser.add_argument(
+        "--record",
+        type=Path,
+        default=DEFAULT_FOLDER,
+        metavar="FOLDER",
+        help="folder of the records (default: build/bring-up)",
+    )
+    parser.add_argument(
+        "--no-rc", action="store_true", help="the product has no remote control: leave it out"
+    )
+    parser.add_argument(
+        "--simulated",
+        action="store_true",
+        help="act on the robot of ./wr sim, which must run in another terminal",
+    )
+    parser.add_argument(
+        "--control",
+        type=Path,
+        default=DEFAULT_CONTROL,
+        metavar="PATH",
+        help="with --simulated: control socket of ./wr sim (default: build/sim-control)",
+    )
+
+
+def run(options: argparse.Namespace) -> int:
+    operator: Operator
+    if options.simulated:
+        link_path = options.link or DEFAULT_LINK
+        if Path("/dev/pts") not in link_path.resolve().parents:
+            print(f"--simulated needs a simulator; {link_path} is not one", file=sys.stderr)
+            return 2
+        try:
+            operator = SimulatedOperator(Control(options.control))
+        except OperatorError as error:
+            print(error, file=sys.stderr)
+            return 1
+    elif not os.isatty(sys.stdin.fileno()):
+        print("bring-up asks a person: it needs a terminal", file=sys.stderr)
+        return 2
+    else:
+        link_path = choose_link(options.link)
+        operator = Person()
+        if link_path is None:
+            return 1
+    link = open_link(link_path)
+    if link is None:
+        return 1
+    record = Record(now(), str(link_path), simulated=options.simulated)
+    with link:
+        try:
+            perform(BringUp(link, operator, has_rc=not options.no_rc), record)
+        except OperatorError as error:
+            print(f"\nended: {error}. The robot was ordered to stop.", file=sys.stderr)
+        finally:
+            print(f"\nrecord: {record.write(options.record)}")
+    print("every step passed" if record.passed else "not every step passed")
+    return 0 if record.passed else 1

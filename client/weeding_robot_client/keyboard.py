@@ -1,0 +1,119 @@
+"""Keys of a terminal, and the driver's hand: a motion lasts only while its key is repeated."""
+
+from __future__ import annotations
+
+import os
+import select
+import termios
+import tty
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+from weeding_robot_client.messages import Order, Quantity
+from weeding_robot_client.orders import ACKNOWLEDGE_S
+from weeding_robot_client.script import Wish
+
+DEAD_MAN_S = 0.3
+SPEED_STEP_RPM = 10.0
+SPEED_RPM = 50.0
+STEERING_STEP_DEGREES = 1.0
+FORWARD, BACKWARD, LEFT, RIGHT = b"w", b"s", b"j", b"l"
+ESCAPES = {b"\x1b[A": FORWARD, b"\x1b[B": BACKWARD, b"\x1b[C": RIGHT, b"\x1b[D": LEFT}
+ESCAPES |= {b"\x1bO" + code[-1:]: key for code, key in ESCAPES.items()}
+HELP = f"""\
+Keys (a motion key must be held: {DEAD_MAN_S} s without one of them, and all wheels go to 0):
+  up, w     hold: drive forwards      left, j   1 degree to the left
+  down, s   hold: drive backwards     right, l  1 degree to the right
+  +         10 rpm faster             -         10 rpm slower
+  0         steering to 0             space     stop: halts the wheels and keeps the steering angle
+  a         acknowledge and arm       r         release the stop
+  q         quit: orders velocity 0, keeps a stop"""
+
+
+@contextmanager
+def raw_keys(keyboard: int) -> Iterator[None]:
+    """Delivers each key at once and without echo, while Ctrl-C still interrupts."""
+    before = termios.tcgetattr(keyboard)
+    try:
+        tty.setcbreak(keyboard)
+        yield
+    finally:
+        termios.tcsetattr(keyboard, termios.TCSADRAIN, before)
+
+
+def read_keys(keyboard: int) -> list[bytes] | None:
+    """Returns the keys that were pressed; None when the terminal is gone."""
+    if not select.select([keyboard], [], [], 0)[0]:
+        return []
+    try:
+        data = os.read(keyboard, 256)
+    except OSError:
+        return None
+    return list(keys(data)) if data else None
+
+
+def keys(data: bytes) -> Iterator[bytes]:
+    """Splits bytes into keys; arrows become letters."""
+    while data:
+        if data[:3] in ESCAPES:
+            yield ESCAPES[data[:3]]
+            data = data[3:]
+        else:
+            yield data[:1].lower()
+            data = data[1:]
+
+
+@dataclass
+class Hand:
+    """State of the keys, and the wish that follows from it at a time."""
+
+    wheels: tuple[int, ...] | None = None  # None: all of them
+    speed_rpm: float = SPEED_RPM
+    steering_degrees: float = 0.0
+    stop: bool = False
+    _direction: int = 0
+    _moved_at: float = float("-inf")
+    _acknowledged_at: float = float("-inf")
+
+    def press(self, key: bytes, now: float) -> None:
+        """Takes a key into account. Keys without a meaning change nothing."""
+        if key in (FORWARD, BACKWARD):
+            self._direction = 1 if key == FORWARD else -1
+            self._moved_at = now
+        elif key in (LEFT, RIGHT):
+            step = STEERING_STEP_DEGREES if key == LEFT else -STEERING_STEP_DEGREES
+            limit = Order.steering_limit_degrees
+            self.steering_degrees = min(limit, max(-limit, self.steering_degrees + step))
+            if self._moves(now):  # a terminal repeats only the newest key
+                self._moved_at = now
+        else:
+            self._command(key, now)
+
+    def _command(self, key: bytes, now: float) -> None:
+        if key in (b"+", b"-"):
+            step = SPEED_STEP_RPM if key == b"+" else -SPEED_STEP_RPM
+            limit = Quantity.VELOCITY.limit
+            self.speed_rpm = min(limit, max(SPEED_STEP_RPM, self.speed_rpm + step))
+        elif key == b"0":
+            self.steering_degrees = 0.0
+        elif key == b" ":
+            self.stop = True
+            self._moved_at = float("-inf")
+        elif key == b"r":
+            self.stop = False
+            self._moved_at = float("-inf")
+        elif key == b"a":
+            self._acknowledged_at = now
+            self._moved_at = float("-inf")
+
+    def wish(self, now: float) -> Wish:
+        """Returns the wish of this time: neutral unless a motion key was repeated just now."""
+        acknowledges = now - self._acknowledged_at < ACKNOWLEDGE_S
+        moves = self._moves(now) and not self.stop and not acknowledges
+        velocity = self._direction * self.speed_rpm if moves else 0.0
+        wish = Wish.of(Quantity.VELOCITY, velocity, self.steering_degrees, self.wheels)
+        return Wish(wish.wheels, wish.steering_degrees, self.stop, acknowledges)
+
+    def _moves(self, now: float) -> bool:
+        return now - self._moved_at < DEAD_MAN_S

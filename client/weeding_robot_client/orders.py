@@ -1,0 +1,120 @@
+"""Sends orders at the pace of the protocol, and the procedures made of them: arm, stop, end."""
+
+from __future__ import annotations
+
+import itertools
+import time
+from collections.abc import Callable, Iterator
+
+from weeding_robot_client.link import Link
+from weeding_robot_client.messages import Report
+from weeding_robot_client.reasons import inhibited
+from weeding_robot_client.script import Wish
+
+ORDER_EVERY_S = 0.1
+CONNECT_WITHIN_S = 5.0
+ARM_WITHIN_S = 5.0
+ACKNOWLEDGE_S = 0.3  # an order is read once in a cycle of 100 ms: this is read at least once
+STOP_ORDERS = 3
+STOP_EVERY_S = 0.05
+
+Observer = Callable[[Report], None]
+
+
+def order_ids() -> Iterator[int]:
+    """1 to 65535, again and again; 0 stands for orders of the remote control."""
+    return itertools.cycle(range(1, 0x10000))
+
+
+class Orders:
+    """Sends the present wish every 100 ms, because an order is valid for 200 ms only."""
+
+    def __init__(self, link: Link, observe: Observer = lambda _report: None) -> None:
+        self.link = link
+        self.report: Report | None = None
+        self._observe = observe
+        self._ids = order_ids()
+        self._due = time.monotonic()
+
+    def send(self, wish: Wish) -> bool:
+        """Sends a wish at once."""
+        return self.link.send(wish.order(next(self._ids)))
+
+    def service(self, wish: Wish | None, timeout_s: float = 0.02) -> list[Report]:
+        """Sends the wish if it is due, serves the link for a while, and returns the reports."""
+        now = time.monotonic()
+        if wish is not None and now >= self._due:
+            self._due = max(self._due + ORDER_EVERY_S, now)
+            self.send(wish)
+        reports = self.link.service(timeout_s)
+        for report in reports:
+            self.report = report
+            self._observe(report)
+        return reports
+
+    def hold(self, wish: Wish, seconds: float) -> list[Report]:
+        """Orders the same for a time; returns the reports."""
+        reports = []
+        end = time.monotonic() + seconds
+        while (rest := end - time.monotonic()) > 0:
+            reports += self.service(wish, min(rest, 0.02))
+        return reports
+
+    def stop(self) -> None:
+        """Orders stop, several times: one lost frame does not lose the stop."""
+        wish = Wish(stop=True)
+        for _ in range(STOP_ORDERS):
+            self.send(wish)
+            self.link.service(STOP_EVERY_S)
+
+    def end(self, wish: Wish) -> None:
+        """Sends the last order: all wheels at 0; a stop stays in force."""
+        self.send(wish.neutral())
+        self.link.service()
+
+
+def connect(orders: Orders) -> Report | None:
+    """Returns the first report; None when none came in time, or when versions differ."""
+    end = time.monotonic() + CONNECT_WITHIN_S
+    while time.monotonic() < end and orders.link.incompatible is None:
+        if reports := orders.service(None):
+            return reports[0]
+    return None
+
+
+def not_connected(link: Link) -> str:
+    """Says why there is no connection, and the next action."""
+    if link.incompatible:
+        return link.incompatible
+    return (
+        f"No answer on {link.path}. Check that the robot has power and that this is its port "
+        "(./wr monitor --link PATH)."
+    )
+
+
+def arm(
+    orders: Orders,
+    wish: Wish | None = None,
+    within_s: float | None = None,
+    progress: Callable[[str], None] = lambda _words: None,
+) -> str | None:
+    """Orders neutral until the robot is armed. Returns None, or the reason why it is not."""
+    neutral = (wish or Wish()).neutral()
+    reason: str | None = None
+    end = time.monotonic() + (ARM_WITHIN_S if within_s is None else within_s)
+    while time.monotonic() < end:
+        for report in orders.service(neutral):
+            if report.ready:
+                return None
+            if (words := inhibited(report)) != reason:
+                reason = words
+                progress(words or "The robot has not read an order of the PC yet.")
+        if not orders.link.connected:
+            return "The connection was lost."
+    return reason or "The robot reads no order of the PC: the remote control drives it."
+
+
+def acknowledge(orders: Orders, wish: Wish | None = None) -> None:
+    """Orders all control systems to stand still and to release latched faults."""
+    still = (wish or Wish()).neutral()
+    orders.hold(Wish(still.wheels, still.steering_degrees, acknowledge=True), ACKNOWLEDGE_S)

@@ -1,0 +1,59 @@
+"""The commands that arm the robot and acknowledge its protective stop."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from weeding_robot_client import orders
+from weeding_robot_client.monitor import status
+from weeding_robot_client.options import add_link, open_link
+from weeding_robot_client.orders import Orders, connect, not_connected
+from weeding_robot_client.recording import Recording
+from weeding_robot_client.script import Wish
+
+ARM = """\
+Sends neutral orders (all wheels at 0) until the robot reports that it is armed, and shows why it is
+not yet. A stop that the PC ordered before is released. The robot needs neutral orders for 0.5 s.
+A program that drives must then send orders: without them the robot is not armed any more.
+
+Exit codes: 0 armed, 1 not armed or no connection."""
+ACKNOWLEDGE = """\
+Acknowledges the latched protective stop: the robot stands still and releases its faults. Remove the
+cause first. Then arms the robot, as ./wr arm does.
+
+Exit codes: 0 acknowledged and armed, 1 not armed or no connection."""
+
+
+def run_arm(options: argparse.Namespace) -> int:
+    return _run(options, acknowledges=False)
+
+
+def run_acknowledge(options: argparse.Namespace) -> int:
+    return _run(options, acknowledges=True)
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    add_link(parser)
+
+
+def _run(options: argparse.Namespace, acknowledges: bool) -> int:
+    link = open_link(options.link)
+    if link is None:
+        return 1
+    with link, Recording(options.csv) as recording:
+        sender = Orders(link, recording.add)
+        report = connect(sender)
+        if report is None:
+            print(not_connected(link), file=sys.stderr)
+            return 1
+        print(status(link), file=sys.stderr)
+        if acknowledges:
+            print("acknowledges ...")
+            orders.acknowledge(sender)
+        elif "PC" in report.stop_sources:
+            print("releases the stop of the PC")
+        reason = orders.arm(sender, progress=print)
+        sender.end(Wish())
+    print(f"not armed: {reason}" if reason else "armed")
+    return 1 if reason else 0

@@ -1,0 +1,79 @@
+"""Reasons and conditions in a report, in words, with the next action of the user."""
+
+from __future__ import annotations
+
+from weeding_robot_client.messages import WHEELS, Report
+
+CAUSES = {
+    "emergency stop": "the emergency stop is pressed, or its contact is not connected",
+    "steering fault": "the steering did not move as ordered, or its position is missing",
+    "overcurrent": "the current of a motor was too high",
+    "no motion": "a wheel has voltage, and its Hall sensors show no motion",
+    "wrong direction": "a wheel turns against its voltage: motor leads or Hall pair are swapped",
+    "overspeed": "a wheel was faster than allowed",
+    "tracking error": "velocity and current of a wheel do not match its voltage",
+    "missing measurement": "a measured value is missing",
+    "Hall signals": "too many Hall edges of a wheel are implausible: check its cable",
+    "reversal": "a wheel could not change its direction in time",
+}
+ACTIONS = {
+    "no order": "Send orders: ./wr drive, or the remote control.",
+    "not armed": "Send neutral orders for 0.5 s: ./wr arm, or press no key in ./wr drive.",
+    "protective stop": "Remove the cause, then acknowledge: ./wr acknowledge, or key a in "
+    "./wr drive.",
+}
+RELEASES = {
+    "PC": "The PC ordered it. Release it: ./wr arm, or key r in ./wr drive.",
+    "RC": "The remote control ordered it. Set its enable switch to 'PC' or 'RC drives', with "
+    "the velocity stick centred.",
+}
+
+
+def cause(report: Report) -> str:
+    """Returns the cause of the protective stop, with its wheel."""
+    if report.stop_wheel is None:
+        wheel = ""
+    elif report.stop_wheel < len(WHEELS):
+        wheel = f" ({WHEELS[report.stop_wheel]} wheel)"
+    else:
+        wheel = f" (wheel {report.stop_wheel})"
+    return CAUSES.get(report.stop_cause, report.stop_cause) + wheel
+
+
+def inhibited(report: Report) -> str | None:
+    """Returns why the robot does not move and the next action; None when it follows orders."""
+    if report.inhibit == "none":
+        return None
+    if report.inhibit == "stop":
+        sources = report.stop_sources or ("a source",)
+        actions = [RELEASES.get(name, f"{name} ordered it.") for name in sources]
+        return " ".join(["The robot does not move: a stop is in force.", *actions])
+    reason = report.inhibit
+    if reason == "protective stop":
+        reason += f", {cause(report)}"
+    return f"The robot does not move: {reason}. {ACTIONS.get(report.inhibit, '')}".rstrip()
+
+
+def faults(report: Report) -> list[str]:
+    """Returns the faults and end stops that the report shows."""
+    found = [
+        f"{name} wheel {words}"
+        for name, wheel in zip(WHEELS, report.wheels, strict=True)
+        for words, is_set in (
+            ("has an overcurrent trip: its current was too high", wheel.cut_off),
+            ("has no motion feedback: it has voltage but gives no Hall edge", wheel.blind),
+        )
+        if is_set
+    ]
+    if report.steering_state == "fault":
+        found.append("steering is in fault: it did not move as ordered, or its position is missing")
+    for side, reached in (("left", report.left_end), ("right", report.right_end)):
+        if reached:
+            found.append(f"steering is at its {side} end stop")
+    return found
+
+
+def conditions(report: Report) -> list[str]:
+    """Returns the reason why the robot does not move, then its faults."""
+    reason = inhibited(report)
+    return [*([reason] if reason else []), *faults(report)]
