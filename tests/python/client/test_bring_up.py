@@ -178,6 +178,7 @@ def test_a_receiver_that_keeps_the_last_pulses_fails(mcu: Any, control: Path, im
     off = step(go(mcu, control, images, last=name), name)
     assert off.verdict == "fail"
     assert "fail-safe of the receiver" in off.advice
+    assert mcu.transmitter  # it is on again for the steps that follow
 
 
 def test_a_product_without_remote_control_has_no_steps_for_it(
