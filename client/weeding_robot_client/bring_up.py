@@ -281,7 +281,10 @@ class BringUp:
     def _do(self, action: str, instruction: str) -> float:
         """Asks for an action; returns the time of its begin."""
         self._operator.perform(action, instruction, self.idle)
-        return time.monotonic()
+        begin = time.monotonic()
+        if self._operator.skips():
+            raise SkipError
+        return begin
 
     def _wait(
         self, condition: Callable[[Report], bool], missing: str, advice: str = ""
