@@ -13,8 +13,9 @@ FIELD = 0x400
 SIZE = 16
 FLASH = 0x100000
 SECURITY = 0x40C
-# Reads as after an erase, but for the security byte: not secured, mass erase allowed.
-WANTED = bytes([0xFF] * 12 + [0xFE] + [0xFF] * 3)
+# Reads as after an erase, but for two bytes. Security: not secured, mass erase allowed. Options: no
+# mode for programming over a serial line (EzPort) when PTA4 is low during a reset.
+WANTED = bytes([0xFF] * 12 + [0xFE, 0xFD] + [0xFF] * 2)
 PURPOSES = (
     (0x400, 0x407, "a backdoor key would be set"),
     (0x408, 0x40B, "parts of the flash would be protected from being written again"),

@@ -10,22 +10,33 @@ from pathlib import Path
 from traceability.sources import DESIGN, files_below
 
 DEFAULT = "weeding_robot"
+PAPER = "weeding_robot_paper"  # the paper's design alone: without safety functions
 # Each product, and what commands it.
 PRODUCTS = {
-    DEFAULT: "the PC and the remote control",
-    "weeding_robot_pc": "the PC",
-    "weeding_robot_pc_bluetooth": "the PC and a Bluetooth device",
+    DEFAULT: "the PC and the remote control, with safety functions",
+    PAPER: "the PC and the remote control; the paper's design alone",
+    "weeding_robot_pc": "the PC, with safety functions",
+    "weeding_robot_pc_bluetooth": "the PC and a Bluetooth device, with safety functions",
     "weeding_robot_warning": "the PC and the remote control; warns before it stops",
 }
 REMOTE_CONTROL = {
     *("RC", "RcPin", "ReadRcPin", "RcBuffer", "VelocityBuffer", "DirectionBuffer"),
     *("RcVelocity", "RcDirection", "BufferReader", "WidthCollector"),
 }
+SAFETY = {
+    *("SafeSystem", "OrderStageDecorator", "RobotStage", "SafetyBuilder"),
+    *("ProtectiveStop", "WheelSupervision", "Arming", "SetPointRamp", "SpeedLimited"),
+}
+STOP_MEMORY = {"PersistentStop", "RetainedStop"}
+ENABLE_SWITCH = {
+    *("EnableSwitch", "EnableBuffer", "PulsePosition", "RcVigilance", "SteeringGeometry"),
+}
 # Each product: what it has of the modules in which products differ. All have the rest.
 HAS = {
-    DEFAULT: REMOTE_CONTROL | {"RobotDirector"},
-    "weeding_robot_pc": {"RobotDirector"},
-    "weeding_robot_pc_bluetooth": {"Bluetooth", "BluetoothLink", "BluetoothDirector"},
+    DEFAULT: REMOTE_CONTROL | SAFETY | STOP_MEMORY | ENABLE_SWITCH | {"SafetyDirector"},
+    PAPER: REMOTE_CONTROL | {"RobotDirector"},
+    "weeding_robot_pc": SAFETY | STOP_MEMORY | {"SafetyPcDirector"},
+    "weeding_robot_pc_bluetooth": SAFETY | {"Bluetooth", "BluetoothLink", "BluetoothDirector"},
     "weeding_robot_warning": REMOTE_CONTROL | {"WaitingK", "WarningDirector"},
 }
 DIFFERENT = set().union(*HAS.values())

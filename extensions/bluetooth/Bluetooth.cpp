@@ -4,12 +4,17 @@
 
 namespace wr {
 
-Bluetooth::Bluetooth(Mode& wrapped, Mode& other, BluetoothLink& link)
-    : ModeDecorator(kId, wrapped), other_(other), link_(link) {}
+Bluetooth::Bluetooth(Mode& wrapped, Mode& other, PcConnection& connection, const Timebase& timebase)
+    : ModeDecorator(kId, wrapped), other_(other), connection_(connection), timebase_(timebase) {}
 
 void Bluetooth::serve() {
-  link_.receive();
+  connection_.beginCycle(timebase_.now());
+  connection_.service();
   ModeDecorator::serve();
+}
+
+bool Bluetooth::newMessage() const {
+  return connection_.connected() && ModeDecorator::newMessage();
 }
 
 void Bluetooth::read(MainController& mCtrl) {

@@ -1,14 +1,15 @@
 #pragma once
 
-#include "bluetooth/BluetoothLink.hpp"
+#include "communication/pc_connection/PcConnection.hpp"
+#include "devices/Timebase.hpp"
 #include "main_control/operation_modes/ModeDecorator.hpp"
 
 namespace wr {
 
 /// @brief The reading mode in which a Bluetooth device commands the robot.
 ///
-/// @function Extends the basic mode: takes in what the device sent, and marks its set-points as given by
-/// Bluetooth. Changes to the other mode on demand.
+/// @function Extends the basic mode: an order counts only while the device is connected, and its
+/// set-points are marked as given by Bluetooth. Changes to the other mode on demand.
 ///
 /// @secret How set-points are marked as given by a Bluetooth device.
 ///
@@ -19,17 +20,24 @@ class Bluetooth final : public ModeDecorator {
   /// @brief Number of the mode, as in reports.
   static constexpr ModeId kId{2};
 
-  /// @brief Binds the mode to the mode that it extends, to the mode that follows it and to its line.
+  /// @brief Binds the mode to the mode that it extends, to the mode that follows it and to its connection.
   /// @param wrapped basic mode that reads the orders of the device
   /// @param other mode to change to; only its address is used before the first changeMode()
-  /// @param link line to the device
-  Bluetooth(Mode& wrapped, Mode& other, BluetoothLink& link);
+  /// @param connection connection to the device
+  /// @param timebase gives the time at which the connection is served
+  Bluetooth(Mode& wrapped, Mode& other, PcConnection& connection, const Timebase& timebase);
 
-  /// @brief Takes in what the device sent, then serves the wrapped mode.
+  /// @brief Serves the connection to the device, then the wrapped mode.
   /// @satisfies FR-151
   /// @isr{no}
-  /// @satisfies FR-179
   void serve() override;
+
+  /// @brief Checks whether the device is connected and has an order that can be read now.
+  /// @return true if the device is connected and the wrapped mode has a message.
+  /// @satisfies FR-150
+  /// @satisfies FR-260
+  /// @isr{no}
+  [[nodiscard]] bool newMessage() const override;
 
   /// @brief Saves the mode id of Bluetooth, then reads as the wrapped mode does.
   /// @param mCtrl controller whose data takes the set-points and the source
@@ -47,7 +55,8 @@ class Bluetooth final : public ModeDecorator {
 
  private:
   Mode& other_;
-  BluetoothLink& link_;
+  PcConnection& connection_;
+  const Timebase& timebase_;
 };
 
 }  // namespace wr

@@ -3,19 +3,16 @@
 namespace wr {
 
 BluetoothDirector::BluetoothDirector(ControlSystemPoolBuilder& poolBuilder,
-                                     MainControllerBuilder& controllerBuilder, SerialPort& port,
-                                     const Timebase& timebase)
-    : poolBuilder_(poolBuilder),
-      controllerBuilder_(controllerBuilder),
-      port_(port),
-      timebase_(timebase) {}
+                                     MainControllerBuilder& controllerBuilder,
+                                     const BluetoothDevices& devices)
+    : poolBuilder_(poolBuilder), controllerBuilder_(controllerBuilder), devices_(devices) {}
 
 void BluetoothDirector::construct() {
   poolBuilder_.buildSystems();
   poolBuilder_.buildPool();
   poolBuilder_.buildTimer();
   controllerBuilder_.buildConnection();
-  modes_.emplace(controllerBuilder_.pcReader(), controllerBuilder_.connection(), port_, timebase_);
+  modes_.emplace(controllerBuilder_.pcReader(), controllerBuilder_.connection(), devices_);
   controllerBuilder_.useModes(modes_->pc, modes_->all);
   controllerBuilder_.buildStates();
   controllerBuilder_.buildController(poolBuilder_.pool());

@@ -24,10 +24,9 @@ class BluetoothDirector final {
   /// @brief Binds the director to the builders and to the line of the device.
   /// @param poolBuilder makes the control systems
   /// @param controllerBuilder makes the main controller
-  /// @param port line to the Bluetooth module
-  /// @param timebase gives the time
+  /// @param devices devices of the Bluetooth connection
   BluetoothDirector(ControlSystemPoolBuilder& poolBuilder, MainControllerBuilder& controllerBuilder,
-                    SerialPort& port, const Timebase& timebase);
+                    const BluetoothDevices& devices);
 
   BluetoothDirector(const BluetoothDirector&) = delete;
   BluetoothDirector& operator=(const BluetoothDirector&) = delete;
@@ -50,8 +49,7 @@ class BluetoothDirector final {
  private:
   ControlSystemPoolBuilder& poolBuilder_;
   MainControllerBuilder& controllerBuilder_;
-  SerialPort& port_;
-  const Timebase& timebase_;
+  BluetoothDevices devices_;
   std::optional<BluetoothModes> modes_;
 };
 

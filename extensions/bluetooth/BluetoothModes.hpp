@@ -3,7 +3,12 @@
 #include <array>
 
 #include "bluetooth/Bluetooth.hpp"
-#include "bluetooth/BluetoothLink.hpp"
+#include "bluetooth/RandomSource.hpp"
+#include "bluetooth/SignedPort.hpp"
+#include "bluetooth/SipHash.hpp"
+#include "communication/pc_connection/Connected.hpp"
+#include "communication/pc_connection/Disconnected.hpp"
+#include "communication/pc_connection/Handshaking.hpp"
 #include "communication/pc_connection/PcConnection.hpp"
 #include "communication/serialization/Reader.hpp"
 #include "communication/serialization/SerialReader.hpp"
@@ -11,35 +16,51 @@
 #include "devices/Timebase.hpp"
 #include "main_control/operation_modes/BasicMode.hpp"
 #include "main_control/operation_modes/PC.hpp"
+#include "services/StartRecord.hpp"
 
 namespace wr {
+
+/// @brief The devices of a Bluetooth connection.
+/// @datatype
+struct BluetoothDevices {
+  SerialPort& port;          ///< line to the Bluetooth module
+  SipHash::Key key;          ///< key that the device shares with the robot
+  RandomSource& random;      ///< draws the number of this start
+  const Timebase& timebase;  ///< gives the time
+  const StartRecord& start;  ///< why the firmware started
+};
 
 /// @brief The reading modes of a robot that the PC and a Bluetooth device command; each is the successor
 /// of the other.
 /// @datatype
 struct BluetoothModes {
-  /// @brief Makes the modes.
+  /// @brief Binds the modes to their sources.
   /// @param pcReader reader of the PC's orders
-  /// @param connection link to the PC
-  /// @param port line to the Bluetooth module
-  /// @param timebase gives the time
-  BluetoothModes(Reader& pcReader, PcConnection& connection, SerialPort& port,
-                 const Timebase& timebase)
-      : reader(timebase),
-        link(port, reader),
+  /// @param pcConnection link to the PC
+  /// @param devices devices of the Bluetooth connection
+  BluetoothModes(Reader& pcReader, PcConnection& pcConnection, const BluetoothDevices& devices)
+      : port(devices.port, devices.key, devices.random),
+        handshaking(connected, disconnected),
+        disconnected(handshaking),
+        connected(handshaking, disconnected),
+        connection(port, reader, disconnected, devices.start),
         basicPc(pcReader),
         basicBluetooth(reader),
-        pc(basicPc, bluetooth, connection),
-        bluetooth(basicBluetooth, pc, link),
+        pc(basicPc, bluetooth, pcConnection),
+        bluetooth(basicBluetooth, pc, connection, devices.timebase),
         all{&pc, &bluetooth} {}
 
-  SerialReader reader;       ///< newest order of the device
-  BluetoothLink link;        ///< line to the device
-  BasicMode basicPc;         ///< what PC extends
-  BasicMode basicBluetooth;  ///< what Bluetooth extends
-  PC pc;                     ///< reads from the PC
-  Bluetooth bluetooth;       ///< reads from the device
-  std::array<Mode*, 2> all;  ///< both modes
+  SerialReader reader;        ///< newest order of the device
+  SignedPort port;            ///< line to the device, with authenticated frames
+  Handshaking handshaking;    ///< the device was welcomed
+  Disconnected disconnected;  ///< no device is connected
+  Connected connected;        ///< the device is connected
+  PcConnection connection;    ///< connection to the device, with the handshake of the PC
+  BasicMode basicPc;          ///< basic mode of the PC
+  BasicMode basicBluetooth;   ///< basic mode of the device
+  PC pc;                      ///< reads from the PC
+  Bluetooth bluetooth;        ///< reads from the device
+  std::array<Mode*, 2> all;   ///< both modes
 };
 
 }  // namespace wr

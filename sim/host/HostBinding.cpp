@@ -13,6 +13,12 @@ HostBinding::HostBinding(HostPins& pins, sim::Robot& physics) : pins_(pins), phy
     physics_.setSteeringEnabled(pins_.steering.enable.isOn());
     physics_.steeringStep(pins_.steering.direction.isOn());
   });
+  for (std::size_t wheel = 0; wheel < pins_.wheels.size(); ++wheel) {
+    for (std::size_t sensor = 0; sensor < 2; ++sensor) {
+      pins_.wheels.at(wheel).hall.at(sensor).drive(physics_.hallLevel(wheel, sensor));
+    }
+  }
+  measure();
 }
 
 void HostBinding::drive() {
@@ -29,8 +35,9 @@ void HostBinding::measure() {
     pins_.wheels.at(wheel).current.drive(physics_.currentVolts(wheel) / sim::Robot::kReference);
   }
   pins_.steering.angle.drive(physics_.steeringVolts() / sim::Robot::kReference);
-  pins_.steering.leftEnd.drive(!physics_.leftEnd());
-  pins_.steering.rightEnd.drive(!physics_.rightEnd());
+  pins_.steering.leftEnd.drive(physics_.leftEnd());
+  pins_.steering.rightEnd.drive(physics_.rightEnd());
+  pins_.emergencyStop.drive(physics_.emergencyStopOpen());
 }
 
 }  // namespace wr

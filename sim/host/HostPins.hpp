@@ -31,18 +31,19 @@ struct HostWheelPins {
 struct HostSteeringPins {
   /// @brief Makes the pins.
   /// @param scheduler serves the interrupts
-  explicit HostSteeringPins(HostScheduler& scheduler) : leftEnd(scheduler), rightEnd(scheduler) {}
+  explicit HostSteeringPins(HostScheduler& scheduler)
+      : leftEnd(scheduler, false), rightEnd(scheduler, false) {}
 
   HostDigitalOutput step;
   HostDigitalOutput direction;  ///< on: left
   HostDigitalOutput enable;
-  HostEdgeInput leftEnd;   ///< low: reached
-  HostEdgeInput rightEnd;  ///< low: reached
+  HostEdgeInput leftEnd;   ///< high: reached, or a broken wire
+  HostEdgeInput rightEnd;  ///< high: reached, or a broken wire
   HostAnalogInput angle;
 };
 
 /// @brief All pins of the firmware on the host, with nothing on them: currents and steering in the
-/// middle, no edges, no end stop.
+/// middle, no edges, no end stop, no emergency stop.
 struct HostPins {
   /// @brief Makes the pins.
   /// @param scheduler serves the interrupts
@@ -50,11 +51,14 @@ struct HostPins {
       : wheels{HostWheelPins(scheduler), HostWheelPins(scheduler), HostWheelPins(scheduler),
                HostWheelPins(scheduler)},
         steering(scheduler),
-        remoteControl{HostEdgeInput(scheduler, false), HostEdgeInput(scheduler, false)} {}
+        remoteControl{HostEdgeInput(scheduler, false), HostEdgeInput(scheduler, false),
+                      HostEdgeInput(scheduler, false)},
+        emergencyStop(scheduler, false) {}
 
   std::array<HostWheelPins, kWheelCount> wheels;
   HostSteeringPins steering;
-  std::array<HostEdgeInput, 2> remoteControl;  ///< velocity, direction
+  std::array<HostEdgeInput, 3> remoteControl;  ///< velocity, direction, enable
+  HostEdgeInput emergencyStop;                 ///< high: the emergency stop is active
 };
 
 }  // namespace wr

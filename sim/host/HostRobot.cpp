@@ -7,6 +7,7 @@ namespace wr {
 HostRobot::HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start,
                      HostEquipment equipment)
     : timebase_(timebase),
+      equipment_(equipment),
       pins_(scheduler_),
       mainThread_(scheduler_, kMainPriority),
       wheelThreads_{HostThread(scheduler_, kWheelPriority), HostThread(scheduler_, kWheelPriority),
@@ -26,9 +27,11 @@ HostRobot::HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRe
                         .timebase = timebase}),
       systemBuilders_{&wheelBuilders_[0], &wheelBuilders_[1], &wheelBuilders_[2],
                       &wheelBuilders_[3], &steeringBuilder_},
-      poolBuilder_(tickTimer_,
-                   std::span<ControlSystemBuilder* const>(systemBuilders_)
-                       .first(equipment == HostEquipment::Whole ? systemBuilders_.size() : 0)),
+      safetyBuilder_({.wheels = wheelBuilders_,
+                      .systems = systemBuilders_,
+                      .emergencyStop = pins_.emergencyStop}),
+      safeBuilders_{&safetyBuilder_},
+      poolBuilder_(tickTimer_, builders()),
       controllerBuilder_(
           {.thread = mainThread_,
            .cycleTimer = cycleTimer_,
@@ -41,9 +44,39 @@ HostRobot::HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRe
                                                            .directionPin = pins_.remoteControl[1],
                                                            .velocity = rcVelocity_,
                                                            .direction = rcDirection_}}),
-      director_(poolBuilder_, controllerBuilder_) {
-  director_.construct();
+      director_(poolBuilder_, controllerBuilder_),
+      stopMemory_(stopCells_),
+      safetyDirector_(poolBuilder_, controllerBuilder_,
+                      {.timebase = timebase,
+                       .edgeTime = timebase,
+                       .memory = stopMemory_,
+                       .enablePin = pins_.remoteControl[2],
+                       .velocity = rcVelocity_,
+                       .direction = rcDirection_}) {
+  construct();
   connectVectors();
+}
+
+std::span<ControlSystemBuilder* const> HostRobot::builders() const {
+  switch (equipment_) {
+    case HostEquipment::Whole:
+      return systemBuilders_;
+    case HostEquipment::Safe:
+      return safeBuilders_;
+    case HostEquipment::MainControl:
+      break;
+  }
+  return {};
+}
+
+void HostRobot::construct() {
+  if (equipment_ == HostEquipment::Safe) {
+    stopMemory_.begin(ResetCause::PowerOn);
+    safetyDirector_.construct();
+    pins_.remoteControl[2].connect([this] { safetyDirector_.enablePin().serve(); });
+  } else {
+    director_.construct();
+  }
 }
 
 WheelSystemBuilder::Devices HostRobot::wheelDevices(std::size_t wheel) {

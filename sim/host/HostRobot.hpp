@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "construction/ControlSystemBuilder.hpp"
 #include "construction/ControlSystemPoolBuilder.hpp"
@@ -11,6 +12,9 @@
 #include "construction/WheelSystemBuilder.hpp"
 #include "devices/SerialPort.hpp"
 #include "devices/Timebase.hpp"
+#include "safety/RetainedStop.hpp"
+#include "safety/SafetyBuilder.hpp"
+#include "safety/SafetyDirector.hpp"
 #include "services/Pipe.hpp"
 #include "services/StartRecord.hpp"
 #include "sim/host/HostPins.hpp"
@@ -24,7 +28,8 @@ namespace wr {
 
 /// @brief How much of the firmware a robot on the host has.
 enum class HostEquipment {
-  Whole,       ///< all control systems
+  Whole,       ///< all control systems, without safety functions
+  Safe,        ///< all control systems, with the safety functions
   MainControl  ///< Main Control only, with an empty pool: for long sequences of orders
 };
 
@@ -93,9 +98,12 @@ class HostRobot {
 
  private:
   [[nodiscard]] WheelSystemBuilder::Devices wheelDevices(std::size_t wheel);
+  [[nodiscard]] std::span<ControlSystemBuilder* const> builders() const;
+  void construct();
   void connectVectors();
 
   const Timebase& timebase_;
+  HostEquipment equipment_;
   HostScheduler scheduler_;
   HostPins pins_;
   HostThread mainThread_;
@@ -109,9 +117,14 @@ class HostRobot {
   std::array<WheelSystemBuilder, kWheelCount> wheelBuilders_;
   DirSystemBuilder steeringBuilder_;
   std::array<ControlSystemBuilder*, kWheelCount + 1> systemBuilders_;
+  SafetyBuilder safetyBuilder_;
+  std::array<ControlSystemBuilder*, 1> safeBuilders_;
   ControlSystemPoolBuilder poolBuilder_;
   MainControllerBuilder controllerBuilder_;
   RobotDirector director_;
+  RetainedStop::Cells stopCells_{};
+  RetainedStop stopMemory_;
+  SafetyDirector safetyDirector_;
 };
 
 }  // namespace wr

@@ -1,15 +1,15 @@
 #include "sim/host/HostSerialPort.hpp"
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
 namespace wr {
 
 void HostSerialPort::arrive(std::span<const std::uint8_t> bytes) {
+  const Instant now = clock_ != nullptr ? clock_->now() : Instant();
   for (const std::uint8_t byte : bytes) {
     if (received_.size() < kReceived) {
-      received_.push_back(byte);
+      received_.push_back({.byte = byte, .at = now});
     } else if (lostBytes_ < std::numeric_limits<std::uint16_t>::max()) {
       ++lostBytes_;
     }
@@ -21,10 +21,15 @@ std::vector<std::uint8_t> HostSerialPort::takeSent() {
 }
 
 std::size_t HostSerialPort::read(std::span<std::uint8_t> bytes) {
-  const std::size_t count = std::min(bytes.size(), received_.size());
-  const auto end = received_.begin() + static_cast<std::ptrdiff_t>(count);
-  std::copy(received_.begin(), end, bytes.begin());
-  received_.erase(received_.begin(), end);
+  std::size_t count = 0;
+  bool ended = false;
+  while (!ended && count < bytes.size() && !received_.empty()) {
+    bytes[count] = received_.front().byte;
+    receivedAt_ = received_.front().at;
+    ended = bytes[count] == 0;
+    received_.pop_front();
+    ++count;
+  }
   return count;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "devices/SerialPort.hpp"
+#include "devices/Timebase.hpp"
 
 namespace wr {
 
@@ -18,7 +19,11 @@ class HostSerialPort final : public SerialPort {
   /// @brief Written bytes that can be stored.
   static constexpr std::size_t kSent = 512;
 
-  /// @brief Lets bytes come in over the line. What finds no room is lost and counted.
+  /// @brief Sets the clock that gives the time of received bytes. Without one the time is always 0.
+  /// @param clock the clock
+  void setClock(const Timebase& clock) { clock_ = &clock; }
+
+  /// @brief Lets bytes come in over the line, now. What finds no room is lost and counted.
   /// @param bytes the bytes
   void arrive(std::span<const std::uint8_t> bytes);
 
@@ -27,12 +32,20 @@ class HostSerialPort final : public SerialPort {
   [[nodiscard]] std::vector<std::uint8_t> takeSent();
 
   std::size_t read(std::span<std::uint8_t> bytes) override;
+  [[nodiscard]] Instant receivedAt() const override { return receivedAt_; }
   [[nodiscard]] std::size_t free() const override;
   bool write(std::span<const std::uint8_t> bytes) override;
   [[nodiscard]] std::uint16_t lostBytes() const override;
 
  private:
-  std::deque<std::uint8_t> received_;
+  struct Received {
+    std::uint8_t byte;
+    Instant at;
+  };
+
+  const Timebase* clock_ = nullptr;
+  std::deque<Received> received_;
+  Instant receivedAt_;
   std::vector<std::uint8_t> sent_;
   std::uint16_t lostBytes_ = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 
 namespace wr {
 
@@ -31,9 +32,13 @@ Instant at(Instant begin, std::chrono::nanoseconds offset) {
 HostWorld::HostWorld(SerialPort& pcPort, HostEquipment equipment)
     : robot(time, pcPort, {}, equipment),
       physics(kSeed),
+      pcPort_(pcPort),
       equipment_(equipment),
       binding_(robot.pins(), physics) {
-  binding_.measure();
+  observeThreads();
+}
+
+void HostWorld::observeThreads() {
   robot.scheduler().beforeThread([this](const HostThread& thread) {
     if (thread.priority() == HostRobot::kWheelPriority) {
       pass(time.now() + kOfWheel);
@@ -43,14 +48,30 @@ HostWorld::HostWorld(SerialPort& pcPort, HostEquipment equipment)
 
 void HostWorld::start() {
   robot.start();
-  const Instant begin = time.now() + kStartUp;
   nextStep_ = time.now() + kStep;
+  beginPeriods();
+}
+
+void HostWorld::beginPeriods() {
+  const Instant begin = time.now() + kStartUp;
   nextBeat_ = begin + robot.beatPeriod();
   nextPulse_ = begin + robot.period() + kToWheels;
 }
 
+// The new firmware is where the old one was, so that all references to the robot stay valid.
+void HostWorld::reset(ResetCause cause) {
+  edges_.clear();
+  std::destroy_at(&binding_);
+  std::destroy_at(&robot);
+  std::construct_at(&robot, time, pcPort_, StartRecord{.cause = cause}, equipment_);
+  std::construct_at(&binding_, robot.pins(), physics);
+  observeThreads();
+  robot.start();
+  beginPeriods();
+}
+
 void HostWorld::runUntil(Instant instant) {
-  if (equipment_ == HostEquipment::Whole) {
+  if (equipment_ != HostEquipment::MainControl) {
     runWhole(instant);
   } else {
     runMainControl(instant);

@@ -29,6 +29,10 @@ class HostWorld {
   /// @brief Switches the robot on.
   void start();
 
+  /// @brief Resets the microcontroller: its firmware starts again. Time and physics go on.
+  /// @param cause cause that the firmware finds
+  void reset(ResetCause cause);
+
   /// @brief Lets time pass up to an instant; what comes at the instant has come then.
   /// @param instant the instant
   void runUntil(Instant instant);
@@ -48,6 +52,8 @@ class HostWorld {
     bool level = false;
   };
 
+  void observeThreads();
+  void beginPeriods();
   void runWhole(Instant until);
   void runMainControl(Instant until);
   void pass(Instant until);
@@ -56,6 +62,7 @@ class HostWorld {
   void bringEdges(Instant until);
   void advanceTo(Instant instant);
 
+  SerialPort& pcPort_;
   HostEquipment equipment_;
   HostBinding binding_;
   std::vector<Edge> edges_;  // of this ms that are to come, in their order

@@ -5,6 +5,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 
@@ -52,8 +53,24 @@ const std::string& PtySerialPort::path() const {
 
 std::size_t PtySerialPort::read(std::span<std::uint8_t> bytes) {
   send();
-  const ssize_t count = ::read(line_, bytes.data(), bytes.size());
-  return count > 0 ? static_cast<std::size_t>(count) : 0;
+  if (received_.empty()) {
+    receive();
+  }
+  const auto places =
+      received_.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), received_.size()));
+  const auto zero = std::find(received_.begin(), places, 0);
+  const auto end = zero == places ? places : zero + 1;
+  const auto count = static_cast<std::size_t>(end - received_.begin());
+  std::copy(received_.begin(), end, bytes.begin());
+  received_.erase(received_.begin(), end);
+  return count;
+}
+
+void PtySerialPort::receive() {
+  received_.resize(kCapacity);
+  const ssize_t count = ::read(line_, received_.data(), received_.size());
+  received_.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+  receivedAt_ = clock_ != nullptr ? clock_->now() : Instant();
 }
 
 std::size_t PtySerialPort::free() const {

@@ -19,6 +19,7 @@ constexpr const char* kUsage =
     "Runs the firmware in a simulated robot on this machine in real time. The PC link is a\n"
     "pseudo-terminal.\n"
     "\n"
+    "  --paper          run the paper's design, without the safety functions\n"
     "  --link PATH      make PATH a symbolic link to the pseudo-terminal\n"
     "  --control PATH   accept actions of a scenario at a datagram socket\n"
     "  --cycles N       stop after N control cycles\n"
@@ -32,6 +33,10 @@ constexpr const char* kUsage =
 constexpr wr::Microseconds kSlice = wr::milliseconds(1);
 // Bytes that the line brings in a look at the pseudo-terminal; what is more waits there.
 constexpr std::size_t kBytes = 64;
+
+wr::HostEquipment equipmentOf(const wr::CommandLine& options) {
+  return options.has("--paper") ? wr::HostEquipment::Whole : wr::HostEquipment::Safe;
+}
 
 bool hasRun(const wr::HostLine& robot, const std::optional<std::uint64_t>& cycles) {
   const wr::Microseconds period = robot.world.robot.period();
@@ -55,7 +60,7 @@ void runInRealTime(const wr::CommandLine& options) {
   std::printf("PC link: %s\n", port.path().c_str());
   std::fflush(stdout);
   const wr::RealTimebase clock;
-  wr::HostLine robot;
+  wr::HostLine robot(equipmentOf(options));
   wr::ControlChannel control(options.value("--control").value_or(""), robot);
   robot.start();
   for (wr::Instant now; !hasRun(robot, cycles) && !wr::endRequested();) {
@@ -72,13 +77,14 @@ void runInRealTime(const wr::CommandLine& options) {
 
 wr::Exit run(int count, char** arguments) {
   const wr::CommandLine options(
-      count, arguments, {"--link", "--control", "--cycles", "--scenario", "--reports"}, {"--help"});
+      count, arguments, {"--link", "--control", "--cycles", "--scenario", "--reports"},
+      {"--help", "--paper"});
   if (options.has("--help")) {
     std::fputs(kUsage, stdout);
     return wr::Exit::Done;
   }
   if (const auto scenario = options.value("--scenario")) {
-    wr::HostLine robot;
+    wr::HostLine robot(equipmentOf(options));
     robot.start();
     return wr::playScenario(*scenario, options.value("--reports"), robot);
   }

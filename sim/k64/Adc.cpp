@@ -54,7 +54,9 @@ Adc::Adc(Surroundings& board, unsigned number, bool calibrates)
     : Peripheral(board),
       name_("ADC" + std::to_string(number)),
       line_(kLines.at(number)),
-      calibrates_(calibrates) {}
+      calibrates_(calibrates) {
+  volts_.fill(0.0);
+}
 
 void Adc::connectPins(std::function<Input(unsigned)> input) {
   input_ = std::move(input);
@@ -83,9 +85,9 @@ void Adc::update() {
   board_.setLine(line_, (at(kSc1a) & both) == both);
 }
 
-// Bus clocks in a clock of the conversion, ADCK: CFG1.ADICLK and ADIV.
+// Bus clocks in a clock of the conversion, ADCK: CFG1.ADIV, and the bus clock as its source.
 std::uint32_t Adc::busClocksOfClock() const {
-  return ((at(kCfg1) & 3U) == 0 ? 1U : 2U) << (at(kCfg1) >> 5 & 3U);
+  return 1U << (at(kCfg1) >> 5 & 3U);
 }
 
 // Chapter ADC, Sample time and total conversion time, without the 5 bus clocks.
@@ -108,12 +110,13 @@ std::uint32_t Adc::gain(std::uint32_t firstResult) const {
   return sum / 2 | 0x8000U;
 }
 
-std::uint32_t Adc::measured(unsigned channel) const {
+std::uint32_t Adc::measured(unsigned channel) {
   constexpr std::array<unsigned, 4> kBits{8, 12, 10, 16};
   const auto full = static_cast<double>(1U << kBits[at(kCfg1) >> 2 & 3U]);
   const double volts = channel == kHighReference  ? kReference
                        : channel == kLowReference ? 0
-                                                  : volts_[channel];
+                                                  : volts_[channel].value_or(capacitor_);
+  capacitor_ = volts;
   return static_cast<std::uint32_t>(
       std::clamp(std::floor(volts / kReference * full + 0.5), 0.0, full - 1));
 }
@@ -265,8 +268,11 @@ void Adc::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
       }
       break;
     case kCfg1:
-      if ((value & 3U) > 1) {
-        unmodelled(name_ + "_CFG1 with another clock than the bus clock or its half", offset);
+      // ADICLK 1 is half the bus clock on older parts and an alternate clock on this one.
+      if ((value & 3U) != 0) {
+        unmodelled(name_ + "_CFG1 with ADICLK " + std::to_string(value & 3U) +
+                       ", which is not the bus clock",
+                   offset);
       }
       at(kCfg1) = value & 0xFFU;
       break;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "sim/k64/Peripheral.hpp"
@@ -13,9 +14,11 @@ namespace wr::k64 {
 /// K64P144M120SF5RM, chapter Analog-to-Digital Converter (ADC); limits of its clock: data sheet
 /// K64P144M120SF5, 16-bit ADC operating conditions.
 ///
-/// A conversion takes the voltage at which it begins. Modelled are single-ended conversions that
-/// the program starts, and the calibration. Not modelled: hardware triggers, differential inputs,
-/// continuous conversions, the compare function, DMA, other clocks than the bus clock and its half.
+/// A conversion takes the voltage at which it begins. An open input keeps the charge that the
+/// conversion before it left on the capacitor of the converter. Modelled are single-ended
+/// conversions that the program starts, and the calibration. Not modelled: hardware triggers,
+/// differential inputs, continuous conversions, the compare function, DMA, other clocks than the
+/// bus clock.
 class Adc final : public Peripheral {
  public:
   /// @brief What the pin of a channel is.
@@ -30,6 +33,9 @@ class Adc final : public Peripheral {
 
   /// @brief Puts a voltage on an input.
   void setVolts(unsigned channel, double volts) { volts_.at(channel) = volts; }
+
+  /// @brief Opens an input: it has the voltage that the conversion before left on the capacitor.
+  void open(unsigned channel) { volts_.at(channel).reset(); }
 
   void reset(Reset cause) override;
   std::uint32_t read(std::uint32_t offset, unsigned size) override;
@@ -48,7 +54,7 @@ class Adc final : public Peripheral {
   [[nodiscard]] std::uint32_t busClocksOfClock() const;
   [[nodiscard]] std::uint32_t clocksOfConversion() const;
   [[nodiscard]] std::uint32_t gain(std::uint32_t firstResult) const;
-  [[nodiscard]] std::uint32_t measured(unsigned channel) const;
+  [[nodiscard]] std::uint32_t measured(unsigned channel);
   void checkClock(std::uint64_t least, std::uint64_t most, const char* what);
   void checkInput(unsigned channel);
   void begin(Doing doing, std::uint64_t busClocks);
@@ -62,7 +68,8 @@ class Adc final : public Peripheral {
   unsigned line_;
   bool calibrates_;
   std::function<Input(unsigned)> input_;
-  std::array<double, 24> volts_{};
+  std::array<std::optional<double>, 24> volts_;
+  double capacitor_ = 0;  ///< voltage of the conversion before; all inputs share the capacitor
 
   std::array<std::uint32_t, kWords> words_{};
   Doing doing_ = Doing::Nothing;

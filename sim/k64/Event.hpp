@@ -6,7 +6,7 @@
 namespace wr::k64 {
 
 /// @brief What resets the board from outside or from inside.
-enum class Reset { PowerOn, LowVoltage, Pin, Watchdog, ClockLost, Lockup, Software };
+enum class Reset { PowerOn, LowVoltage, Pin, Watchdog, ClockLost, Lockup, Software, LockLost };
 
 /// @brief Something that happened on the board.
 struct Event {

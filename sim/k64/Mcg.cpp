@@ -281,16 +281,21 @@ void Mcg::follow() {
   if (pllRuns() && externalUsable) {
     // Data sheet K64P144M120SF5, PLL: lock time 150 us + 1075 periods of the reference.
     const auto periods = static_cast<std::int64_t>(1075 * 1'000'000'000'000 / pllReferenceHz());
-    locked_.ask(1, now + 150us + Time(periods));
+    locked_.ask(1, failingStep_ == 3 ? kNever : now + 150us + Time(periods));
   } else {
-    lostLock_ = lostLock_ || (locked_.now != 0 && pllRuns());
+    const bool lost = locked_.now != 0 && pllRuns();
+    lostLock_ = lostLock_ || lost;
     locked_ = {};
+    // C8.LOLRE: the loss of the lock resets.
+    if (lost && (c8_ & 0x40U) != 0) {
+      board_.requestReset(Reset::LockLost, "reset-request", "the PLL lost its lock");
+    }
   }
 
   const unsigned clks = c1_ >> 6;
   const unsigned wanted = clks == 0 ? (pllChosen_.now != 0 ? kFromPll : kFromFll) : clks;
-  const bool usable = wanted == kFromExternal ? externalUsable
-                      : wanted == kFromPll    ? locked_.now != 0
+  const bool usable = wanted == kFromExternal ? externalUsable && failingStep_ != 2
+                      : wanted == kFromPll    ? locked_.now != 0 && failingStep_ != 4
                                               : true;
   source_.ask(wanted, usable ? now + kSwitchDelay : kNever);
 }
@@ -318,6 +323,7 @@ void Mcg::setExternalClock(bool present) {
   // C6.CME0 with C2.LOCRE0: the loss of the clock resets.
   if (lost && (c6_ & 0x20U) != 0 && (c2_ & 0x80U) != 0) {
     board_.requestReset(Reset::ClockLost, "reset-request", "the external clock was lost");
+    return;
   }
   follow();
   board_.clocksChanged();

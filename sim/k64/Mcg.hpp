@@ -12,7 +12,11 @@ class Mcg final : public Peripheral {
  public:
   static constexpr std::uint64_t kExternalHz = 50'000'000;
 
-  Mcg(Surroundings& board, bool externalClock) : Peripheral(board), external_(externalClock) {}
+  /// @param externalClock whether the external clock is there
+  /// @param failingStep step that never ends, 0 for none: 2 the change to the external clock, 3 the lock
+  /// of the PLL, 4 the change to the PLL
+  Mcg(Surroundings& board, bool externalClock, unsigned failingStep)
+      : Peripheral(board), external_(externalClock), failingStep_(failingStep) {}
 
   void reset(Reset cause) override;
   std::uint32_t read(std::uint32_t offset, unsigned size) override;
@@ -22,6 +26,9 @@ class Mcg final : public Peripheral {
 
   /// @brief Lets the external clock come or go.
   void setExternalClock(bool present);
+
+  /// @brief Lets each step end that was not there at the start.
+  void endFailure() { failingStep_ = 0; }
 
   /// @brief Frequency of the output, MCGOUTCLK.
   [[nodiscard]] std::uint64_t outputHz() const;
@@ -62,6 +69,7 @@ class Mcg final : public Peripheral {
   [[nodiscard]] std::uint32_t status() const;
 
   bool external_;
+  unsigned failingStep_;
   std::uint32_t c1_ = 0;
   std::uint32_t c2_ = 0;
   std::uint32_t c3_ = 0;

@@ -7,12 +7,12 @@ namespace {
 constexpr unsigned kFirstLine = 16;
 
 // ARMv7-M ARM, B3.4.3, table of the NVIC registers; offsets from 0xE000E000.
-constexpr std::uint32_t kSetEnable = 0x100;
+constexpr std::uint32_t kSetEnable = 0x100;  // ISER
 constexpr std::uint32_t kClearEnable = 0x180;
-constexpr std::uint32_t kSetPending = 0x200;
+constexpr std::uint32_t kSetPending = 0x200;  // ISPR
 constexpr std::uint32_t kClearPending = 0x280;
 constexpr std::uint32_t kActive = 0x300;
-constexpr std::uint32_t kPriority = 0x400;
+constexpr std::uint32_t kPriority = 0x400;  // IPR
 constexpr std::uint32_t kPriorityEnd = 0x500;
 constexpr std::uint32_t kTrigger = 0xF00;
 

@@ -1,5 +1,6 @@
 #include "sim/k64/Pins.hpp"
 
+#include <algorithm>
 #include <bit>
 
 namespace wr::k64 {
@@ -12,7 +13,13 @@ constexpr std::uint32_t kGpclr = 0x80;
 constexpr std::uint32_t kGpchr = 0x84;
 constexpr std::uint32_t kIsfr = 0xA0;
 constexpr std::uint32_t kDfer = 0xC0;
+constexpr std::uint32_t kDfcr = 0xC4;
 constexpr std::uint32_t kDfwr = 0xC8;
+
+constexpr unsigned kPortWithFilters = 3;        // D
+constexpr std::uint32_t kPinsOfFilters = 0xFF;  // the pins that the port has
+constexpr std::uint32_t kWidth = 0x1F;
+constexpr std::uint64_t kClocksOfSynchronizer = 3;
 
 constexpr std::uint32_t kFlag = 1U << 24;
 constexpr std::uint32_t kLocked = 1U << 15;
@@ -42,13 +49,16 @@ void Port::reset(Reset /*cause*/) {
     pins_.control[3] = 0x0703;
     pins_.control[4] = 0x0703;
   }
+  filter_ = {};
+  pins_.filters = 0;
+  pins_.passed = 0;
+  waiting_ = 0;
   flags_ = 0;
   before_ = 0;
   for (unsigned pin = 0; pin < 32; ++pin) {
     before_ |= pins_.seen(pin) ? 1U << pin : 0;
   }
   onLevel_ = 0;
-  filter_ = {};
   updateLine();
 }
 
@@ -56,8 +66,44 @@ void Port::updateLine() {
   board_.setLine(kFirstLine + number_, flags_ != 0);
 }
 
+// A level that differs from that behind the filter must stay for a while.
+void Port::passLater(unsigned pin) {
+  const std::uint32_t bit = 1U << pin;
+  if ((pins_.filters & bit) == 0 || pins_.level(pin) == ((pins_.passed & bit) != 0)) {
+    waiting_ &= ~bit;
+  } else if ((waiting_ & bit) == 0) {
+    waiting_ |= bit;
+    passesAt_[pin] =
+        board_.busClock().count(board_.time()) + (filter_[2] & kWidth) + kClocksOfSynchronizer;
+  }
+}
+
+Time Port::nextEvent() const {
+  Time next = kNever;
+  for (std::uint32_t left = waiting_; left != 0; left &= left - 1) {
+    const auto pin = static_cast<unsigned>(std::countr_zero(left));
+    next = std::min(next, board_.busClock().at(passesAt_[pin]));
+  }
+  return next;
+}
+
+void Port::advance() {
+  const std::uint64_t now = board_.busClock().count(board_.time());
+  std::uint32_t changed = 0;
+  for (std::uint32_t left = waiting_; left != 0; left &= left - 1) {
+    const auto pin = static_cast<unsigned>(std::countr_zero(left));
+    changed |= passesAt_[pin] <= now ? 1U << pin : 0;
+  }
+  waiting_ &= ~changed;
+  pins_.passed ^= changed;
+  if (changed != 0) {
+    settle(changed);
+  }
+}
+
 void Port::settlePin(unsigned pin) {
   const std::uint32_t bit = 1U << pin;
+  passLater(pin);
   const bool high = pins_.seen(pin);
   const bool edge = high != ((before_ & bit) != 0);
   before_ = (before_ & ~bit) | (high ? bit : 0);
@@ -134,6 +180,24 @@ void Port::setMany(std::uint32_t value, unsigned from) {
   }
 }
 
+void Port::setFilter(std::uint32_t offset, std::uint32_t value) {
+  if (value != 0 && (number_ != kPortWithFilters || offset == kDfcr)) {
+    unmodelled("digital filter of a PORT", offset);
+    return;
+  }
+  if (offset != kDfer && pins_.filters != 0) {
+    misuse("clock or width of the digital filters written while one is on");
+    return;
+  }
+  filter_[(offset - kDfer) / 4] = value;
+  if (offset == kDfer) {
+    const std::uint32_t switchedOn = value & ~pins_.filters & kPinsOfFilters;
+    pins_.filters = value & kPinsOfFilters;
+    pins_.passed &= pins_.filters & ~switchedOn;
+    settle(kPinsOfFilters);
+  }
+}
+
 void Port::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
   if (!hasSize("PORT", offset, size, 4)) {
     return;
@@ -152,10 +216,7 @@ void Port::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
     flags_ &= ~value;
     settle(0);
   } else if (offset >= kDfer && offset <= kDfwr) {
-    filter_[(offset - kDfer) / 4] = value;
-    if (offset == kDfer && value != 0) {
-      unmodelled("digital filter of a PORT", offset);
-    }
+    setFilter(offset, value);
   } else {
     unmodelled("PORT", offset);
   }

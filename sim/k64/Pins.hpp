@@ -16,6 +16,8 @@ struct PinState {
   std::uint32_t outside = 0;                ///< those levels
   std::uint32_t shown = 0;                  ///< levels of the outputs that were told
   std::uint32_t shownOutputs = 0;           ///< outputs that were told
+  std::uint32_t filters = 0;                ///< pins whose digital filter is on
+  std::uint32_t passed = 0;                 ///< levels that the filters have passed
 
   /// @brief Function of a pin, field MUX: 0 none, 1 digital input or output, 2 to 7 peripherals.
   [[nodiscard]] unsigned function(unsigned pin) const { return control[pin] >> 8 & 7U; }
@@ -26,7 +28,10 @@ struct PinState {
   }
 
   /// @brief The level that the inside of the chip sees: a pin without digital function is not seen.
-  [[nodiscard]] bool seen(unsigned pin) const { return function(pin) != 0 && level(pin); }
+  [[nodiscard]] bool seen(unsigned pin) const {
+    return function(pin) != 0 &&
+           ((filters >> pin & 1U) != 0 ? (passed >> pin & 1U) != 0 : level(pin));
+  }
 
   /// @brief The level of a pin.
   [[nodiscard]] bool level(unsigned pin) const {
@@ -42,6 +47,10 @@ struct PinState {
 
 /// @brief Pin control and interrupts of one port.
 /// K64P144M120SF5RM, chapter Port Control and Interrupts (PORT).
+///
+/// Only port D has digital filters, with the bus clock: the level behind a filter is 0 when it is
+/// switched on, and follows that of the pin when this was different for the width and 3 clocks. The
+/// passive filters have no effect in the model.
 class Port final : public Peripheral {
  public:
   /// @param number 0 for port A
@@ -51,6 +60,8 @@ class Port final : public Peripheral {
   void reset(Reset cause) override;
   std::uint32_t read(std::uint32_t offset, unsigned size) override;
   void write(std::uint32_t offset, unsigned size, std::uint32_t value) override;
+  [[nodiscard]] Time nextEvent() const override;
+  void advance() override;
 
   /// @brief Something may have changed the levels: tells outputs, raises interrupts.
   /// @param which pins whose levels or control may have changed
@@ -58,6 +69,8 @@ class Port final : public Peripheral {
 
  private:
   void settlePin(unsigned pin);
+  void passLater(unsigned pin);
+  void setFilter(std::uint32_t offset, std::uint32_t value);
   void setControl(unsigned pin, std::uint32_t value);
   void setMany(std::uint32_t value, unsigned from);
   void updateLine();
@@ -68,6 +81,8 @@ class Port final : public Peripheral {
   std::uint32_t before_ = 0;   ///< levels seen last
   std::uint32_t onLevel_ = 0;  ///< pins whose interrupt is raised by a level
   std::array<std::uint32_t, 3> filter_{};
+  std::uint32_t waiting_ = 0;  ///< pins whose level differs from that behind the filter
+  std::array<std::uint64_t, 32> passesAt_{};  ///< count of the bus clock
 };
 
 /// @brief Digital inputs and outputs of one port.

@@ -179,7 +179,7 @@ void Pit::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
       update(index);
       break;
     default:
-      channel.flag = channel.flag && (value & 1U) == 0;  // TIF is cleared by a one
+      channel.flag = channel.flag && (value & 1U) == 0;  // TFLG.TIF is cleared by a one
       update(index);
       break;
   }

@@ -31,6 +31,9 @@ void Rcm::reset(Reset cause) {
     case Reset::ClockLost:
       registers_ = {0x04, 0x00};
       break;
+    case Reset::LockLost:
+      registers_ = {0x08, 0x00};
+      break;
     case Reset::Lockup:
       registers_ = {0x00, 0x02};
       break;

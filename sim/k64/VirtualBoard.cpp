@@ -21,6 +21,7 @@
 #include "sim/k64/Pit.hpp"
 #include "sim/k64/PlainRegisters.hpp"
 #include "sim/k64/Rcm.hpp"
+#include "sim/k64/Rnga.hpp"
 #include "sim/k64/Sim.hpp"
 #include "sim/k64/Symbols.hpp"
 #include "sim/k64/Uart.hpp"
@@ -54,8 +55,8 @@ constexpr unsigned kConverters = 2;
 constexpr Uart::Kind kUart0{.number = 0, .coreClock = true, .fifo = 0x22, .line = 31};
 constexpr Uart::Kind kUart4{.number = 4, .coreClock = false, .fifo = 0x00, .line = 66};
 
-// Blocks whose registers keep what they are given: K64P144M120SF5RM, chapters OSC, SMC, PMC, and
-// Memory Protection Unit (MPU).
+// Blocks whose registers keep what they are given: K64P144M120SF5RM, chapters OSC, SMC, PMC (LVDSC1,
+// LVDSC2, REGSC), and Memory Protection Unit (MPU).
 constexpr std::array<PlainRegister, 1> kOsc{{{0x0, 0x00, 0xAF}}};
 constexpr std::array<PlainRegister, 4> kSmc{
     {{0x0, 0x00, 0x2A}, {0x1, 0x00, 0x00}, {0x2, 0x03, 0x27}, {0x3, 0x01, 0x00}}};
@@ -77,17 +78,18 @@ class VirtualBoard::Parts final : public Surroundings {
         image_(std::move(image)),
         cpu_(kLines, kPriorityBits, options_.timing),
         sim_(*this, image_.size() <= kFlashOption || (image_[kFlashOption] & 1U) != 0),
-        mcg_(*this, options_.externalClock),
+        mcg_(*this, options_.externalClock, options_.failingClockStep),
         osc_(*this, "OSC", 1, kOsc),
         smc_(*this, "SMC", 1, kSmc),
         pmc_(*this, "PMC", 1, kPmc),
         sysmpu_(*this, "SYSMPU", 4, kSysmpu),
         wdog_(*this),
         rcm_(*this),
+        rng_(*this),
         pit_(*this),
         uarts_{Uart(*this, kUart0), Uart(*this, kUart4)},
         ftms_{Ftm(*this, 0, 8), Ftm(*this, 1, 2), Ftm(*this, 2, 2), Ftm(*this, 3, 8)},
-        adcs_{Adc(*this, 0, options_.calibrates), Adc(*this, 1, options_.calibrates)},
+        adcs_{Adc(*this, 0, options_.calibrates[0]), Adc(*this, 1, options_.calibrates[1])},
         ports_{Port(*this, 0, pins_[0]), Port(*this, 1, pins_[1]), Port(*this, 2, pins_[2]),
                Port(*this, 3, pins_[3]), Port(*this, 4, pins_[4])},
         gpios_{Gpio(*this, pins_[0], ports_[0]), Gpio(*this, pins_[1], ports_[1]),
@@ -95,14 +97,14 @@ class VirtualBoard::Parts final : public Surroundings {
                Gpio(*this, pins_[4], ports_[4])},
         byName_{{"SIM", &sim_},        {"MCG", &mcg_},        {"OSC", &osc_},
                 {"SMC", &smc_},        {"PMC", &pmc_},        {"SYSMPU", &sysmpu_},
-                {"WDOG", &wdog_},      {"RCM", &rcm_},        {"PIT", &pit_},
+                {"WDOG", &wdog_},      {"RCM", &rcm_},        {"RNG", &rng_},        {"PIT", &pit_},
                 {"UART0", &uarts_[0]}, {"UART4", &uarts_[1]}, {"FTM0", &ftms_[0]},
                 {"FTM1", &ftms_[1]},   {"FTM2", &ftms_[2]},   {"FTM3", &ftms_[3]},
                 {"ADC0", &adcs_[0]},   {"ADC1", &adcs_[1]},   {"PORTA", &ports_[0]},
                 {"PORTB", &ports_[1]}, {"PORTC", &ports_[2]}, {"PORTD", &ports_[3]},
                 {"PORTE", &ports_[4]}},
         timed_{&mcg_,     &wdog_,    &pit_,     &uarts_[0], &uarts_[1], &ftms_[0],
-               &ftms_[1], &ftms_[2], &ftms_[3], &adcs_[0],  &adcs_[1]},
+               &ftms_[1], &ftms_[2], &ftms_[3], &adcs_[0],  &adcs_[1],  &ports_[3]},
         agenda_([this](const Agenda::Level& level) { drive(level.port, level.pin, level.high); }) {
     if (image_.size() > kFlashSize) {
       throw std::runtime_error("the image is larger than the flash");
@@ -205,6 +207,7 @@ class VirtualBoard::Parts final : public Surroundings {
   PlainRegisters sysmpu_;
   Wdog wdog_;
   Rcm rcm_;
+  Rnga rng_;
   Pit pit_;
   std::array<Uart, 2> uarts_;
   std::array<Ftm, kTimers> ftms_;
@@ -212,7 +215,7 @@ class VirtualBoard::Parts final : public Surroundings {
   std::array<Port, kPorts> ports_;
   std::array<Gpio, kPorts> gpios_;
   std::map<std::string_view, Peripheral*> byName_;
-  std::array<Peripheral*, 11> timed_;  ///< those that do something by themselves
+  std::array<Peripheral*, 12> timed_;  ///< those that do something by themselves
   Agenda agenda_;
   struct Place {
     const Block* block = nullptr;
@@ -585,7 +588,9 @@ void VirtualBoard::Parts::drive(char name, unsigned pin, bool level) {
   PinState& pins = port(name);
   pins.driven |= 1U << pin;
   pins.outside = (pins.outside & ~(1U << pin)) | (level ? 1U << pin : 0);
-  ports_[static_cast<std::size_t>(name - 'A')].settle(1U << pin);
+  Port& settled = ports_[static_cast<std::size_t>(name - 'A')];
+  settled.settle(1U << pin);
+  renew(settled);
 }
 
 VirtualBoard::VirtualBoard(std::vector<std::uint8_t> image, Options options)
@@ -686,6 +691,10 @@ void VirtualBoard::setAnalog(int converter, int channel, double volts) {
   parts_->adc(converter).setVolts(static_cast<unsigned>(channel), volts);
 }
 
+void VirtualBoard::openAnalog(int converter, int channel) {
+  parts_->adc(converter).open(static_cast<unsigned>(channel));
+}
+
 void VirtualBoard::onTime(nanoseconds period, std::function<void()> call) {
   parts_->agenda().every(period, parts_->time(), std::move(call));
   parts_->limitTo(parts_->agenda().next());
@@ -702,6 +711,10 @@ void VirtualBoard::raise(int exception) {
 void VirtualBoard::setExternalClock(bool present) {
   parts_->mcg().setExternalClock(present);
   parts_->renew(parts_->mcg());
+}
+
+void VirtualBoard::endClockFailure() {
+  parts_->mcg().endFailure();
 }
 
 void VirtualBoard::reset(Reset cause) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -20,12 +21,15 @@ class ExecutedCode;
 
 /// @brief What a virtual board does and has.
 struct Options {
-  std::filesystem::path elf{};    ///< names the functions of findings; may be empty
-  bool externalClock = true;      ///< the clock of 50 MHz is there
-  bool calibrates = true;         ///< the calibration of the analog-to-digital converters succeeds
-  bool resetsAreFindings = true;  ///< a reset that the program causes stops the run
-  Timing timing = Timing::NoWaitStates;  ///< what instructions cost
-  bool faultsAreFindings = true;         ///< a fault stops the run; false: the program gets it
+  std::filesystem::path elf{};  ///< names the functions of findings; may be empty
+  bool externalClock = true;    ///< the clock of 50 MHz is there
+  unsigned failingClockStep =
+      0;  ///< step of the clock generator that never ends: 2 the change to the
+          ///< external clock, 3 the lock of the PLL, 4 the change to the PLL
+  std::array<bool, 2> calibrates{true, true};  ///< the calibration of each converter succeeds
+  bool resetsAreFindings = true;               ///< a reset that the program causes stops the run
+  Timing timing = Timing::NoWaitStates;        ///< what instructions cost
+  bool faultsAreFindings = true;  ///< a fault stops the run; false: the program gets it
 };
 
 /// @brief A K64 microcontroller with its clock and a line to a PC, which runs an image unchanged.
@@ -117,6 +121,10 @@ class VirtualBoard {
   /// @param volts against ground
   void setAnalog(int converter, int channel, double volts);
 
+  /// @brief Opens an input of an analog-to-digital converter: nothing is connected to it, no resistor
+  /// either. Each conversion gives the voltage of the conversion before it.
+  void openAnalog(int converter, int channel);
+
   /// @brief Sets what is called at each multiple of a period of board time, before the instructions
   /// and events of that time; the first call is the first multiple to come. What is called may use
   /// the board, but not run it. Calls for the same time come in the order in which they were set.
@@ -127,6 +135,9 @@ class VirtualBoard {
 
   /// @brief Lets the external clock of 50 MHz come or go.
   void setExternalClock(bool present);
+
+  /// @brief Ends the failure of the clock generator that the options asked for.
+  void endClockFailure();
 
   /// @brief Resets the board. RAM keeps its content but for PowerOn.
   void reset(Reset cause);

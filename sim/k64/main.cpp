@@ -90,7 +90,9 @@ wr::Exit runInRealTime(wr::BoardLine& robot, const wr::CommandLine& options) {
   const auto start = std::chrono::steady_clock::now();
   std::array<std::uint8_t, kBytes> bytes{};
   while (!wr::endRequested() && !(cycles && hasRun(robot, *cycles))) {
-    robot.send(std::span(bytes).first(port.read(bytes)));
+    for (std::size_t count = port.read(bytes); count != 0; count = port.read(bytes)) {
+      robot.send(std::span(bytes).first(count));
+    }
     if (!robot.board.runUntil(robot.board.now() + kSlice)) {
       break;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace wr::sim {
 
@@ -12,34 +13,96 @@ using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
 constexpr milliseconds kStep{1};
-// When the pulse of each channel begins in the period.
-constexpr std::array<milliseconds, 2> kBegin{milliseconds(0), milliseconds(3)};
+// Between the begins of the pulses of two channels.
+constexpr milliseconds kSpacing{3};
+constexpr double kTremorPeriod = 1000;  // ms
+constexpr std::uint32_t kForJitter = 96;
 
 // A receiver makes its pulses with a timer of 1 us.
-microseconds widthOf(double deflection) {
-  const double share = std::clamp(deflection, -1.0, 1.0);
+microseconds deflected(double share, microseconds full) {
+  const double part = std::clamp(share, -1.0, 1.0);
   return RemoteControl::kMiddle +
-         microseconds(
-             std::llround(share * static_cast<double>(RemoteControl::kDeflection.count())));
+         microseconds(std::llround(part * static_cast<double>(full.count())));
+}
+
+microseconds widthOf(EnablePosition position) {
+  return deflected(static_cast<double>(position) - static_cast<double>(EnablePosition::Pc),
+                   RemoteControl::kSwitchDeflection);
 }
 
 }  // namespace
 
+void RemoteControl::set(const std::optional<Sticks>& sticks) {
+  on_ = sticks.has_value();
+  if (sticks) {
+    sticks_ = sticks;
+  }
+}
+
 std::span<const RcEdge> RemoteControl::step() {
   edges_.clear();
   const nanoseconds now = kStep * static_cast<std::int64_t>(steps_);
-  for (std::size_t channel = 0; channel < kBegin.size(); ++channel) {
-    if (sticks_ && now % kPeriod == kBegin.at(channel)) {
-      falls_.at(channel) = now + widthOf(channel == 0 ? sticks_->velocity : sticks_->steering);
-      edges_.push_back({.offset = nanoseconds(0), .channel = channel, .level = true});
+  for (std::size_t channel = 0; channel < kChannels; ++channel) {
+    if (now % kPeriod == beginOf(channel)) {
+      if (const auto width = widthOf(channel)) {
+        falls_.at(channel) = now + *width;
+        edges_.push_back({.offset = nanoseconds(0), .channel = channel, .level = true});
+      }
     }
     const nanoseconds fall = falls_.at(channel);
     if (fall > nanoseconds(0) && fall >= now && fall < now + kStep) {
       edges_.push_back({.offset = fall - now, .channel = channel, .level = false});
     }
   }
+  std::ranges::stable_sort(edges_, {}, &RcEdge::offset);
   ++steps_;
   return edges_;
+}
+
+nanoseconds RemoteControl::beginOf(std::size_t channel) const {
+  return coincident_ ? nanoseconds(0) : nanoseconds(kSpacing * channel);
+}
+
+// What the receiver sends: what it gets, or what its fail-safe says.
+std::optional<microseconds> RemoteControl::widthOf(std::size_t channel) {
+  std::optional<microseconds>& last = last_.at(channel);
+  if (on_) {
+    last = sentWidth(channel);
+    return last;
+  }
+  switch (failSafe_) {
+    case FailSafe::Hold:
+      return last;
+    case FailSafe::Neutral:
+      return kMiddle;
+    case FailSafe::None:
+      break;
+  }
+  return std::nullopt;
+}
+
+// What the transmitter sends; nothing on a channel that is not connected.
+std::optional<microseconds> RemoteControl::sentWidth(std::size_t channel) const {
+  microseconds jitter{0};
+  if (noisy_) {
+    const double share = noise_.uniform(static_cast<std::uint32_t>(kForJitter + channel), steps_);
+    jitter = microseconds(std::llround(share * static_cast<double>(kJitter)));
+  }
+  if (channel == 2) {
+    return sim::widthOf(enable_) + jitter;
+  }
+  if (!sticks_) {
+    return std::nullopt;
+  }
+  if (channel == 1) {
+    return deflected(sticks_->steering, kDeflection) + jitter;
+  }
+  const microseconds trembling(std::llround(tremor_ * tremble()));
+  return deflected(sticks_->velocity, kDeflection) + trembling + jitter;
+}
+
+double RemoteControl::tremble() const {
+  return std::sin(2.0 * std::numbers::pi * static_cast<double>(steps_) / kTremorPeriod);
 }
 
 }  // namespace wr::sim

@@ -10,12 +10,11 @@
 #include "sim/robot/DriveTrain.hpp"
 #include "sim/robot/HallSensors.hpp"
 #include "sim/robot/Noise.hpp"
+#include "sim/robot/Plant.hpp"
 #include "sim/robot/SteeringGear.hpp"
+#include "sim/robot/SteeringLinkage.hpp"
 
 namespace wr::sim {
-
-/// @brief Number of wheels.
-inline constexpr std::size_t kWheels = 4;
 
 /// @brief A change of the level of a Hall sensor.
 struct HallEdge {
@@ -27,30 +26,47 @@ struct HallEdge {
 
 /// @brief The ground on which the robot drives.
 struct Surroundings {
-  double slope = 0;                 ///< percent, positive uphill
-  double rollingResistance = 0.04;  ///< share of the weight, while the robot rolls
-  double staticResistance = 0.05;   ///< share of the weight, while it stands
-  double grip = 0.6;                ///< greatest share of a wheel's load that its tyre can pull
+  double slope = 0;   ///< percent, positive uphill in the direction in which the robot starts
+  double grip = 0.6;  ///< greatest share of a wheel's load that its tyre can pull
 };
 
 /// @brief What can break.
 enum class Fault : std::uint8_t {
-  Hall,     ///< both Hall sensors of a wheel keep their levels
-  HallB,    ///< sensor b of a wheel keeps its level
-  Current,  ///< the cable of a current sensor is broken
-  Angle,    ///< the cable of the angle sensor is broken
-  Stall,    ///< the motor of the steering stalls
-  Block     ///< a wheel cannot turn
+  Hall,           ///< both Hall sensors of a wheel keep their levels
+  HallA,          ///< sensor a of a wheel keeps its level
+  HallB,          ///< sensor b of a wheel keeps its level
+  HallSwapped,    ///< the two Hall sensors of a wheel are connected to each other's pins
+  HallMisplaced,  ///< sensor b of a wheel is off its place; value: electrical degrees
+  HallGlitches,   ///< pulses of 30 us on sensor a of a wheel; value: pulses in a second
+  HallLosses,     ///< edges of a wheel are lost; value: edges in a second
+  Leads,          ///< the leads of a motor are swapped
+  Current,        ///< the cable of a current sensor is broken; its input is pulled to 0 V
+  CurrentStuck,   ///< a current sensor keeps its value
+  CurrentOffset,  ///< a current sensor is off; value: mA
+  Angle,          ///< the cable of the angle sensor is broken; its input is pulled to 0 V
+  AngleOpen,      ///< the cable is broken, and nothing pulls the input: it follows its neighbour
+  AngleStuck,     ///< the angle sensor keeps its value
+  AngleDrift,     ///< the angle sensor drifts; value: 0.01 degree in a second
+  Stall,          ///< the steering is stuck
+  Block,          ///< a wheel cannot turn
+  LeftEnd,        ///< the wire of the left end stop is broken
+  RightEnd        ///< the wire of the right end stop is broken
+};
+
+/// @brief What the circuit of the emergency stop does to the motors.
+enum class EmergencyStop : std::uint8_t {
+  Released,  ///< nothing
+  Coast,     ///< it takes the power from all drivers: the motors have no current
+  Brake      ///< it takes the power, and short-circuits the motors of the wheels
 };
 
 /// @brief The physics of the robot: what its sensors give for what its actuators get.
 ///
-/// Time is cut in steps of 1 ms. A step takes the inputs as they are and tells the edges that come
-/// before the next one. Noise is a number for each step, so that each binding of the firmware sees
-/// the same.
+/// Time is cut in steps of 1 ms. A step takes the inputs as they are and returns the edges that
+/// come before the next one. Noise is a number for each step, so that each target of the firmware
+/// sees the same.
 class Robot {
  public:
-  static constexpr double kMass = 175.0;       ///< kg
   static constexpr double kGravity = 9.81;     ///< m/s^2
   static constexpr double kReference = 3.3;    ///< V: full scale of the converters
   static constexpr double kMiddle = 1.65;      ///< V: no current; steering straight on
@@ -58,37 +74,60 @@ class Robot {
   static constexpr double kAngleRange = 80.0;  ///< degrees over the whole scale
   static constexpr std::chrono::milliseconds kStep{1};
 
-  /// @brief Puts the robot on the ground, at rest.
+  /// @brief Puts the nominal robot on the ground, at rest.
   /// @param seed chooses the noise and how far the Hall sensors are misplaced
   /// @param surroundings the ground
   explicit Robot(std::uint32_t seed, Surroundings surroundings = {});
 
-  /// @brief Chooses other noise, and other places of the Hall sensors.
+  /// @brief Chooses other noise, other places of the Hall sensors, and of a varied robot other
+  /// parameters.
   /// @param seed chooses them
   void setSeed(std::uint32_t seed);
+
+  /// @brief Sets what the robot is made of.
+  /// @param plant its parameters
+  void setPlant(const Plant& plant);
+
+  /// @brief Lets the seed choose what the robot is made of, or makes it the nominal robot.
+  /// @param varied true: the seed chooses
+  void vary(bool varied);
+
+  /// @brief Sets one parameter of the robot.
+  /// @param parameter which one
+  /// @param value the value, in the unit of the parameter
+  void setParameter(Parameter parameter, double value);
 
   /// @brief Switches the noise and the misplacement of the sensors on or off. It is on at first.
   /// @param on true for on
   void setNoise(bool on);
 
   /// @brief Sets the slope of the ground.
-  /// @param percent positive uphill
+  /// @param percent positive uphill, in the direction in which the robot started
   void setSlope(double percent) { surroundings_.slope = percent; }
 
-  /// @brief Breaks something, or mends it.
+  /// @brief Sets the grip of the ground.
+  /// @param share greatest share of a wheel's load that its tyre can pull
+  void setGrip(double share) { surroundings_.grip = share; }
+
+  /// @brief Breaks something, or repairs it.
   /// @param fault what
   /// @param wheel which wheel, where the fault is one of a wheel
   /// @param present true to break it
-  void setFault(Fault fault, std::size_t wheel, bool present);
+  /// @param value how much, where the fault has a value
+  void setFault(Fault fault, std::size_t wheel, bool present, double value = 0);
 
-  /// @brief Sets what the driver of a wheel does.
+  /// @brief Presses or releases the emergency stop.
+  /// @param state what its circuit does
+  void setEmergencyStop(EmergencyStop state);
+
+  /// @brief Sets what the firmware puts on the driver of a wheel.
   /// @param wheel 0 to 3
   /// @param drive duty, orientation, enable
-  void setWheel(std::size_t wheel, const WheelDrive& drive) { trains_.at(wheel).set(drive); }
+  void setWheel(std::size_t wheel, const WheelDrive& drive);
 
   /// @brief Switches the motor of the steering.
   /// @param enabled true for on
-  void setSteeringEnabled(bool enabled) { steering_.enable(enabled); }
+  void setSteeringEnabled(bool enabled) { steering_.enable(enabled && hasPower()); }
 
   /// @brief A step pulse of the steering.
   /// @param left direction
@@ -97,6 +136,9 @@ class Robot {
   /// @brief Samples the sensors, then lets 1 ms pass with the present inputs.
   /// @return the edges in this time, in their order; valid until the next step
   std::span<const HallEdge> step();
+
+  /// @brief Starts anew with the greatest velocity.
+  void clearGreatestVelocity() { greatestRpm_ = 0; }
 
   /// @brief Voltage of a current sensor at the begin of the last step.
   /// @param wheel 0 to 3
@@ -112,35 +154,65 @@ class Robot {
     return halls_.at(wheel).level(sensor);
   }
 
-  /// @brief Whether the left end stop of the steering is reached.
-  [[nodiscard]] bool leftEnd() const { return steering_.leftEnd(); }
+  /// @brief Whether the contact of the left end stop is open: the end is reached, or the wire broken.
+  [[nodiscard]] bool leftEnd() const { return leftEndBroken_ || steering_.leftEnd(); }
 
-  /// @brief Whether the right end stop of the steering is reached.
-  [[nodiscard]] bool rightEnd() const { return steering_.rightEnd(); }
+  /// @brief Whether the contact of the right end stop is open: the end is reached, or the wire broken.
+  [[nodiscard]] bool rightEnd() const { return rightEndBroken_ || steering_.rightEnd(); }
+
+  /// @brief Whether the auxiliary contact of the emergency stop is open: it is pressed.
+  [[nodiscard]] bool emergencyStopOpen() const { return !hasPower(); }
 
   /// @brief True velocity of a wheel's motor shaft.
   /// @return rpm, positive forwards
   [[nodiscard]] double velocityRpm(std::size_t wheel) const;
+
+  /// @brief Greatest true velocity of any wheel since the start or since it was cleared.
+  /// @return rpm, of either direction
+  [[nodiscard]] double greatestRpm() const { return greatestRpm_; }
 
   /// @brief True position of a wheel's motor shaft.
   /// @return turns since start, positive forwards
   [[nodiscard]] double turns(std::size_t wheel) const { return trains_.at(wheel).turns(); }
 
   /// @brief True current of a wheel's motor.
-  /// @return A, positive forwards
+  /// @return A, positive when it pulls forwards
   [[nodiscard]] double currentAmperes(std::size_t wheel) const {
     return trains_.at(wheel).current();
   }
 
-  /// @brief Speed over ground.
+  /// @brief True torque of a wheel's motor.
+  /// @return N m at the shaft, positive forwards
+  [[nodiscard]] double torque(std::size_t wheel) const { return trains_.at(wheel).torque(); }
+
+  /// @brief Whether no driver puts power into its motor: the robot brakes, rolls or is at rest.
+  [[nodiscard]] bool braking() const;
+
+  /// @brief Speed over ground of the middle of the robot, along the robot.
   /// @return m/s, positive forwards
   [[nodiscard]] double groundSpeed() const { return speed_; }
 
-  /// @brief Way since start.
+  /// @brief Speed over ground of the middle of the robot, across the robot.
+  /// @return m/s, positive to the left
+  [[nodiscard]] double sideSpeed() const { return sideSpeed_; }
+
+  /// @brief Rate at which the robot turns.
+  /// @return rad/s, positive to the left
+  [[nodiscard]] double yawRate() const { return yawRate_; }
+
+  /// @brief Direction in which the robot points.
+  /// @return rad from that of the start, positive to the left
+  [[nodiscard]] double heading() const { return heading_; }
+
+  /// @brief Speed with which the tyre of a wheel slides across the wheel.
+  /// @return m/s, positive to the left
+  [[nodiscard]] double sideSlip(std::size_t wheel) const;
+
+  /// @brief Way since start, along the path.
   /// @return m, positive forwards
   [[nodiscard]] double distance() const { return distance_; }
 
-  /// @brief Where the steering stands.
+  /// @brief Angle of the steering.
   /// @return degrees, positive to the left
   [[nodiscard]] double steeringDegrees() const { return steering_.degrees(); }
 
@@ -148,25 +220,86 @@ class Robot {
   /// @return percent, positive uphill
   [[nodiscard]] double slope() const { return surroundings_.slope; }
 
+  /// @brief Voltage of the supply under its load.
+  /// @return V
+  [[nodiscard]] double supplyVolts() const { return supply_; }
+
+  /// @brief What the robot is made of.
+  /// @return its parameters
+  [[nodiscard]] const Plant& plant() const { return plant_; }
+
  private:
+  struct Forces {
+    double along;
+    double across;
+    double turning;
+  };
+
+  struct HallFaults {
+    std::array<bool, 2> dead{};
+    bool swapped = false;
+    double misplaced = 0;  // edges
+    double glitches = 0;   // in a second
+    double losses = 0;     // in a second
+    bool losesNext = false;
+  };
+
+  struct CurrentFaults {
+    bool broken = false;
+    bool stuck = false;
+    double offset = 0;  // A
+  };
+
+  [[nodiscard]] bool hasPower() const { return emergencyStop_ == EmergencyStop::Released; }
+  void setHallFault(Fault fault, HallFaults& faults, bool present, double value);
+  void setAngleFault(Fault fault, bool present, double value);
+  void applyDrive(std::size_t wheel);
   void sample();
+  void sampleAngle();
+  [[nodiscard]] double trueAngleVolts() const;
   void placeSensors();
+  void feelGround();
   void advance(double seconds);
-  void findEdges(std::size_t wheel, double from, int part);
+  [[nodiscard]] Contact contactOf(const WheelPose& pose) const;
+  void advanceAlong(double force, double seconds);
+  void findEdges(std::size_t wheel, double from);
+  void addGlitch(std::size_t wheel);
+  void addEdge(HallEdge edge);
+  [[nodiscard]] bool happens(std::uint32_t source, std::size_t wheel, double perSecond) const;
 
   Noise noise_;
   bool noisy_ = true;
+  bool varied_ = false;
+  Plant plant_{};
   Surroundings surroundings_;
   std::array<DriveTrain, kWheels> trains_{};
+  std::array<WheelDrive, kWheels> drives_{};
   std::array<HallSensors, kWheels> halls_{};
   SteeringGear steering_;
-  std::array<std::array<bool, 2>, kWheels> hallDead_{};
-  std::array<bool, kWheels> currentBroken_{};
+  SteeringLinkage linkage_;
+  EmergencyStop emergencyStop_ = EmergencyStop::Released;
+  std::array<HallFaults, kWheels> hallFaults_{};
+  std::array<CurrentFaults, kWheels> currentFaults_{};
   bool angleBroken_ = false;
+  bool angleOpen_ = false;
+  bool angleStuck_ = false;
+  double angleDrift_ = 0;  // degrees in a step
+  double angleDrifted_ = 0;
+  double keptVolts_ = 0;  // of an angle input that is open or stuck
+  bool leftEndBroken_ = false;
+  bool rightEndBroken_ = false;
   std::array<double, kWheels> currentVolts_{};
   double angleNoise_ = 0;
+  Forces ground_{};  // gravity along the ground in this step
+  double weight_ = 0;
+  double grip_ = 0;
+  double supply_ = 0;
   double speed_ = 0;
+  double sideSpeed_ = 0;
+  double yawRate_ = 0;
+  double heading_ = 0;
   double distance_ = 0;
+  double greatestRpm_ = 0;
   std::uint64_t steps_ = 0;
   std::vector<HallEdge> edges_;
 };

@@ -34,7 +34,7 @@ constexpr std::array<WheelWires, sim::kWheels> kWheelWires{{
     {0, {'C', 16}, {'C', 5}, {{{'D', 0}, {'D', 1}}}, {0, 12}},
     {1, {'C', 17}, {'C', 7}, {{{'D', 2}, {'D', 3}}}, {0, 13}},
     {2, {'B', 9}, {'C', 11}, {{{'D', 4}, {'D', 5}}}, {1, 14}},
-    {3, {'B', 23}, {'B', 20}, {{{'D', 6}, {'D', 7}}}, {1, 15}},
+    {3, {'A', 2}, {'B', 20}, {{{'D', 6}, {'D', 7}}}, {1, 15}},
 }};
 constexpr Pin kStep{'C', 8};
 constexpr Pin kLeft{'C', 9};
@@ -42,7 +42,8 @@ constexpr Pin kSteeringEnable{'C', 0};
 constexpr Pin kLeftEnd{'A', 1};
 constexpr Pin kRightEnd{'C', 18};
 constexpr Input kAngle{1, 6};
-constexpr std::array<Pin, 2> kRemoteControl{{{'B', 18}, {'B', 19}}};
+constexpr std::array<Pin, 3> kRemoteControl{{{'B', 18}, {'B', 19}, {'B', 23}}};
+constexpr Pin kEmergencyStop{'E', 25};
 
 constexpr std::uint32_t eventNumber(Pin pin) {
   return static_cast<std::uint32_t>(32 * (pin.port - 'A') + pin.number);
@@ -103,8 +104,9 @@ void BoardBinding::measure() {
     board_.setAnalog(input.converter, input.channel, physics.currentVolts(wheel));
   }
   board_.setAnalog(kAngle.converter, kAngle.channel, physics.steeringVolts());
-  board_.drive(kLeftEnd.port, kLeftEnd.number, !physics.leftEnd());
-  board_.drive(kRightEnd.port, kRightEnd.number, !physics.rightEnd());
+  board_.drive(kLeftEnd.port, kLeftEnd.number, physics.leftEnd());
+  board_.drive(kRightEnd.port, kRightEnd.number, physics.rightEnd());
+  board_.drive(kEmergencyStop.port, kEmergencyStop.number, physics.emergencyStopOpen());
 }
 
 }  // namespace wr

@@ -97,6 +97,14 @@ sim::RemoteControl& BoardLine::remoteControl() {
   return binding_.remoteControl;
 }
 
+void BoardLine::reset(ResetKind kind) {
+  board.reset(kind == ResetKind::Power ? k64::Reset::PowerOn : k64::Reset::Pin);
+}
+
+void BoardLine::setExternalClock(bool present) {
+  board.setExternalClock(present);
+}
+
 std::optional<LineFinding> BoardLine::finding() const {
   const std::optional<k64::Finding>& found = board.finding();
   if (!found) {

@@ -31,6 +31,8 @@ class BoardLine final : public RobotLine {
   [[nodiscard]] Time now() const override;
   [[nodiscard]] sim::Robot& robot() override;
   [[nodiscard]] sim::RemoteControl& remoteControl() override;
+  void reset(ResetKind kind) override;
+  void setExternalClock(bool present) override;
   [[nodiscard]] std::optional<LineFinding> finding() const override;
 
   /// @brief Sets what is called with each event of the board.

@@ -45,6 +45,9 @@ std::vector<FrameField> makeFields() {
       {"fault", kWelcomeType, 16, Form::U8},
       {"fault_number", kWelcomeType, 17, Form::U16},
       {"fault_address", kWelcomeType, 19, Form::U32},
+      {"lowest_version", kWelcomeType, 23, Form::U8},
+      {"highest_version", kWelcomeType, 24, Form::U8},
+      {"schema_hash", kWelcomeType, 25, Form::U32},
       {"cycle", kReportType, 0, Form::U32},
       {"time_ms", kReportType, 4, Form::U32},
       {"state", kReportType, 8, Form::U8},
@@ -54,6 +57,7 @@ std::vector<FrameField> makeFields() {
       {"order_read", kReportType, 11, Form::Bit, 1},
       {"held", kReportType, 11, Form::Bit, 2},
       {"overran", kReportType, 11, Form::Bit, 3},
+      {"armed", kReportType, 11, Form::Bit, 4},
       {"order_id", kReportType, 12, Form::U16},
       {"steering_set_point", kReportType, 14, Form::I16},
   };
@@ -77,6 +81,12 @@ std::vector<FrameField> makeFields() {
   fields.push_back({"report_cycles", kReportType, 108, Form::U32});
   fields.push_back({"awake_cycles", kReportType, 112, Form::U32});
   fields.push_back({"start_cycles", kReportType, 116, Form::U32});
+  fields.push_back({"inhibit", kReportType, 120, Form::U8});
+  fields.push_back({"stop_cause", kReportType, 121, Form::U8});
+  fields.push_back({"stop_wheel", kReportType, 122, Form::U8});
+  fields.push_back({"stop_sources", kReportType, 123, Form::U8});
+  fields.push_back({"sent_at", kReportType, 124, Form::U32});
+  fields.push_back({"stale_orders", kReportType, 128, Form::U16});
   return fields;
 }
 
@@ -86,7 +96,7 @@ struct Word {
   std::int64_t number;
 };
 
-constexpr std::array<Word, 30> kWords{{
+constexpr std::array<Word, 46> kWords{{
     {"state", "Working", 0},
     {"state", "Waiting", 1},
     {"state", "WaitingN", 2},
@@ -100,6 +110,22 @@ constexpr std::array<Word, 30> kWords{{
     {"steering_state", "Holding", 1},
     {"steering_state", "Turning", 2},
     {"steering_state", "Fault", 3},
+    {"inhibit", "None", 0},
+    {"inhibit", "NoOrder", 1},
+    {"inhibit", "Stop", 2},
+    {"inhibit", "NotArmed", 3},
+    {"inhibit", "ProtectiveStop", 4},
+    {"stop_cause", "None", 0},
+    {"stop_cause", "EmergencyStop", 1},
+    {"stop_cause", "SteeringFault", 2},
+    {"stop_cause", "Overcurrent", 3},
+    {"stop_cause", "NoMotion", 4},
+    {"stop_cause", "WrongDirection", 5},
+    {"stop_cause", "Overspeed", 6},
+    {"stop_cause", "Tracking", 7},
+    {"stop_cause", "MissingMeasurement", 8},
+    {"stop_cause", "HallSignals", 9},
+    {"stop_cause", "Reversal", 10},
     {"reset_cause", "Unknown", 0},
     {"reset_cause", "PowerOn", 1},
     {"reset_cause", "LowVoltage", 2},

@@ -1,8 +1,13 @@
 #include "sim/scenario/HostLine.hpp"
 
+#include <array>
+#include <cstdint>
+
 namespace wr {
 
-HostLine::HostLine(HostEquipment equipment) : world(port, equipment) {}
+HostLine::HostLine(HostEquipment equipment) : world(port, equipment) {
+  port.setClock(world.time);
+}
 
 void HostLine::start() {
   world.start();
@@ -41,6 +46,14 @@ sim::Robot& HostLine::robot() {
 
 sim::RemoteControl& HostLine::remoteControl() {
   return world.remoteControl;
+}
+
+// Bytes that the firmware has not read yet are lost with its buffer.
+void HostLine::reset(ResetKind kind) {
+  std::array<std::uint8_t, 64> lost{};
+  while (port.read(lost) > 0) {
+  }
+  world.reset(kind == ResetKind::Power ? ResetCause::PowerOn : ResetCause::Pin);
 }
 
 std::optional<LineFinding> HostLine::finding() const {

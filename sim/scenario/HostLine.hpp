@@ -24,6 +24,7 @@ class HostLine final : public RobotLine {
   [[nodiscard]] Time now() const override;
   [[nodiscard]] sim::Robot& robot() override;
   [[nodiscard]] sim::RemoteControl& remoteControl() override;
+  void reset(ResetKind kind) override;
   [[nodiscard]] std::optional<LineFinding> finding() const override;
 
   HostSerialPort port;

@@ -7,6 +7,8 @@ namespace wr {
 namespace {
 
 constexpr std::size_t kHeader = 3;
+constexpr std::uint8_t kVersion = 2;
+constexpr std::uint32_t kSchemaHash = 0xBC1063C0;
 
 // CRC-16/CCITT-FALSE of each byte value, so that a frame costs one step for each byte.
 std::array<std::uint16_t, 256> makeTable() {
@@ -33,6 +35,11 @@ std::uint16_t crcOf(std::span<const std::uint8_t> bytes) {
 void append16(Bytes& bytes, unsigned value) {
   bytes.push_back(static_cast<std::uint8_t>(value & 0xFFU));
   bytes.push_back(static_cast<std::uint8_t>((value >> 8U) & 0xFFU));
+}
+
+void append32(Bytes& bytes, std::uint32_t value) {
+  append16(bytes, value & 0xFFFFU);
+  append16(bytes, value >> 16U);
 }
 
 void appendSigned(Bytes& bytes, std::int16_t value) {
@@ -96,7 +103,9 @@ class Fields {
 }  // namespace
 
 Bytes PcSender::hello() {
-  return frame(0x01, {});
+  Bytes payload{kVersion, kVersion};
+  append32(payload, kSchemaHash);
+  return frame(0x01, payload);
 }
 
 Bytes PcSender::confirm(std::uint8_t session) {
@@ -110,12 +119,13 @@ Bytes PcSender::keepAlive() {
 Bytes PcSender::order(const PcOrder& order) {
   Bytes payload;
   append16(payload, order.id);
+  append32(payload, order.sentAt);
   appendSigned(payload, order.steering);
   for (const PcOrder::Wheel& wheel : order.wheels) {
     payload.push_back(wheel.quantity);
     appendSigned(payload, wheel.value);
   }
-  payload.push_back(order.stop ? 1 : 0);
+  payload.push_back(static_cast<std::uint8_t>((order.stop ? 1 : 0) | (order.acknowledge ? 2 : 0)));
   return frame(0x04, payload);
 }
 
@@ -135,8 +145,12 @@ std::vector<Bytes> bodies(std::span<const std::uint8_t> line) {
     if (line[at] != 0) {
       continue;
     }
+    const bool empty = at == begin;
     Bytes body = unstuffed(line.subspan(begin, at - begin));
     begin = at + 1;
+    if (empty) {
+      continue;  // ends what the line held before the first frame
+    }
     if (body.size() < kHeader + 2 || crcOf(std::span(body).first(body.size() - 2)) !=
                                          (body[body.size() - 2] | (body.back() << 8))) {
       throw std::runtime_error("damaged frame");
@@ -158,7 +172,10 @@ std::optional<PcWelcome> welcomeOf(const Bytes& body) {
                    .resetCause = fields.u8(15),
                    .faultKind = fields.u8(16),
                    .faultNumber = fields.u16(17),
-                   .faultAddress = fields.u32(19)};
+                   .faultAddress = fields.u32(19),
+                   .lowestVersion = fields.u8(23),
+                   .highestVersion = fields.u8(24),
+                   .schemaHash = fields.u32(25)};
 }
 
 std::optional<PcReport> reportOf(const Bytes& body) {
@@ -187,7 +204,13 @@ std::optional<PcReport> reportOf(const Bytes& body) {
                   .blindWheels = fields.u8(99),
                   .reportCycles = fields.u32(108),
                   .awakeCycles = fields.u32(112),
-                  .startCycles = fields.u32(116)};
+                  .startCycles = fields.u32(116),
+                  .inhibit = fields.u8(120),
+                  .stopCause = fields.u8(121),
+                  .stopWheel = fields.u8(122),
+                  .stopSources = fields.u8(123),
+                  .sentAt = fields.u32(124),
+                  .staleOrders = fields.u16(128)};
   for (std::size_t reason = 0; reason < report.dropped.size(); ++reason) {
     report.dropped[reason] = fields.u16(78 + 2 * reason);
   }

@@ -21,6 +21,8 @@ struct PcOrder {
   std::int16_t steering = 0;
   std::array<Wheel, 4> wheels{};
   bool stop = false;
+  bool acknowledge = false;
+  std::uint32_t sentAt = 0;
 };
 
 /// Place of the unexpected frames in PcReport::dropped.
@@ -58,11 +60,18 @@ struct PcReport {
   std::uint32_t reportCycles = 0;
   std::uint32_t awakeCycles = 0;
   std::uint32_t startCycles = 0;
+  std::uint8_t inhibit = 0;
+  std::uint8_t stopCause = 0;
+  std::uint8_t stopWheel = 0;
+  std::uint8_t stopSources = 0;
+  std::uint32_t sentAt = 0;
+  std::uint16_t staleOrders = 0;
 
   [[nodiscard]] bool stop() const { return (flags & 1U) != 0; }
   [[nodiscard]] bool orderRead() const { return (flags & 2U) != 0; }
   [[nodiscard]] bool held() const { return (flags & 4U) != 0; }
   [[nodiscard]] bool overran() const { return (flags & 8U) != 0; }
+  [[nodiscard]] bool armed() const { return (flags & 16U) != 0; }
 };
 
 /// A Welcome as the PC reads it.
@@ -74,6 +83,9 @@ struct PcWelcome {
   std::uint8_t faultKind = 0;
   std::uint16_t faultNumber = 0;
   std::uint32_t faultAddress = 0;
+  std::uint8_t lowestVersion = 0;
+  std::uint8_t highestVersion = 0;
+  std::uint32_t schemaHash = 0;
 };
 
 /// Makes the bytes of one frame after another, counting the sequence numbers.
@@ -84,7 +96,7 @@ class PcSender {
   [[nodiscard]] Bytes keepAlive();
   [[nodiscard]] Bytes order(const PcOrder& order);
   [[nodiscard]] Bytes frame(std::uint8_t type, std::span<const std::uint8_t> payload,
-                            std::uint8_t version = 1);
+                            std::uint8_t version = 2);
 
  private:
   std::uint8_t sequence_ = 0;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,12 @@ namespace wr {
 struct LineFinding {
   std::string id;    ///< kind of the finding
   std::string text;  ///< the whole of it, in one line
+};
+
+/// @brief A reset of the microcontroller from outside.
+enum class ResetKind : std::uint8_t {
+  Pin,   ///< the reset pin; memory keeps its content
+  Power  ///< the supply was off; memory is lost
 };
 
 /// @brief A robot in stepped time, seen from the PC's end of its line.
@@ -63,6 +70,21 @@ class RobotLine {
   /// @brief The remote control.
   /// @return the remote control, off at first
   [[nodiscard]] virtual sim::RemoteControl& remoteControl() = 0;
+
+  /// @brief Resets the microcontroller. Throws std::runtime_error where that is not possible.
+  /// @param kind what resets it
+  virtual void reset(ResetKind /*kind*/) {
+    throw std::runtime_error(
+        "this robot cannot be reset: play the scenario with the whole firmware");
+  }
+
+  /// @brief Takes the external clock of 50 MHz away, or brings it back. Throws std::runtime_error
+  /// where there is none.
+  /// @param present false: it is lost
+  virtual void setExternalClock(bool /*present*/) {
+    throw std::runtime_error(
+        "the host has no external clock: play the scenario on the virtual board");
+  }
 
   /// @brief What has stopped the robot.
   /// @return the finding; nothing while there is none

@@ -1,12 +1,8 @@
 #include "sim/scenario/Scenario.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <fstream>
-#include <limits>
 #include <optional>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -17,95 +13,10 @@ namespace {
 using Time = Scenario::Time;
 
 constexpr std::size_t kWheels = 4;
-
-// The number that a word is, if it is one. How numbers are written may be a base.
-template <class Number, class... Form>
-std::optional<Number> parse(std::string_view word, Form... form) {
-  Number number{};
-  const auto [end, error] =
-      std::from_chars(word.data(), word.data() + word.size(), number, form...);
-  if (error != std::errc() || end != word.data() + word.size()) {
-    return std::nullopt;
-  }
-  return number;
-}
-
-// The words of one line, taken one after the other. What is wrong is thrown as Scenario::Error.
-class Words {
- public:
-  explicit Words(const std::string& line) {
-    std::istringstream text(line.substr(0, line.find('#')));
-    for (std::string word; text >> word;) {
-      words_.push_back(word);
-    }
-  }
-
-  [[nodiscard]] bool done() const { return next_ == words_.size(); }
-  [[nodiscard]] bool nextIs(std::string_view word) const {
-    return !done() && words_[next_] == word;
-  }
-
-  std::string take(const std::string& what) {
-    if (done()) {
-      throw Scenario::Error(what + " is missing");
-    }
-    return words_[next_++];
-  }
-
-  [[nodiscard]] std::string next() const { return done() ? "" : words_[next_]; }
-
-  void skip(const std::string& word) {
-    const std::string found = take("'" + word + "'");
-    if (found != word) {
-      throw Scenario::Error("'" + word + "' is expected here, not '" + found + "'");
-    }
-  }
-
-  Time time() {
-    const std::string word = take("a time in ms");
-    const auto number = parse<std::int32_t>(word);
-    if (!number || *number < 0) {
-      throw Scenario::Error("'" + word + "' is no time in ms");
-    }
-    return Time(*number);
-  }
-
-  // A number that a field of 16 bits holds.
-  std::int16_t value() {
-    const std::string word = take("a number");
-    const auto number = parse<std::int16_t>(word);
-    if (!number) {
-      throw Scenario::Error("'" + word + "' is no number from -32768 to 32767");
-    }
-    return *number;
-  }
-
-  double percent() {
-    const std::string word = take("a slope in percent");
-    const auto number = parse<double>(word);
-    if (!number) {
-      throw Scenario::Error("'" + word + "' is no slope in percent");
-    }
-    return *number;
-  }
-
-  std::size_t wheel() {
-    const std::string word = take("the number of a wheel");
-    const auto number = parse<std::size_t>(word);
-    if (!number || *number >= kWheels) {
-      throw Scenario::Error("'" + word + "' is no wheel from 0 to 3");
-    }
-    return *number;
-  }
-
-  [[nodiscard]] bool nextIsNumber() const {
-    return !done() && parse<std::int64_t>(words_[next_]).has_value();
-  }
-
- private:
-  std::vector<std::string> words_;
-  std::size_t next_ = 0;
-};
+constexpr Time kCycle{100};
+constexpr Time kToFirstOrder{200};  // from Hello: Welcome and Confirm take two cycles
+constexpr int kNeutralOrders =
+    13;  // seven cycles to the first read order, then 0.5 s, and one more
 
 std::optional<std::uint8_t> quantityOf(std::string_view word) {
   if (word == "velocity") {
@@ -137,6 +48,8 @@ Scenario::Action readOrder(Words& words) {
     const std::string word = words.take("a part of the order");
     if (word == "stop") {
       order.stop = true;
+    } else if (word == "acknowledge") {
+      order.acknowledge = true;
     } else if (word == "steering") {
       order.steering = words.value();
     } else if (const auto quantity = quantityOf(word)) {
@@ -151,12 +64,7 @@ Scenario::Action readOrder(Words& words) {
 Scenario::Action readBytes(Words& words) {
   Scenario::Raw raw;
   do {
-    const std::string word = words.take("a byte in hexadecimal");
-    const auto byte = parse<std::uint8_t>(word, 16);
-    if (!byte || word.size() != 2) {
-      throw Scenario::Error("'" + word + "' is not a byte of two hexadecimal digits");
-    }
-    raw.bytes.push_back(*byte);
+    raw.bytes.push_back(words.byte());
   } while (!words.done());
   return raw;
 }
@@ -164,11 +72,36 @@ Scenario::Action readBytes(Words& words) {
 // The number that a word stands for in a field. A true value has no words.
 std::int64_t readNumber(Words& words, const std::string& name, const FrameField* field) {
   const std::string word = words.take("the value of " + name);
-  const auto number = field != nullptr ? numberOf(*field, word) : parse<std::int64_t>(word);
+  const auto number = numberOf(field != nullptr ? *field : FrameField{}, word);
   if (!number) {
     throw Scenario::Error("'" + word + "' is no value of " + name);
   }
   return *number;
+}
+
+void readRange(Words& words, const std::string& name, const FrameField* field,
+               Scenario::Expect& expect) {
+  if (words.takeIf("between")) {
+    expect.low = readNumber(words, name, field);
+    expect.high = readNumber(words, name, field);
+    expect.words = "between " + std::to_string(expect.low) + " and " + std::to_string(expect.high);
+    return;
+  }
+  expect.words = words.next();
+  expect.low = readNumber(words, name, field);
+  expect.high = expect.low;
+}
+
+std::optional<Scenario::Limit> readLimit(Words& words) {
+  if (!words.takeIf("within")) {
+    return std::nullopt;
+  }
+  const double amount = words.number("a time or a way");
+  const bool isWay = words.takeIf("mm");
+  if (!isWay) {
+    words.skip("ms");
+  }
+  return Scenario::Limit{.amount = amount, .isWay = isWay};
 }
 
 Scenario::Action readExpectation(Words& words) {
@@ -184,85 +117,9 @@ Scenario::Action readExpectation(Words& words) {
   } else {
     expect.field = truth;
   }
-  if (words.nextIs("between")) {
-    words.skip("between");
-    expect.low = readNumber(words, name, field);
-    expect.high = readNumber(words, name, field);
-    expect.words = "between " + std::to_string(expect.low) + " and " + std::to_string(expect.high);
-    return expect;
-  }
-  expect.words = words.next();
-  expect.low = readNumber(words, name, field);
-  expect.high = expect.low;
+  readRange(words, name, field, expect);
+  expect.within = readLimit(words);
   return expect;
-}
-
-// The sticks go to the end of their way at the greatest values that can be ordered.
-constexpr double kFullVelocity = 3000;
-constexpr double kFullSteering = 3200;
-
-Scenario::Action readRemoteControl(Words& words) {
-  if (words.nextIs("off")) {
-    words.skip("off");
-    return Scenario::RemoteControl{};
-  }
-  sim::Sticks sticks;
-  words.skip("velocity");
-  sticks.velocity = words.value() / kFullVelocity;
-  words.skip("steering");
-  sticks.steering = words.value() / kFullSteering;
-  return Scenario::RemoteControl{sticks};
-}
-
-Scenario::Action readNoise(Words& words) {
-  const bool on = words.nextIs("on");
-  words.skip(on ? "on" : "off");
-  return Scenario::Noise{on};
-}
-
-struct FaultWord {
-  std::string_view word;
-  sim::Fault fault;
-  bool ofWheel;
-};
-
-constexpr std::array<FaultWord, 6> kFaults{{
-    {"hall", sim::Fault::Hall, true},
-    {"hall-b", sim::Fault::HallB, true},
-    {"current", sim::Fault::Current, true},
-    {"angle", sim::Fault::Angle, false},
-    {"stall", sim::Fault::Stall, false},
-    {"block", sim::Fault::Block, true},
-}};
-
-Scenario::Action readFault(Words& words, bool present) {
-  const std::string word = words.take("what breaks");
-  const auto found = std::ranges::find(kFaults, word, &FaultWord::word);
-  if (found == kFaults.end()) {
-    throw Scenario::Error("nothing that can break is called '" + word + "'");
-  }
-  const std::size_t wheel = found->ofWheel ? words.wheel() : 0;
-  return Scenario::Fault{.fault = found->fault, .wheel = wheel, .present = present};
-}
-
-// What the world does; nothing if a word is no action of the world.
-std::optional<Scenario::Action> readWorld(const std::string& word, Words& words) {
-  if (word == "rc") {
-    return readRemoteControl(words);
-  }
-  if (word == "slope") {
-    return Scenario::Slope{words.percent()};
-  }
-  if (word == "noise") {
-    return readNoise(words);
-  }
-  if (word == "fault" || word == "mend") {
-    return readFault(words, word == "fault");
-  }
-  if (word == "mark") {
-    return Scenario::Mark{};
-  }
-  return std::nullopt;
 }
 
 Scenario::Action readAction(const std::string& word, Words& words) {
@@ -281,6 +138,12 @@ Scenario::Action readAction(const std::string& word, Words& words) {
   if (word == "order") {
     return readOrder(words);
   }
+  if (word == "replay") {
+    return Scenario::Replay{};
+  }
+  if (word == "mark") {
+    return Scenario::Mark{};
+  }
   if (word == "bytes") {
     return readBytes(words);
   }
@@ -293,20 +156,10 @@ Scenario::Action readAction(const std::string& word, Words& words) {
   if (word == "expect-finding") {
     return Scenario::ExpectFinding{words.take("the id of a finding")};
   }
-  if (const auto action = readWorld(word, words)) {
+  if (const auto action = readWorldAction(word, words)) {
     return *action;
   }
   throw Scenario::Error("there is no action '" + word + "'");
-}
-
-std::uint32_t readSeed(Words& words) {
-  words.skip("seed");
-  const std::string word = words.take("a number");
-  const auto seed = parse<std::uint32_t>(word);
-  if (!seed) {
-    throw Scenario::Error("'" + word + "' is no seed");
-  }
-  return *seed;
 }
 
 // When a line acts: once, or again and again.
@@ -317,15 +170,13 @@ struct Times {
 };
 
 Times readTimes(Words& words) {
-  if (words.nextIs("at")) {
-    words.skip("at");
+  if (words.takeIf("at")) {
     const Time at = words.time();
     return {.first = at, .last = at, .step = Time(1)};
   }
-  if (!words.nextIs("from")) {
+  if (!words.takeIf("from")) {
     throw Scenario::Error("a line begins with 'at TIME' or 'from TIME to TIME every TIME'");
   }
-  words.skip("from");
   Times times{};
   times.first = words.time();
   words.skip("to");
@@ -368,26 +219,49 @@ void Scenario::readLine(const std::string& line, int number, bool& ended) {
   if (ended) {
     throw Error("nothing may follow 'end'");
   }
-  if (words.nextIs("seed")) {
-    if (!steps_.empty()) {
-      throw Error("a seed stands before all lines that have a time");
-    }
-    seed_ = readSeed(words);
+  if (words.nextIs("seed") || words.nextIs("plant")) {
+    readHead(words);
   } else {
-    const Times times = readTimes(words);
-    const std::string word = words.take("an action");
-    ended = word == "end";
-    if (ended) {
-      end_ = times.first;
-    } else {
-      const Action action = readAction(word, words);
-      for (Time at = times.first; at <= times.last; at += times.step) {
-        steps_.push_back({at, number, action});
-      }
-    }
+    readTimed(words, number, ended);
   }
   if (!words.done()) {
     throw Error("'" + words.take("") + "' is too much");
+  }
+}
+
+void Scenario::readHead(Words& words) {
+  const std::string word = words.take("an action");
+  if (!steps_.empty()) {
+    throw Error("a " + word + " stands before all lines that have a time");
+  }
+  if (word == "seed") {
+    seed_ = words.natural("seed");
+  } else {
+    plant_.push_back(*readWorldAction(word, words));
+  }
+}
+
+void Scenario::readTimed(Words& words, int number, bool& ended) {
+  const Times times = readTimes(words);
+  const std::string word = words.take("an action");
+  ended = word == "end";
+  if (ended) {
+    end_ = times.first;
+  } else if (word == "arm") {
+    addArming(times.first, number);
+  } else {
+    const Action action = readAction(word, words);
+    for (Time at = times.first; at <= times.last; at += times.step) {
+      steps_.push_back({at, number, action});
+    }
+  }
+}
+
+void Scenario::addArming(Time at, int number) {
+  steps_.push_back({at, number, Connect{}});
+  for (int order = 0; order < kNeutralOrders; ++order) {
+    at += order == 0 ? kToFirstOrder : kCycle;
+    steps_.push_back({at, number, Order{}});
   }
 }
 

@@ -6,16 +6,15 @@
 #include <filesystem>
 #include <istream>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "sim/robot/RemoteControl.hpp"
-#include "sim/robot/Robot.hpp"
 #include "sim/scenario/FrameFields.hpp"
 #include "sim/scenario/PcFrames.hpp"
 #include "sim/scenario/Truth.hpp"
+#include "sim/scenario/Words.hpp"
+#include "sim/scenario/WorldAction.hpp"
 
 namespace wr {
 
@@ -32,20 +31,23 @@ namespace wr {
 ///     at 900 expect velocity0 between 490 510
 ///     at 61000 end
 ///
-/// Actions of the PC: connect (Hello, and Confirm as soon as the Welcome comes); hello; confirm;
-/// keepalive; order with any of 'steering N', 'velocity N', 'tension N', 'current N' (for all
-/// wheels, or four numbers, one for each wheel) and 'stop'; bytes with pairs of hexadecimal digits.
-/// Orders are numbered from 1.
+/// Actions of the PC: connect (Hello, and Confirm as soon as the Welcome comes); arm (connect, then
+/// thirteen neutral orders, one in each cycle: this takes 1.5 s); hello; confirm; keepalive; order with
+/// any of 'steering N', 'velocity N', 'tension N', 'current N' (for all wheels, or four numbers,
+/// one for each wheel), 'stop' and 'acknowledge'; replay (the bytes of the last order again); bytes
+/// with pairs of hexadecimal digits. Orders are numbered from 1.
 ///
-/// Actions of the world: rc velocity N steering N (the remote control sends this from now on); rc
-/// off; slope PERCENT; noise on or off; fault and mend with one of 'hall WHEEL', 'hall-b WHEEL',
-/// 'current WHEEL', 'angle', 'stall', 'block WHEEL'; mark (the field 'way' counts from here). 'seed
-/// N' chooses the noise; it has no time and stands before all lines that have one.
+/// Actions of the world are listed at readWorldAction(). mark: the fields 'way' and 'max_velocity'
+/// count from here.
+///
+/// 'seed N' chooses the noise. 'plant varied' lets the seed choose the robot too, 'plant PARAMETER
+/// VALUE' fixes a parameter. These lines have no time and precede all lines that have one.
 ///
 /// Expectations: expect FIELD VALUE and expect FIELD between LOW HIGH look at the last Report or
-/// Welcome, or at the robot itself (the fields of Truth.hpp); expect-silence MS (no report came for
-/// so long); expect-finding ID (the simulated board stops before with this finding). The last line
-/// is 'end'.
+/// Welcome, or at the robot itself (the fields of Truth.hpp). With 'within N ms' or 'within N mm'
+/// behind it the expectation must come true, once, within this time or this way from its own time
+/// on. expect-silence MS (no report came for so long); expect-finding ID (the simulated board stops
+/// before with this finding). The last line is 'end'.
 class Scenario {
  public:
   using Time = std::chrono::milliseconds;
@@ -60,26 +62,19 @@ class Scenario {
   struct Raw {
     Bytes bytes;
   };
-  struct RemoteControl {
-    std::optional<sim::Sticks> sticks;
-  };
-  struct Slope {
-    double percent;
-  };
-  struct Noise {
-    bool on;
-  };
-  struct Fault {
-    sim::Fault fault;
-    std::size_t wheel;
-    bool present;
-  };
+  struct Replay {};
   struct Mark {};
+  /// Room in which an expectation must come true.
+  struct Limit {
+    double amount;
+    bool isWay;  ///< true: mm of way; false: ms
+  };
   struct Expect {
     std::variant<const FrameField*, const TruthField*> field;
     std::int64_t low;
     std::int64_t high;
-    std::string words;  ///< what is expected as it was written
+    std::string words;  ///< the value as it was written
+    std::optional<Limit> within;
   };
   struct ExpectSilence {
     Time duration;
@@ -87,8 +82,8 @@ class Scenario {
   struct ExpectFinding {
     std::string id;
   };
-  using Action = std::variant<Connect, Hello, Confirm, KeepAlive, Order, Raw, RemoteControl, Slope,
-                              Noise, Fault, Mark, Expect, ExpectSilence, ExpectFinding>;
+  using Action = std::variant<Connect, Hello, Confirm, KeepAlive, Order, Replay, Raw, WorldAction,
+                              Mark, Expect, ExpectSilence, ExpectFinding>;
 
   struct Step {
     Time at;
@@ -97,10 +92,7 @@ class Scenario {
   };
 
   /// @brief A text that is no scenario: 'file:line: what is wrong'.
-  class Error : public std::runtime_error {
-   public:
-    using std::runtime_error::runtime_error;
-  };
+  using Error = ScenarioError;
 
   /// @brief Reads a scenario. Throws Error.
   /// @param text the lines
@@ -123,17 +115,25 @@ class Scenario {
   /// @return the seed; nothing if the text has none
   [[nodiscard]] const std::optional<std::uint32_t>& seed() const { return seed_; }
 
+  /// @brief The robot that the scenario asks for.
+  /// @return actions that happen before all others
+  [[nodiscard]] const std::vector<WorldAction>& plant() const { return plant_; }
+
   /// @brief Name of the text.
   /// @return the name
   [[nodiscard]] const std::string& name() const { return name_; }
 
  private:
   void readLine(const std::string& line, int number, bool& ended);
+  void readHead(Words& words);
+  void readTimed(Words& words, int number, bool& ended);
+  void addArming(Time at, int number);
 
   std::string name_;
   std::vector<Step> steps_;
   Time end_{};
   std::optional<std::uint32_t> seed_;
+  std::vector<WorldAction> plant_;
 };
 
 }  // namespace wr

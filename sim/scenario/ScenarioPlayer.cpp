@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,8 @@ namespace {
 
 // How long the PC does not look at its line.
 constexpr RobotLine::Time kGlance{5'000};
+// The same while an expectation may come true.
+constexpr RobotLine::Time kClose{1'000};
 
 void writeHeader(std::ostream& reports) {
   for (const FrameField& field : frameFields()) {
@@ -46,6 +49,9 @@ ScenarioPlayer::ScenarioPlayer(const Scenario& scenario, RobotLine& robot, std::
   if (scenario_.seed()) {
     robot_.robot().setSeed(*scenario_.seed());
   }
+  for (const WorldAction& action : scenario_.plant()) {
+    act(action);
+  }
   if (reports_ != nullptr) {
     writeHeader(*reports_);
   }
@@ -60,14 +66,20 @@ ScenarioPlayer::Outcome ScenarioPlayer::play() {
     std::visit([this](const auto& action) { act(action); }, step.action);
   }
   advance(scenario_.end());
+  for (const Pending& pending : pending_) {
+    at_ = pending.line;
+    fail(mismatch(pending.expect) + " at the end");
+  }
   return std::move(outcome_);
 }
 
 // Runs to an instant and reads what comes; false if a finding has stopped the robot.
 bool ScenarioPlayer::advance(Time instant) {
   while (robot_.now() < instant) {
-    const bool runs = robot_.runUntil(std::min(instant, robot_.now() + kGlance));
+    const Time glance = pending_.empty() ? kGlance : kClose;
+    const bool runs = robot_.runUntil(std::min(instant, robot_.now() + glance));
     listen();
+    checkPending();
     if (!runs) {
       const LineFinding found = robot_.finding().value();
       if (!expectsFinding(found.id, robot_.now())) {
@@ -160,66 +172,88 @@ void ScenarioPlayer::act(const Scenario::KeepAlive& /*action*/) {
 void ScenarioPlayer::act(const Scenario::Order& action) {
   PcOrder order = action.order;
   order.id = ++orders_;
-  robot_.send(pc_.order(order));
+  order.sentAt = static_cast<std::uint32_t>(robot_.now().count() / 1000);
+  order_ = pc_.order(order);
+  robot_.send(order_);
 }
 
 void ScenarioPlayer::act(const Scenario::Raw& action) {
   robot_.send(action.bytes);
 }
 
-void ScenarioPlayer::act(const Scenario::RemoteControl& action) {
-  robot_.remoteControl().set(action.sticks);
+void ScenarioPlayer::act(const Scenario::Replay& /*action*/) {
+  robot_.send(order_);
 }
 
-void ScenarioPlayer::act(const Scenario::Slope& action) {
-  robot_.robot().setSlope(action.percent);
-}
-
-void ScenarioPlayer::act(const Scenario::Noise& action) {
-  robot_.robot().setNoise(action.on);
-}
-
-void ScenarioPlayer::act(const Scenario::Fault& action) {
-  robot_.robot().setFault(action.fault, action.wheel, action.present);
+void ScenarioPlayer::act(const WorldAction& action) {
+  wr::act(action, robot_);
 }
 
 void ScenarioPlayer::act(const Scenario::Mark& /*action*/) {
   mark_ = robot_.robot().distance();
+  robot_.robot().clearGreatestVelocity();
 }
 
-// The value in the last frame that has the field; a failure when none has come.
-std::optional<std::int64_t> ScenarioPlayer::valueOf(const FrameField& field) {
-  const bool ofWelcome = field.type == kWelcomeType;
-  const std::optional<Bytes>& body = ofWelcome ? welcome_ : report_;
-  if (!body) {
-    fail(field.name + " is unknown: no " + (ofWelcome ? "Welcome" : "Report") + " has come");
-    return std::nullopt;
+// The value that an expectation looks at; nothing when no frame has come that has it.
+std::optional<double> ScenarioPlayer::valueOf(const Scenario::Expect& expect) const {
+  if (const auto* const truth = std::get_if<const TruthField*>(&expect.field)) {
+    return (*truth)->valueOf(robot_.robot(), mark_);
   }
-  return wr::valueOf(*body, field);
+  const FrameField& field = *std::get<const FrameField*>(expect.field);
+  const std::optional<Bytes>& body = field.type == kWelcomeType ? welcome_ : report_;
+  return body ? std::optional(static_cast<double>(wr::valueOf(*body, field))) : std::nullopt;
+}
+
+// Why an expectation does not hold; empty when it does.
+std::string ScenarioPlayer::mismatch(const Scenario::Expect& expect) const {
+  const auto* const truth = std::get_if<const TruthField*>(&expect.field);
+  const auto* const field = std::get_if<const FrameField*>(&expect.field);
+  const std::string name((truth != nullptr) ? (*truth)->name : (*field)->name);
+  const auto value = valueOf(expect);
+  if (!value) {
+    return name + " is unknown: no " + ((*field)->type == kWelcomeType ? "Welcome" : "Report") +
+           " has come";
+  }
+  if (*value >= static_cast<double>(expect.low) && *value <= static_cast<double>(expect.high)) {
+    return {};
+  }
+  const std::string found =
+      truth != nullptr ? tenths(*value) : std::to_string(static_cast<std::int64_t>(*value));
+  return name + " is " + found + ", not " + expect.words;
 }
 
 void ScenarioPlayer::act(const Scenario::Expect& action) {
-  std::string found;
-  bool holds = false;
-  std::string_view name;
-  if (const auto* const truth = std::get_if<const TruthField*>(&action.field)) {
-    name = (*truth)->name;
-    const double value = (*truth)->valueOf(robot_.robot(), mark_);
-    found = tenths(value);
-    holds = value >= static_cast<double>(action.low) && value <= static_cast<double>(action.high);
+  const std::string wrong = mismatch(action);
+  if (wrong.empty()) {
+    return;
+  }
+  if (action.within) {
+    pending_.push_back({action, at_, robot_.now(), robot_.robot().distance()});
   } else {
-    const FrameField& field = *std::get<const FrameField*>(action.field);
-    const auto value = valueOf(field);
-    if (!value) {
-      return;
+    fail(wrong);
+  }
+}
+
+bool ScenarioPlayer::isLate(const Pending& pending) const {
+  const Scenario::Limit& limit = *pending.expect.within;
+  if (limit.isWay) {
+    return std::abs(robot_.robot().distance() - pending.from) * 1000 > limit.amount;
+  }
+  return static_cast<double>((robot_.now() - pending.since).count()) / 1000 > limit.amount;
+}
+
+// Forgets the expectations that have come true, and those for which it is too late.
+void ScenarioPlayer::checkPending() {
+  std::erase_if(pending_, [this](const Pending& pending) {
+    const std::string wrong = mismatch(pending.expect);
+    const bool late = !wrong.empty() && isLate(pending);
+    if (late) {
+      at_ = pending.line;
+      const Scenario::Limit& limit = *pending.expect.within;
+      fail(wrong + " within " + tenths(limit.amount) + (limit.isWay ? " mm" : " ms"));
     }
-    name = field.name;
-    found = std::to_string(*value);
-    holds = *value >= action.low && *value <= action.high;
-  }
-  if (!holds) {
-    fail(std::string(name) + " is " + found + ", not " + action.words);
-  }
+    return late || wrong.empty();
+  });
 }
 
 void ScenarioPlayer::act(const Scenario::ExpectSilence& action) {

@@ -38,11 +38,22 @@ class ScenarioPlayer {
  private:
   using Time = RobotLine::Time;
 
+  /// An expectation that may still come true.
+  struct Pending {
+    Scenario::Expect expect;
+    int line;
+    Time since;
+    double from;  ///< distance, m
+  };
+
   bool advance(Time instant);
   void listen();
   void take(const Bytes& body);
   void writeReport(const Bytes& body);
-  [[nodiscard]] std::optional<std::int64_t> valueOf(const FrameField& field);
+  [[nodiscard]] std::optional<double> valueOf(const Scenario::Expect& expect) const;
+  [[nodiscard]] std::string mismatch(const Scenario::Expect& expect) const;
+  void checkPending();
+  [[nodiscard]] bool isLate(const Pending& pending) const;
   void fail(const std::string& what);
   [[nodiscard]] bool expectsFinding(const std::string& id, Time since) const;
 
@@ -52,10 +63,8 @@ class ScenarioPlayer {
   void act(const Scenario::KeepAlive& action);
   void act(const Scenario::Order& action);
   void act(const Scenario::Raw& action);
-  void act(const Scenario::RemoteControl& action);
-  void act(const Scenario::Slope& action);
-  void act(const Scenario::Noise& action);
-  void act(const Scenario::Fault& action);
+  void act(const Scenario::Replay& action);
+  void act(const WorldAction& action);
   void act(const Scenario::Mark& action);
   void act(const Scenario::Expect& action);
   void act(const Scenario::ExpectSilence& action);
@@ -70,7 +79,9 @@ class ScenarioPlayer {
   std::optional<Bytes> report_;
   Time reportAt_{};
   std::uint16_t orders_ = 0;
-  double mark_ = 0;        // distance from which ways are counted, m
+  double mark_ = 0;  // distance from which ways are counted, m
+  Bytes order_;      // the last one, as it was sent
+  std::vector<Pending> pending_;
   bool confirms_ = false;  // the next Welcome is answered with Confirm
   int at_ = 0;             // line of the scenario
   Outcome outcome_;

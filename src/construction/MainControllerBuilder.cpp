@@ -8,24 +8,24 @@
 namespace wr {
 
 MainControllerBuilder::Link::Link(const Devices& devices)
-    : reader(devices.timebase),
-      handshaking(connected, disconnected),
+    : handshaking(connected, disconnected),
       disconnected(handshaking),
       connected(handshaking, disconnected),
-      connection(devices.pcPort, devices.timebase, reader, disconnected, devices.start) {}
+      connection(devices.pcPort, reader, disconnected, devices.start) {}
 
 MainControllerBuilder::RemoteControl::RemoteControl(const RemoteControlDevices& devices,
-                                                    const Timebase& timebase)
+                                                    const Timebase& timebase,
+                                                    const Timebase& edgeTime)
     : velocityPeriod(velocityInstants),
       velocityWidth(velocityPeriod),
       velocityBuffer(velocityWidth, rcVelocity, devices.velocity),
       velocityPin(devices.velocityPin, readVelocityPin),
-      readVelocityPin(velocityBuffer, velocityPin, timebase),
+      readVelocityPin(velocityBuffer, velocityPin, edgeTime),
       directionPeriod(directionInstants),
       directionWidth(directionPeriod),
       directionBuffer(directionWidth, rcDirection, devices.direction),
       directionPin(devices.directionPin, readDirectionPin),
-      readDirectionPin(directionBuffer, directionPin, timebase),
+      readDirectionPin(directionBuffer, directionPin, edgeTime),
       reader(devices.velocity, devices.direction, timebase) {}
 
 MainControllerBuilder::Modes::Modes(Reader& pcReader, Reader& rcReader, PcConnection& connection)
@@ -57,7 +57,9 @@ void MainControllerBuilder::buildConnection() {
 void MainControllerBuilder::buildRemoteControl() {
   require(devices_.remoteControl.has_value(), AssertId::PartMissing);
   require(!remoteControl_, AssertId::PartDouble);
-  remoteControl_.emplace(*devices_.remoteControl, devices_.timebase);
+  const RemoteControlDevices& devices = *devices_.remoteControl;
+  remoteControl_.emplace(devices, devices_.timebase,
+                         devices.edgeTime != nullptr ? *devices.edgeTime : devices_.timebase);
   remoteControl_->velocityPin.start();
   remoteControl_->directionPin.start();
 }
@@ -133,6 +135,11 @@ FirstTimer& MainControllerBuilder::clock() {
 Reader& MainControllerBuilder::pcReader() {
   require(link_.has_value(), AssertId::PartMissing);
   return link_->reader;
+}
+
+Reader& MainControllerBuilder::rcReader() {
+  require(remoteControl_.has_value(), AssertId::PartMissing);
+  return remoteControl_->reader;
 }
 
 PcConnection& MainControllerBuilder::connection() {

@@ -75,6 +75,8 @@ class MainControllerBuilder {
     EdgeInput& directionPin;   ///< pulses of the direction lever
     Pipe<Velocity>& velocity;  ///< velocity that the pulses mean
     Pipe<Angle>& direction;    ///< direction that the pulses mean
+    const Timebase* edgeTime =
+        nullptr;  ///< gives the time of an edge; none: the timebase of all devices
   };
 
   /// @brief What the platform gives to the main controller. Each device lives as long as the builder.
@@ -200,6 +202,14 @@ class MainControllerBuilder {
   /// @satisfies FR-78
   [[nodiscard]] Reader& pcReader();
 
+  /// @brief Returns the reader of the remote control's orders.
+  /// @return the reader; it lives as long as the builder.
+  /// @pre buildRemoteControl() was called.
+  /// @errors Without a remote control the program ends with the assertion PartMissing.
+  /// @isr{no}
+  /// @satisfies FR-78
+  [[nodiscard]] Reader& rcReader();
+
   /// @brief The link to the PC.
   /// @return the link; it lives as long as the builder.
   /// @pre buildConnection() was called.
@@ -234,7 +244,8 @@ class MainControllerBuilder {
     PcConnection connection;
   };
   struct RemoteControl {
-    RemoteControl(const RemoteControlDevices& devices, const Timebase& timebase);
+    RemoteControl(const RemoteControlDevices& devices, const Timebase& timebase,
+                  const Timebase& edgeTime);
     BasicCollector velocityInstants;
     PeriodCollector velocityPeriod;
     WidthCollector velocityWidth;

@@ -23,7 +23,8 @@ WheelSystemBuilder::Sensors::Sensors(const Devices& devices, Command& cutOff,
       current(values, sampledCurrent, currents) {}
 
 WheelSystemBuilder::Control::Control(const Devices& devices, Actuator& actuator,
-                                     Pipe<Velocity>& velocities, Pipe<Current>& currents)
+                                     Pipe<Velocity>& velocities, Pipe<Current>& currents,
+                                     const std::optional<std::array<WheelAlgorithm*, 3>>& given)
     : advance(actuator.setTension),
       softStart(advance),
       stop(actuator.setTension, actuator.stopWheel),
@@ -31,7 +32,8 @@ WheelSystemBuilder::Control::Control(const Devices& devices, Actuator& actuator,
       controller({.velocity = velocities,
                   .current = currents,
                   .timebase = devices.timebase,
-                  .algorithms = {&velocity, &tension, &current},
+                  .algorithms =
+                      given.value_or(std::array<WheelAlgorithm*, 3>{&velocity, &tension, &current}),
                   .advance = reverse,
                   .stop = stop,
                   .stopWheel = actuator.stopWheel}) {}
@@ -45,8 +47,8 @@ WheelSystemBuilder::System::System(const Devices& devices, Actuator& actuator, S
       haltWheel(control.controller, actuator.wheel),
       system({.wheel = devices.wheel,
               .thread = devices.thread,
-              .registerPosition = registerPosition,
               .readVelocity = readVelocity,
+              .registerPosition = registerPosition,
               .readCurrent = readCurrent,
               .applyControl = applyControl,
               .haltWheel = haltWheel}) {}
@@ -67,7 +69,7 @@ void WheelSystemBuilder::buildSensors() {
 void WheelSystemBuilder::buildController() {
   require(actuator_.has_value(), AssertId::PartMissing);
   require(!control_, AssertId::PartDouble);
-  control_.emplace(devices_, *actuator_, velocities_, currents_);
+  control_.emplace(devices_, *actuator_, velocities_, currents_, algorithms_);
 }
 
 void WheelSystemBuilder::buildSystem() {
@@ -91,6 +93,11 @@ ControlSystem& WheelSystemBuilder::system() {
 Command& WheelSystemBuilder::tickCommand() {
   require(sensors_.has_value(), AssertId::PartMissing);
   return sensors_->readCnt;
+}
+
+void WheelSystemBuilder::useAlgorithms(const std::array<WheelAlgorithm*, 3>& algorithms) {
+  require(!control_, AssertId::PartDouble);
+  algorithms_ = algorithms;
 }
 
 ActiveSensor& WheelSystemBuilder::sensor() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 
@@ -30,6 +31,7 @@
 #include "wheel_control/algorithms/CurrentAlgorithm.hpp"
 #include "wheel_control/algorithms/TensionAlgorithm.hpp"
 #include "wheel_control/algorithms/VelocityAlgorithm.hpp"
+#include "wheel_control/algorithms/WheelAlgorithm.hpp"
 #include "wheel_control/behaviours/Advance.hpp"
 #include "wheel_control/behaviours/Reverse.hpp"
 #include "wheel_control/behaviours/SoftStart.hpp"
@@ -91,6 +93,14 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
   [[nodiscard]] ControlSystem& system() override;
   [[nodiscard]] Command& tickCommand() override;
 
+  /// @brief Sets the algorithms of the controller, in place of those of the builder.
+  /// @param algorithms one for each WheelQuantity, in its sequence; they live as long as the builder
+  /// @pre buildController() was not called.
+  /// @errors With a controller the program ends with the assertion PartDouble.
+  /// @isr{no}
+  /// @satisfies FR-78
+  void useAlgorithms(const std::array<WheelAlgorithm*, 3>& algorithms);
+
   /// @brief What serves the interrupts of the Hall sensors.
   /// @return the sensor; it lives as long as the builder
   /// @pre buildSensors() was called.
@@ -125,7 +135,7 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
   };
   struct Control {
     Control(const Devices& devices, Actuator& actuator, Pipe<Velocity>& velocities,
-            Pipe<Current>& currents);
+            Pipe<Current>& currents, const std::optional<std::array<WheelAlgorithm*, 3>>& given);
     TensionAlgorithm tension;
     CurrentAlgorithm current;
     VelocityAlgorithm velocity;
@@ -148,6 +158,7 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
   Devices devices_;
   Pipe<Velocity> velocities_;
   Pipe<Current> currents_;
+  std::optional<std::array<WheelAlgorithm*, 3>> algorithms_;  // in place of those of the builder
   std::optional<Actuator> actuator_;
   std::optional<Sensors> sensors_;
   std::optional<Control> control_;

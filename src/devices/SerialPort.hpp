@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "units/quantities.hpp"
+
 namespace wr {
 
 /// @brief Serial line in both directions.
@@ -14,12 +16,19 @@ class SerialPort {
   SerialPort(const SerialPort&) = delete;
   SerialPort& operator=(const SerialPort&) = delete;
 
-  /// @brief Takes received bytes out of the port, oldest first. Never waits.
-  /// @param bytes where the bytes are put
-  /// @return how many bytes were put there; less than there is place for only when no more were
-  /// received
+  /// @brief Reads received bytes, oldest first, up to and including the first zero byte. Never waits.
+  /// @param bytes where the bytes are stored
+  /// @return number of stored bytes; 0 only when no byte was received, or when there is no place
   /// @isr{no}
   virtual std::size_t read(std::span<std::uint8_t> bytes) = 0;
+
+  /// @brief Returns when the zero byte that ended the last read was received.
+  /// @return time of its stop bit. A zero byte after another one may have the time of that one.
+  /// @pre The last read ended with a zero byte.
+  /// @isr{no}
+  /// @satisfies FR-20
+  /// @satisfies FR-33
+  [[nodiscard]] virtual Instant receivedAt() const = 0;
 
   /// @brief Tells the room for bytes to send.
   /// @return number of bytes that a write can take now

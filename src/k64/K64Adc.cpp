@@ -10,20 +10,29 @@ namespace wr {
 
 namespace {
 
-// The clock of the converters: slow enough for the calibration, and fast enough for all
-// conversions.
-constexpr std::uint32_t kClock = K64Board::kBusClock / 2 / 8;  // [Hz]
-static_assert(kClock >= 1'000'000 && kClock <= 4'000'000, "limits of the calibration");
+// The converters run from the bus clock, divided by 8. The other sources of their clock differ from
+// part to part of the family. The calibration needs a slow clock and comes before the PLL runs.
+constexpr std::uint32_t kDivider = 8;
+constexpr std::uint32_t kLeast = 1'000'000;                                       // [Hz]
+constexpr std::uint32_t kMostInCalibration = 4'000'000;                           // [Hz]
+constexpr std::uint32_t kMost = 18'000'000;                                       // [Hz]
+constexpr std::uint32_t kSlowest = K64Board::kSlowestClockAfterReset / kDivider;  // [Hz]
+constexpr std::uint32_t kFastest = K64Board::kFastestClockAfterReset / kDivider;  // [Hz]
+constexpr std::uint32_t kClock = K64Board::kBusClock / kDivider;                  // [Hz]
+static_assert(kSlowest >= kLeast && kFastest <= kMostInCalibration, "limits of the calibration");
+static_assert(kClock >= kLeast && kClock <= kMost, "limits of a conversion with 12 bits");
 
 // A sample takes 20 clocks, and 20 more so that the voltage of the pin is reached. With four
-// samples for a mean, and some bus clocks, one conversion takes less than 50 us: three of them in a
-// tick are easy.
+// samples for a mean, and some bus clocks, one conversion takes 22 us: three of them in a tick are
+// easy.
 constexpr auto kConfiguration =
-    adc::CFG1_ADICLK_HALF_BUS | adc::CFG1_MODE_12_BITS | adc::CFG1_ADLSMP | adc::CFG1_ADIV_8;
+    adc::CFG1_ADICLK_BUS | adc::CFG1_MODE_12_BITS | adc::CFG1_ADLSMP | adc::CFG1_ADIV_8;
 
-// Looks at the register before a calibration is given up. It takes up to 14000 clocks of the
-// converter, which are 3.8 ms. A look takes at least 6 and less than 30 clocks of the core.
-constexpr std::uint32_t kLooks = 200'000;
+// Looks at the register before a calibration is given up. A look takes at least 6 and less than 30
+// clocks of the core, which runs from the same clock: the shortest wait is long enough for a
+// calibration of 14000 clocks of the converter, the longest one takes less than 45 ms.
+constexpr std::uint32_t kLooks = 30'000;
+static_assert(kLooks * 6 > 14'000 * kDivider, "the calibration can end in the shortest wait");
 
 }  // namespace
 

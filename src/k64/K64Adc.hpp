@@ -79,9 +79,10 @@ class K64Adc final : public AnalogInput {
       : converter_(converters[channel.converter]), number_(channel.number) {}
 
   /// @brief Sets the converters up and calibrates them, all at the same time. The wait is bounded: less
-  /// than 60 ms for each.
+  /// than 45 ms for each.
   /// @param converters the converters
-  /// @pre The clocks of the converters run, and their interrupts are not enabled yet.
+  /// @pre The gates of the converters are open, the core still runs from the clock after reset, and the
+  /// interrupts of the converters are not enabled yet.
   /// @post A converter whose calibration failed or did not end never converts.
   /// @isr{no}
   /// @satisfies FR-143
@@ -96,6 +97,7 @@ class K64Adc final : public AnalogInput {
 
   /// @isr{yes}
   /// @satisfies FR-142
+  /// @satisfies FR-205
   [[nodiscard]] std::optional<std::uint16_t> sample() override;
 
  private:

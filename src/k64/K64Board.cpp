@@ -114,7 +114,30 @@ void connect(const Pin& pin, Mux to) {
   const auto control = port::PCR.at(static_cast<std::uint32_t>(pin.port) * port::kPortDistance +
                                     pin.number * port::kPinDistance);
   const auto mux = port::PCR.field(static_cast<std::uint32_t>(to), port::kMuxLowest);
-  control.write(pin.role == Role::Input ? mux | port::PCR_PE | port::PCR_PS : mux);
+  if (pin.isOutput()) {
+    control.write(mux | port::PCR_DSE);  // the inputs of drivers may be the lights of optocouplers
+  } else if (pin.role == Role::Input || pin.role == Role::PulledUp) {
+    control.write(mux | port::PCR_PE | port::PCR_PS);
+  } else {
+    control.write(mux);
+  }
+}
+
+// The digital filters of the port of the Hall sensors, the only port that has them, take 31 bus
+// clocks of the full clock: they pass no pulse that is shorter than 0.5 us.
+void filterHallSensors() {
+  constexpr std::uint32_t kWidth = 31;
+  constexpr auto kPort = static_cast<std::uint32_t>(Port::D) * port::kPortDistance;
+  std::uint32_t pins = 0;
+  for (const Pin& pin : kPins) {
+    if (pin.port == Port::D && pin.role == Role::Input) {
+      pins |= std::uint32_t{1} << pin.number;
+    }
+  }
+  port::DFER.at(kPort).write({0});  // clock and width change only while no filter is on
+  port::DFCR.at(kPort).write({0});  // bus clock
+  port::DFWR.at(kPort).write({kWidth});
+  port::DFER.at(kPort).write({pins});
 }
 
 }  // namespace
@@ -136,6 +159,7 @@ void K64Board::connectInputs() {
       connect(pin, pin.mux);
     }
   }
+  filterHallSensors();
 }
 
 void K64Board::connectLateOutputs() {
@@ -151,10 +175,17 @@ void K64Board::enableFloatingPoint() {
   finishInstructions();
 }
 
+void K64Board::enableGuards() {
+  scb::CCR.set(scb::CCR_DIV_0_TRP);
+  pmc::LVDSC1.write(pmc::LVDSC1_LVDRE | pmc::LVDSC1_LVDV_HIGH);
+}
+
 std::uint16_t K64Board::startClock() {
   sim::CLKDIV1.write(kDividers);
-  // The core stays on the internal FLL until the external clock is known to run.
-  mcg::C2.write(mcg::C2_RANGE_VERY_HIGH);
+  // The core stays on the internal FLL until the external clock is known to run. The clock of the
+  // FLL may jump when its reference changes (erratum 7993). That does no harm here: the dividers
+  // are set, the clock is used for some microseconds only, and no device works with it.
+  mcg::C2.write(mcg::C2_LOCRE0 | mcg::C2_RANGE_VERY_HIGH);
   mcg::C1.write(mcg::C1_CLKS_PLL_FLL | mcg::C1_FRDIV_1536);
   if (!comes(mcg::S_IREFST, {})) {
     return 1;
@@ -169,14 +200,20 @@ std::uint16_t K64Board::startClock() {
     return 3;
   }
   mcg::C1.write(mcg::C1_CLKS_PLL_FLL | mcg::C1_FRDIV_1536);
-  return comes(mcg::S_CLKST, mcg::S_CLKST_PLL) ? 0 : 4;
+  if (!comes(mcg::S_CLKST, mcg::S_CLKST_PLL)) {
+    return 4;
+  }
+  // From now on the loss of the external clock, or of the lock of the PLL, resets.
+  mcg::C8.set(mcg::C8_LOLRE);
+  mcg::C6.set(mcg::C6_CME0);
+  return 0;
 }
 
 void K64Board::openGates() {
   sim::SCGC1.set(sim::SCGC1_UART4);
   sim::SCGC3.set(sim::SCGC3_ADC1);
   sim::SCGC4.set(sim::SCGC4_UART0);
-  sim::SCGC6.set(sim::SCGC6_PIT | sim::SCGC6_FTM0 | sim::SCGC6_ADC0);
+  sim::SCGC6.set(sim::SCGC6_RNGA | sim::SCGC6_PIT | sim::SCGC6_FTM0 | sim::SCGC6_ADC0);
 }
 
 StartRecord K64Board::takeStartRecord() {

@@ -18,6 +18,11 @@ class K64Board {
   static constexpr std::uint32_t kCoreClock = 120'000'000;
   /// @brief Clock of the timers and of the bus to the other blocks [Hz].
   static constexpr std::uint32_t kBusClock = 60'000'000;
+  /// @brief Slowest clock of core and bus between the reset and startClock(), from the internal
+  /// oscillator as the factory trimmed it [Hz].
+  static constexpr std::uint32_t kSlowestClockAfterReset = 20'000'000;
+  /// @brief Fastest clock of core and bus between the reset and startClock() [Hz].
+  static constexpr std::uint32_t kFastestClockAfterReset = 25'000'000;
   /// @brief Ticks of a timer in a microsecond.
   static constexpr std::uint32_t kTicksPerMicrosecond = kBusClock / 1'000'000;
 
@@ -36,19 +41,28 @@ class K64Board {
   /// @pre makeOutputsSafe() was called.
   /// @isr{no}
   /// @satisfies FR-144
+  /// @satisfies FR-202
   static void connectInputs();
 
   /// @brief Lets the core execute instructions with floating-point numbers.
   /// @isr{no}
   static void enableFloatingPoint();
 
+  /// @brief Makes a division by zero a fault, and a supply below 2.56 V a reset.
+  /// @isr{no}
+  /// @satisfies FR-204
+  /// @satisfies FR-206
+  static void enableGuards();
+
   /// @brief Brings the core from the clock after reset to 120 MHz.
   /// @return 0 when the clock runs, else the number of the step that failed: 1 the external clock does
   /// not come, 2 the core does not change to it, 3 the PLL does not lock, 4 the core does not
   /// change to the PLL
-  /// @post After a failure the core runs from a clock that works, if there is one.
+  /// @post After a failure the core runs from a clock that works, if there is one. After a success the
+  /// loss of the external clock or of the lock of the PLL resets.
   /// @isr{no}
   /// @satisfies FR-72
+  /// @satisfies FR-203
   [[nodiscard]] static std::uint16_t startClock();
 
   /// @brief Lets the clock into the timers, the converters and the serial ports.

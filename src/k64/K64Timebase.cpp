@@ -12,6 +12,10 @@ constexpr std::uint32_t kChannel = 2 * pit::kChannelDistance;
 
 }  // namespace
 
+void K64Timebase::EntryTime::record() {
+  time_ = clock_.now();
+}
+
 void K64Timebase::start() {
   static_assert(
       [] {

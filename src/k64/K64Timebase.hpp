@@ -16,6 +16,32 @@ namespace wr {
 /// sleeps.
 class K64Timebase final : public Timebase {
  public:
+  /// @brief One time for all signals that an interrupt serves. Its handler records the time at its entry,
+  /// so that what it does for one signal does not make the time of the next one late.
+  class EntryTime final : public Timebase {
+   public:
+    /// @brief Binds the time to the clock that gives it.
+    /// @param clock the clock; it lives as long as this
+    explicit constexpr EntryTime(const K64Timebase& clock) : clock_(clock) {}
+
+    /// @brief Records the present time.
+    /// @satisfies FR-200
+    /// @isr{yes}
+    void record();
+
+    /// @return the recorded time [us]
+    /// @satisfies FR-200
+    /// @isr{yes}
+    [[nodiscard]] Instant now() const override { return time_; }
+
+    /// @isr{yes}
+    [[nodiscard]] std::uint32_t awakeCycles() const override { return clock_.awakeCycles(); }
+
+   private:
+    const K64Timebase& clock_;
+    Instant time_;
+  };
+
   /// @brief Makes a clock that does not run yet.
   constexpr K64Timebase() = default;
 

@@ -35,12 +35,14 @@ static_assert(isExact(K64Board::kCoreClock, kByCore) && isExact(K64Board::kBusCl
 
 constexpr auto kReceiving = uart::C2_TE | uart::C2_RE | uart::C2_RIE;
 constexpr auto kSending = kReceiving | uart::C2_TIE;
-constexpr auto kDamaged = uart::S1_FE | uart::S1_NF;
+
+// Only port 0 has FIFOs. With its FIFO off, or without one, a port has room for 1 byte.
+constexpr std::size_t kFifo = 8;
 
 }  // namespace
 
 // Not in the header: an object that the compiler initialises would put its empty storage in flash.
-K64Uart::K64Uart(Port port) : port_(port) {}
+K64Uart::K64Uart(Port port, const Timebase& clock) : port_(port), clock_(clock) {}
 
 void K64Uart::start() {
   uart::C2.at(offset()).write({0});
@@ -48,6 +50,12 @@ void K64Uart::start() {
   uart::BDH.at(offset()).write({static_cast<std::uint8_t>(divisor.divider >> 8U)});
   uart::BDL.at(offset()).write({static_cast<std::uint8_t>(divisor.divider)});
   uart::C4.at(offset()).write({static_cast<std::uint8_t>(divisor.fine)});
+  if (port_ == Port::Uart0) {
+    // Written while receiver and transmitter are off. The marks keep their values after a reset:
+    // each received byte asks for the interrupt, and so does an empty FIFO for bytes to send.
+    uart::PFIFO.at(offset()).write(uart::PFIFO_RXFE | uart::PFIFO_TXFE);
+    uart::CFIFO.at(offset()).write(uart::CFIFO_RXFLUSH | uart::CFIFO_TXFLUSH);
+  }
   uart::C3.at(offset()).write(uart::C3_ORIE);
   uart::C2.at(offset()).write(kReceiving);
 }
@@ -58,24 +66,43 @@ void K64Uart::serve() {
 }
 
 void K64Uart::receive() {
-  const auto status = uart::S1.at(offset()).read();
-  if (!(status & (uart::S1_RDRF | uart::S1_OR)).any()) {
-    return;
-  }
-  // Reading the byte after the status clears the errors. After an overrun nothing is received until
-  // that is done, even when the byte itself was taken before.
-  const std::uint8_t byte = uart::D.at(offset()).read().value;
-  std::uint32_t lost = (status & uart::S1_OR).any() ? 1 : 0;
-  if ((status & uart::S1_RDRF).any()) {
-    if ((status & kDamaged).any() || received_.free() == 0) {
-      ++lost;
-    } else {
-      received_.put(byte);
+  std::uint32_t lost = 0;
+  std::size_t untilBroken = 0;  // bytes up to the one with a wrong stop bit
+  // As many as the FIFO holds, and as many again that may come meanwhile.
+  for (std::size_t i = 0; i < 2 * kFifo; ++i) {
+    const auto status = uart::S1.at(offset()).read();
+    if (!(status & (uart::S1_RDRF | uart::S1_OR)).any()) {
+      break;
     }
+    // Reading the byte after the status clears the errors. After an overrun nothing is received
+    // until that is done, even when the byte itself was read before.
+    if ((status & uart::S1_FE).any()) {
+      // The receiver waits after a wrong stop bit, so that byte is the last one in the FIFO.
+      untilBroken = uart::RCFIFO.at(offset()).read().value;
+    }
+    const bool noisy = (uart::ED.at(offset()).read() & uart::ED_NOISY).any();
+    const std::uint8_t byte = uart::D.at(offset()).read().value;
+    lost += (status & uart::S1_OR).any() ? 1U : 0U;
+    if ((status & uart::S1_RDRF).any()) {
+      lost += noisy || untilBroken == 1 || !store(byte) ? 1U : 0U;
+    }
+    untilBroken -= untilBroken != 0 ? 1U : 0U;
   }
   if (lost != 0) {
     lost_.store(lost_.load() + lost);
   }
+}
+
+bool K64Uart::store(std::uint8_t byte) {
+  if (received_.free() == 0) {
+    return false;
+  }
+  if (byte == 0 && lastStored_ != 0) {
+    endings_.put(clock_.now());
+  }
+  received_.put(byte);
+  lastStored_ = byte;
+  return true;
 }
 
 void K64Uart::send() {
@@ -83,8 +110,10 @@ void K64Uart::send() {
       !(uart::S1.at(offset()).read() & uart::S1_TDRE).any()) {
     return;
   }
+  const std::size_t places = port_ == Port::Uart0 ? kFifo : 1;
+  const std::size_t used = uart::TCFIFO.at(offset()).read().value;
   std::size_t waiting = toSend_.count();
-  if (waiting != 0) {
+  for (std::size_t i = used; i < places && waiting != 0; ++i) {
     uart::D.at(offset()).write({toSend_.take()});
     --waiting;
   }
@@ -94,8 +123,19 @@ void K64Uart::send() {
 }
 
 std::size_t K64Uart::read(std::span<std::uint8_t> bytes) {
-  const std::size_t count = std::min(bytes.size(), received_.count());
-  received_.take(bytes.first(count));
+  const std::size_t most = std::min(bytes.size(), received_.count());
+  std::size_t count = 0;
+  bool ended = false;
+  while (count != most && !ended) {
+    const std::uint8_t byte = received_.take();
+    bytes[count] = byte;
+    ++count;
+    ended = byte == 0;
+    if (ended && lastRead_ != 0) {
+      receivedAt_ = endings_.take();
+    }
+    lastRead_ = byte;
+  }
   return count;
 }
 

@@ -9,13 +9,14 @@
 #include <span>
 
 #include "devices/SerialPort.hpp"
+#include "devices/Timebase.hpp"
 
 namespace wr {
 
 /// @brief A serial port of the K64. Port 0 is the USB debug port of the board.
 /// @function Receives and sends bytes in the background: 115200 baud, 8 bits, no parity, 1 stop bit.
-/// @secret How bytes go between the registers of the port and the storage, and what the errors of the
-/// line demand.
+/// @secret How bytes move between the registers of the port and the storage, how the time of a zero byte
+/// is kept until it is read, and how errors of the line are handled.
 /// @hides{K64Uart::kBaud}
 class K64Uart final : public SerialPort {
  public:
@@ -27,63 +28,55 @@ class K64Uart final : public SerialPort {
 
   /// @brief Makes a port that is switched off.
   /// @param port which one it is; nothing else uses it
-  explicit K64Uart(Port port);
+  /// @param clock gives the time at which a zero byte is received
+  K64Uart(Port port, const Timebase& clock);
 
-  /// @brief Switches the port on.
+  /// @brief Switches the port on, port 0 with its FIFOs.
   /// @pre The core runs at its full clock, and the clock of the port runs.
   /// @isr{no}
   /// @satisfies FR-171
   void start();
 
-  /// @brief Takes what was received, and gives what is to be sent. The vectors of the port's interrupts
-  /// call it.
+  /// @brief Stores received bytes and sends written ones. The vectors of the port's interrupts call it.
   /// @isr{yes}
   /// @satisfies FR-171
   void serve();
 
   std::size_t read(std::span<std::uint8_t> bytes) override;
+  [[nodiscard]] Instant receivedAt() const override { return receivedAt_; }
   [[nodiscard]] std::size_t free() const override;
   bool write(std::span<const std::uint8_t> bytes) override;
   [[nodiscard]] std::uint16_t lostBytes() const override;
 
  private:
-  // Bytes from one writer to one reader; each may interrupt the other.
-  template <std::size_t kSize>
+  // Elements from one writer to one reader; each may interrupt the other.
+  template <class Element, std::size_t kSize>
   class Ring {
    public:
-    // Always inlined, as are load and store: these few instructions run for each byte.
+    // Always inlined, as are load and store: these few instructions run for each element.
     [[nodiscard, gnu::always_inline]] std::size_t count() const {
       return load(written_) - load(read_);
     }
     [[nodiscard]] std::size_t free() const { return kSize - count(); }
-    void put(std::span<const std::uint8_t> bytes) {  // only with room
+    void put(std::span<const Element> elements) {  // only with room
       const std::size_t at = load(written_);
-      const auto place = std::span(bytes_).subspan(at % kSize);
-      const auto ahead = bytes.first(std::min(bytes.size(), place.size()));
-      const auto rest = bytes.subspan(ahead.size());
-      std::memcpy(place.data(), ahead.data(), ahead.size());
-      std::memcpy(bytes_.data(), rest.data(), rest.size());
-      store(written_, at + bytes.size());
+      const auto place = std::span(elements_).subspan(at % kSize);
+      const auto ahead = elements.first(std::min(elements.size(), place.size()));
+      const auto rest = elements.subspan(ahead.size());
+      std::memcpy(place.data(), ahead.data(), ahead.size_bytes());
+      std::memcpy(elements_.data(), rest.data(), rest.size_bytes());
+      store(written_, at + elements.size());
     }
-    void take(std::span<std::uint8_t> bytes) {  // only with as many
-      const std::size_t at = load(read_);
-      const auto place = std::span(bytes_).subspan(at % kSize);
-      const auto ahead = place.first(std::min(bytes.size(), place.size()));
-      const auto rest = std::span(bytes_).first(bytes.size() - ahead.size());
-      std::memcpy(bytes.data(), ahead.data(), ahead.size());
-      std::memcpy(bytes.subspan(ahead.size()).data(), rest.data(), rest.size());
-      store(read_, at + bytes.size());
-    }
-    void put(std::uint8_t byte) {  // only with room
+    void put(Element element) {  // only with room
       const std::size_t at = load(written_);
-      bytes_[at % kSize] = byte;
+      elements_[at % kSize] = element;
       store(written_, at + 1);
     }
-    std::uint8_t take() {  // only with bytes
+    Element take() {  // only with elements
       const std::size_t at = load(read_);
-      const std::uint8_t byte = bytes_[at % kSize];
+      const Element element = elements_[at % kSize];
       store(read_, at + 1);
-      return byte;
+      return element;
     }
 
    private:
@@ -100,21 +93,28 @@ class K64Uart final : public SerialPort {
 
     static_assert((kSize & (kSize - 1)) == 0, "the counts wrap together with the places");
 
-    std::array<std::uint8_t, kSize> bytes_{};
+    std::array<Element, kSize> elements_{};
     std::atomic<std::size_t> written_{0};
     std::atomic<std::size_t> read_{0};
   };
 
   void receive();
+  bool store(std::uint8_t byte);
   void send();
 
   [[nodiscard]] std::uint32_t offset() const;
 
   Port port_;
+  const Timebase& clock_;
   // 115200 baud bring 1152 bytes in one cycle.
-  Ring<2048> received_;
-  Ring<512> toSend_;
+  Ring<std::uint8_t, 2048> received_;
+  // Times of the zero bytes that follow another byte: at most every second byte is one.
+  Ring<Instant, 1024> endings_;
+  Ring<std::uint8_t, 512> toSend_;
   std::atomic<std::uint32_t> lost_{0};
+  std::uint8_t lastStored_ = 0;
+  std::uint8_t lastRead_ = 0;
+  Instant receivedAt_;
 };
 
 }  // namespace wr

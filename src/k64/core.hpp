@@ -47,7 +47,7 @@ inline void closeInterrupts() {
 
 /// @brief Lets the interrupts through again.
 inline void openInterrupts() {
-  asm volatile("cpsie i" ::: "memory");
+  asm volatile("cpsie i\n\tisb" ::: "memory");
 }
 
 /// @brief Tells which exception is being handled.

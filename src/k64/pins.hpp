@@ -18,6 +18,7 @@ enum class Role : std::uint8_t {
   HighOutput,  ///< output, safe when high
   LateOutput,  ///< output, safe when low; belongs to a peripheral once that runs
   Input,       ///< input, pulled up
+  PulledUp,    ///< belongs to a peripheral, pulled up: a line that may be open
   Peripheral   ///< belongs to a peripheral
 };
 
@@ -50,15 +51,16 @@ struct PinRow {
 };
 
 // The pins that the firmware uses, one on a line. A signal of a peripheral has the name that the
-// part gives it. Left alone: J2-2, which is PTC12 from revision E of the board on only; before, it
-// is PTA0, a pin of the debugger.
+// part gives it. PTA2 is SWO after reset, which no probe of this board needs. PTE25 is also the
+// data line of the accelerometer, which is not used. Left alone: J2-2, which is PTC12 from revision
+// E of the board on only; before, it is PTA0, a pin of the debugger.
 // clang-format off
 inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3", "After reset it is the NMI; as an input it is none."},
     {{Port::A, 18, Mux::Alt0, Role::Peripheral}, "EXTAL0", "50 MHz of the Ethernet chip", "Clock of the microcontroller."},
-    {{Port::B, 16, Mux::Alt3, Role::Peripheral}, "UART0_RX", "USB debug port", "Bytes from the PC."},
+    {{Port::B, 16, Mux::Alt3, Role::PulledUp}, "UART0_RX", "USB debug port", "Bytes from the PC."},
     {{Port::B, 17, Mux::Alt3, Role::Peripheral}, "UART0_TX", "USB debug port", "Bytes to the PC."},
-    {{Port::C, 14, Mux::Alt3, Role::Peripheral}, "UART4_RX", "J199, Bluetooth", "Bytes from the remote client."},
+    {{Port::C, 14, Mux::Alt3, Role::PulledUp}, "UART4_RX", "J199, Bluetooth", "Bytes from the remote client."},
     {{Port::C, 15, Mux::Alt3, Role::Peripheral}, "UART4_TX", "J199, Bluetooth", "Bytes to the remote client."},
     {{Port::B, 22, Mux::Gpio, Role::LowOutput}, "light_red", "D12 red", "Low lights it: no control cycles run."},
     {{Port::E, 26, Mux::Gpio, Role::HighOutput}, "light_green", "D12 green", "Low lights it: control cycles run."},
@@ -69,7 +71,7 @@ inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::C, 16, Mux::Gpio, Role::LowOutput}, "wheel_fl_orientation", "J1-2", "High turns the front left wheel backwards."},
     {{Port::C, 17, Mux::Gpio, Role::LowOutput}, "wheel_fr_orientation", "J1-4", "High turns the front right wheel backwards."},
     {{Port::B, 9, Mux::Gpio, Role::LowOutput}, "wheel_rl_orientation", "J1-6", "High turns the rear left wheel backwards."},
-    {{Port::B, 23, Mux::Gpio, Role::LowOutput}, "wheel_rr_orientation", "J1-10", "High turns the rear right wheel backwards."},
+    {{Port::A, 2, Mux::Gpio, Role::LowOutput}, "wheel_rr_orientation", "J1-12", "High turns the rear right wheel backwards."},
     {{Port::C, 5, Mux::Gpio, Role::LowOutput}, "wheel_fl_enable", "J1-15", "High lets current into the front left wheel."},
     {{Port::C, 7, Mux::Gpio, Role::LowOutput}, "wheel_fr_enable", "J1-13", "High lets current into the front right wheel."},
     {{Port::C, 11, Mux::Gpio, Role::LowOutput}, "wheel_rl_enable", "J4-10", "High lets current into the rear left wheel."},
@@ -90,10 +92,12 @@ inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::B, 10, Mux::Alt0, Role::Peripheral}, "ADC1_SE14", "J4-6", "Current of the rear left wheel."},
     {{Port::B, 11, Mux::Alt0, Role::Peripheral}, "ADC1_SE15", "J4-8", "Current of the rear right wheel."},
     {{Port::C, 10, Mux::Alt0, Role::Peripheral}, "ADC1_SE6b", "J4-12", "Angle of the steering."},
-    {{Port::A, 1, Mux::Gpio, Role::Input}, "steering_left_end", "J1-8", "Low at the left end stop."},
-    {{Port::C, 18, Mux::Gpio, Role::Input}, "steering_right_end", "J6-8", "Low at the right end stop."},
+    {{Port::A, 1, Mux::Gpio, Role::Input}, "steering_left_end", "J1-8", "Low while the left end stop is not reached; high when it is, or a wire is broken."},
+    {{Port::C, 18, Mux::Gpio, Role::Input}, "steering_right_end", "J6-8", "Low while the right end stop is not reached; high when it is, or a wire is broken."},
     {{Port::B, 18, Mux::Gpio, Role::Input}, "rc_velocity", "J1-1", "Pulses of the remote control: velocity."},
     {{Port::B, 19, Mux::Gpio, Role::Input}, "rc_direction", "J1-3", "Pulses of the remote control: direction."},
+    {{Port::B, 23, Mux::Gpio, Role::Input}, "rc_enable", "J1-10", "Pulses of the remote control: enable switch."},
+    {{Port::E, 25, Mux::Gpio, Role::Input}, "emergency_stop", "J2-18", "Low while the emergency stop is released; high when it is pressed or a wire is broken."},
 });
 // clang-format on
 
@@ -162,7 +166,8 @@ consteval bool allMuxed() {
   });
   return std::ranges::all_of(kPinTable, [&](const PinRow& row) {
     const Pin& pin = row.pin;
-    if (pin.role != Role::Peripheral && pin.role != Role::LateOutput) {
+    if (pin.role != Role::Peripheral && pin.role != Role::PulledUp &&
+        pin.role != Role::LateOutput) {
       return pin.mux == Mux::Gpio;
     }
     return std::ranges::any_of(kFunctions, [&](const Function& function) {

@@ -32,8 +32,10 @@ inline constexpr auto C1_CLKS_PLL_FLL = C1.field(0, 6);
 inline constexpr auto C1_CLKS_EXTERNAL = C1.field(2, 6);
 inline constexpr Register<std::uint8_t, 0x40064001> C2;
 inline constexpr auto C2_RANGE_VERY_HIGH = C2.field(2, 4);
+inline constexpr auto C2_LOCRE0 = C2.bit(7);
 inline constexpr Register<std::uint8_t, 0x40064004> C5;
 inline constexpr Register<std::uint8_t, 0x40064005> C6;
+inline constexpr auto C6_CME0 = C6.bit(5);
 inline constexpr auto C6_PLLS = C6.bit(6);
 inline constexpr Register<std::uint8_t, 0x40064006, Access::Read> S;
 inline constexpr auto S_CLKST = S.field(3, 2);
@@ -42,6 +44,8 @@ inline constexpr auto S_CLKST_PLL = S.field(3, 2);
 inline constexpr auto S_IREFST = S.bit(4);
 inline constexpr auto S_PLLST = S.bit(5);
 inline constexpr auto S_LOCK0 = S.bit(6);
+inline constexpr Register<std::uint8_t, 0x4006400D> C8;
+inline constexpr auto C8_LOLRE = C8.bit(6);
 }  // namespace mcg
 
 /// @brief System integration module: the gates of the clocks, and their dividers.
@@ -59,11 +63,30 @@ inline constexpr auto SCGC5_PORTC = SCGC5.bit(11);
 inline constexpr auto SCGC5_PORTD = SCGC5.bit(12);
 inline constexpr auto SCGC5_PORTE = SCGC5.bit(13);
 inline constexpr Register<std::uint32_t, 0x4004803C> SCGC6;
+inline constexpr auto SCGC6_RNGA = SCGC6.bit(9);
 inline constexpr auto SCGC6_PIT = SCGC6.bit(23);
 inline constexpr auto SCGC6_FTM0 = SCGC6.bit(24);
 inline constexpr auto SCGC6_ADC0 = SCGC6.bit(27);
 inline constexpr Register<std::uint32_t, 0x40048044> CLKDIV1;
 }  // namespace sim
+
+/// @brief Random number generator.
+namespace rng {
+inline constexpr Register<std::uint32_t, 0x40029000> CR;
+inline constexpr auto CR_GO = CR.bit(0);
+inline constexpr auto CR_HA = CR.bit(1);
+inline constexpr auto CR_INTM = CR.bit(2);
+inline constexpr Register<std::uint32_t, 0x40029004, Access::Read> SR;
+inline constexpr auto SR_OREG_LVL = SR.field(0xFF, 8);
+inline constexpr Register<std::uint32_t, 0x4002900C, Access::Read> OR;
+}  // namespace rng
+
+/// @brief Power management: supervision of the supply.
+namespace pmc {
+inline constexpr Register<std::uint8_t, 0x4007D000, Access::Flags> LVDSC1;
+inline constexpr auto LVDSC1_LVDV_HIGH = LVDSC1.field(1, 0);
+inline constexpr auto LVDSC1_LVDRE = LVDSC1.bit(4);
+}  // namespace pmc
 
 /// @brief Reset control: what reset the part.
 namespace rcm {
@@ -88,9 +111,13 @@ inline constexpr std::uint32_t kPinDistance = 4;        // from one pin to the n
 inline constexpr Register<std::uint32_t, 0x40049000, Access::Flags> PCR;
 inline constexpr auto PCR_PS = PCR.bit(0);
 inline constexpr auto PCR_PE = PCR.bit(1);
+inline constexpr auto PCR_DSE = PCR.bit(6);
 inline constexpr unsigned kMuxLowest = 8;
 inline constexpr auto PCR_IRQC_BOTH_EDGES = PCR.field(11, 16);
 inline constexpr Register<std::uint32_t, 0x400490A0, Access::Flags> ISFR;
+inline constexpr Register<std::uint32_t, 0x400490C0> DFER;
+inline constexpr Register<std::uint32_t, 0x400490C4> DFCR;
+inline constexpr Register<std::uint32_t, 0x400490C8> DFWR;
 }  // namespace port
 
 /// @brief General purpose input and output.
@@ -141,7 +168,7 @@ inline constexpr auto SC1A_ADCH_NONE = SC1A.field(0x1F, 0);
 inline constexpr auto SC1A_AIEN = SC1A.bit(6);
 inline constexpr auto SC1A_COCO = SC1A.bit(7);
 inline constexpr Register<std::uint32_t, 0x4003B008> CFG1;
-inline constexpr auto CFG1_ADICLK_HALF_BUS = CFG1.field(1, 0);
+inline constexpr auto CFG1_ADICLK_BUS = CFG1.field(0, 0);
 inline constexpr auto CFG1_MODE_12_BITS = CFG1.field(1, 2);
 inline constexpr auto CFG1_ADLSMP = CFG1.bit(4);
 inline constexpr auto CFG1_ADIV_8 = CFG1.field(3, 5);
@@ -175,7 +202,6 @@ inline constexpr auto C2_RIE = C2.bit(5);
 inline constexpr auto C2_TIE = C2.bit(7);
 inline constexpr Register<std::uint8_t, 0x4006A004, Access::Read> S1;
 inline constexpr auto S1_FE = S1.bit(1);
-inline constexpr auto S1_NF = S1.bit(2);
 inline constexpr auto S1_OR = S1.bit(3);
 inline constexpr auto S1_RDRF = S1.bit(5);
 inline constexpr auto S1_TDRE = S1.bit(7);
@@ -183,6 +209,16 @@ inline constexpr Register<std::uint8_t, 0x4006A006> C3;
 inline constexpr auto C3_ORIE = C3.bit(3);
 inline constexpr Register<std::uint8_t, 0x4006A007, Access::Flags> D;
 inline constexpr Register<std::uint8_t, 0x4006A00A> C4;
+inline constexpr Register<std::uint8_t, 0x4006A00C, Access::Read> ED;
+inline constexpr auto ED_NOISY = ED.bit(7);
+inline constexpr Register<std::uint8_t, 0x4006A010> PFIFO;
+inline constexpr auto PFIFO_RXFE = PFIFO.bit(3);
+inline constexpr auto PFIFO_TXFE = PFIFO.bit(7);
+inline constexpr Register<std::uint8_t, 0x4006A011, Access::Flags> CFIFO;
+inline constexpr auto CFIFO_RXFLUSH = CFIFO.bit(6);
+inline constexpr auto CFIFO_TXFLUSH = CFIFO.bit(7);
+inline constexpr Register<std::uint8_t, 0x4006A014, Access::Read> TCFIFO;
+inline constexpr Register<std::uint8_t, 0x4006A016, Access::Read> RCFIFO;
 }  // namespace uart
 
 /// @brief Interrupt controller of the core.
@@ -198,6 +234,8 @@ namespace scb {
 inline constexpr Register<std::uint32_t, 0xE000ED0C, Access::Flags> AIRCR;
 inline constexpr auto AIRCR_SYSRESETREQ = AIRCR.bit(2);
 inline constexpr auto AIRCR_VECTKEY = AIRCR.field(0x05FA, 16);
+inline constexpr Register<std::uint32_t, 0xE000ED14> CCR;
+inline constexpr auto CCR_DIV_0_TRP = CCR.bit(4);
 inline constexpr Register<std::uint32_t, 0xE000ED28, Access::Flags> CFSR;
 inline constexpr auto CFSR_MEMORY = CFSR.field(0xFF, 0);
 inline constexpr auto CFSR_BUS = CFSR.field(0xFF, 8);

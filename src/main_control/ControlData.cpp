@@ -7,7 +7,7 @@ namespace wr {
 void ControlData::beginCycle(Instant clockPulse) {
   ++cycle_;
   clockPulse_ = clockPulse;
-  stopped_ = false;
+  stopSources_ = 0;
   orderRead_ = false;
   held_ = false;
   overran_ = false;
@@ -35,8 +35,8 @@ void ControlData::saveSetPoints(const SetPoints& setPoints) {
   orderRead_ = true;
 }
 
-void ControlData::saveStop(bool stop) {
-  stopped_ = stop;
+void ControlData::saveStop(std::uint8_t sources) {
+  stopSources_ = sources;
 }
 
 void ControlData::saveHeld(bool held) {
@@ -55,7 +55,7 @@ const std::optional<SetPoints>& ControlData::setPoints() const {
 }
 
 bool ControlData::stopped() const {
-  return stopped_;
+  return stopSources_ != 0;
 }
 
 std::uint32_t ControlData::cycle() const {
@@ -72,21 +72,34 @@ Outputs& ControlData::outputs() {
 
 ReportData ControlData::report(OperationStateId state, ModeId mode,
                                const LinkCounts& counts) const {
-  return {.cycle = cycle_,
-          .time = clockPulse_,
-          .operationState = static_cast<std::uint8_t>(state),
-          .readingMode = static_cast<std::uint8_t>(mode),
-          .source = static_cast<std::uint8_t>(source_),
-          .stop = stopped_,
-          .orderRead = orderRead_,
-          .held = held_,
-          .overran = overran_,
-          .setPoints = setPoints_.value_or(SetPoints{}),
-          .measurements = measurements_,
-          .outputs = outputs_,
-          .overruns = overruns_,
-          .link = counts,
-          .costs = costs_};
+  const Inhibit why = inhibit(state);
+  ReportData data{.cycle = cycle_,
+                  .time = clockPulse_,
+                  .operationState = static_cast<std::uint8_t>(state),
+                  .readingMode = static_cast<std::uint8_t>(mode),
+                  .source = static_cast<std::uint8_t>(source_),
+                  .stopSources = stopSources_,
+                  .orderRead = orderRead_,
+                  .held = held_ || why != Inhibit::None,
+                  .overran = overran_,
+                  .setPoints = setPoints_.value_or(SetPoints{}),
+                  .measurements = measurements_,
+                  .outputs = outputs_,
+                  .overruns = overruns_,
+                  .link = counts,
+                  .costs = costs_};
+  data.measurements.protection.inhibit = why;
+  return data;
+}
+
+Inhibit ControlData::inhibit(OperationStateId state) const {
+  if (stopped()) {
+    return Inhibit::Stop;
+  }
+  if (!setPoints_ || state == OperationStateId::Reconnecting) {
+    return Inhibit::NoOrder;
+  }
+  return measurements_.protection.inhibit;
 }
 
 }  // namespace wr

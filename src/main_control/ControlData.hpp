@@ -57,11 +57,12 @@ class ControlData {
   /// @isr{no}
   void saveSetPoints(const SetPoints& setPoints);
 
-  /// @brief Notes whether a stop is in force in this cycle.
-  /// @param stop true if any source ordered a stop
+  /// @brief Saves which sources order stop in this cycle.
+  /// @param sources a bit for each source [bit n: the source with the mode id n orders stop]
   /// @isr{no}
   /// @satisfies FR-175
-  void saveStop(bool stop);
+  /// @satisfies FR-242
+  void saveStop(std::uint8_t sources);
 
   /// @brief Notes whether the control systems are held in this cycle.
   /// @param held true if the wheels are halted and the steering is held
@@ -110,18 +111,25 @@ class ControlData {
   /// @param counts what the link counted
   /// @return content of the report.
   /// @satisfies FR-61
+  /// @satisfies FR-175
+  /// @satisfies FR-242
+  /// @satisfies FR-249
   /// @isr{no}
   [[nodiscard]] ReportData report(OperationStateId state, ModeId mode,
                                   const LinkCounts& counts) const;
 
  private:
+  /// @brief Returns why the set-points are not followed in this cycle.
+  /// @satisfies FR-242
+  [[nodiscard]] Inhibit inhibit(OperationStateId state) const;
+
   std::optional<SetPoints> setPoints_;
   ModeId source_ = ModeId::None;
   ModeId readSource_ = ModeId::None;
   std::uint16_t overruns_ = 0;
   std::uint32_t cycle_ = 0;
   Instant clockPulse_{0};
-  bool stopped_ = false;
+  std::uint8_t stopSources_ = 0;  // bit n: the source with the mode id n orders stop
   bool orderRead_ = false;
   bool held_ = false;
   bool overran_ = false;

@@ -37,6 +37,7 @@ void MainController::cycle() {
   const Stamped<std::uint32_t> pulse = *pulses_.read();
   data_.beginCycle(pulse.at);
   data_.saveStart(pulse.value, timebase_.awakeCycles());
+  connection_.beginCycle(pulse.at);
   serveSources();
   noteStop();
   read();
@@ -112,11 +113,12 @@ void MainController::serveSources() {
 }
 
 void MainController::noteStop() {
-  bool ordered = false;
+  std::uint32_t sources = 0;
   for (const Mode* mode : modes_) {
-    ordered = ordered || mode->stopOrdered();
+    const std::uint32_t bit = 1U << static_cast<std::uint32_t>(mode->id());
+    sources |= mode->stopOrdered() ? bit : 0;
   }
-  data_.saveStop(ordered);
+  data_.saveStop(static_cast<std::uint8_t>(sources));
 }
 
 void MainController::noteOverrun() {

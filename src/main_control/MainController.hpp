@@ -155,7 +155,7 @@ class MainController {
   /// @brief Has every source of orders take in what came.
   /// @satisfies FR-35
   void serveSources();
-  /// @brief Saves whether any source ordered a stop.
+  /// @brief Saves which sources order stop.
   /// @satisfies FR-21
   void noteStop();
   /// @brief Saves whether the present cycle overran.

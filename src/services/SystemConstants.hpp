@@ -92,13 +92,21 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr Tension motorConstant() const { return Tension(5236); }
 
-  /// @brief Tells the velocity below which a wheel counts as standing. Half of what its Hall sensors
-  /// resolve in a cycle: 5 rpm are an edge in two cycles.
+  /// @brief Returns the resistance of the winding of a wheel motor and its leads. Assumption: 16 A through
+  /// a blocked motor at 24 V.
+  /// @return resistance [mOhm]
+  /// @satisfies FR-85
+  /// @satisfies FR-224
+  /// @isr{yes}
+  [[nodiscard]] constexpr std::int32_t winding() const { return 1500; }
+
+  /// @brief Returns the velocity below which a wheel is slow: its motor makes 2.1 V itself, which drive
+  /// 1.4 A. A short-circuited wheel is slow on slopes of up to 11 %.
   /// @return velocity at the motor shaft [0.1 rpm]
   /// @satisfies FR-87
   /// @satisfies FR-89
   /// @isr{yes}
-  [[nodiscard]] constexpr Velocity standstill() const { return Velocity(50); }
+  [[nodiscard]] constexpr Velocity slow() const { return Velocity(400); }
 
   /// @brief Tells how many edges the two Hall sensors of a wheel give in one turn of the motor shaft.
   /// Assumption: a motor with 15 pairs of poles, two sensors, two edges each.

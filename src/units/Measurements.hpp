@@ -15,9 +15,10 @@ struct WheelMeasurements {
   std::optional<Velocity> velocity;   ///< velocity at the motor shaft
   std::optional<Current> current;     ///< current of the motor
   std::optional<HallCount> position;  ///< position of the wheel
-  bool cutOff = false;                ///< its driver is switched off: the current was too high
-  bool blind = false;                 ///< it has tension, and its Hall sensors give no edge
-  std::uint16_t rejectedEdges = 0;    ///< edges that cannot be, since start, at most 65535
+  bool cutOff = false;                ///< its overcurrent trip has acted
+  bool blind = false;                 ///< it has tension, and its Hall sensors show no motion
+  bool reversalLate = false;          ///< it could not change its orientation in time
+  std::uint16_t rejectedEdges = 0;    ///< implausible Hall edges since start, at most 65535
 
   /// @brief Tells whether two measurements are the same.
   friend constexpr bool operator==(const WheelMeasurements&, const WheelMeasurements&) = default;

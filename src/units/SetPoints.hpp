@@ -36,6 +36,7 @@ struct SetPoints {
   Angle steering{};                                 ///< angle of the steering device
   std::array<WheelSetPoint, kWheelCount> wheels{};  ///< one set-point for each wheel
   bool acknowledge = false;  ///< releases latched faults; such an order moves nothing
+  std::uint32_t sentAt = 0;  ///< time of the sender's clock when the order was sent [ms]
 
   /// @brief Tells whether two orders set the same.
   friend constexpr bool operator==(const SetPoints&, const SetPoints&) = default;

@@ -16,7 +16,12 @@ constexpr std::int32_t kFull = 10000;  // [0.01 %] duty cycle of the whole suppl
 Wheel::CutOff::CutOff(Wheel& wheel) : wheel_(wheel) {}
 
 void Wheel::CutOff::execute() {
-  wheel_.isCutOff_.store(true);
+  const Trip before = wheel_.trip_.load();
+  if (before == Trip::None) {
+    wheel_.trip_.store(Trip::Tripped);
+  } else if (before == Trip::Braking) {
+    wheel_.trip_.store(Trip::Off);
+  }
   wheel_.enable_.set(false);
 }
 
@@ -25,14 +30,31 @@ Wheel::Wheel(PwmOutput& pwm, DigitalOutput& orientation, DigitalOutput& enable)
 
 void Wheel::stop() {
   pwm_.set(DutyCycle());
-  enableDriver();
+  switch (trip_.load()) {
+    case Trip::None:
+      enableDriver(Trip::None);
+      break;
+    case Trip::Tripped:
+      trip_.store(Trip::Decaying);
+      break;
+    case Trip::Decaying:
+      trip_.store(Trip::Braking);
+      enableDriver(Trip::Braking);
+      break;
+    case Trip::Braking:
+    case Trip::Off:
+      break;
+  }
 }
 
 void Wheel::setTension(Tension magnitude) {
   constexpr Tension kSupply = SystemConstants::instance().supply();
+  if (isCutOff()) {
+    return;
+  }
   const Tension possible = std::clamp(magnitude, Tension(), kSupply);
   pwm_.set(DutyCycle((possible.count() * kFull + kSupply.count() / 2) / kSupply.count()));
-  enableDriver();
+  enableDriver(Trip::None);
 }
 
 void Wheel::setOrientation(bool backwards) {
@@ -44,18 +66,18 @@ Command& Wheel::cutOff() {
 }
 
 bool Wheel::isCutOff() const {
-  return isCutOff_.load();
+  return trip_.load() != Trip::None;
 }
 
 void Wheel::release() {
-  isCutOff_.store(false);
+  trip_.store(Trip::None);
 }
 
-void Wheel::enableDriver() {
-  if (!isCutOff_.load()) {
+void Wheel::enableDriver(Trip permitted) {
+  if (trip_.load() == permitted) {
     enable_.set(true);
   }
-  if (isCutOff_.load()) {  // the interrupt may have come before the driver was switched on
+  if (trip_.load() != permitted) {  // the interrupt may have come before the driver was switched on
     enable_.set(false);
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 
 #include "devices/DigitalOutput.hpp"
 #include "devices/PwmOutput.hpp"
@@ -12,12 +13,12 @@ namespace wr {
 /// @brief One wheel: its motor behind a driver.
 ///
 /// @function Sets tension and orientation of the motor, stops it, and switches its driver off when the
-/// current is too high. An enabled driver puts the duty cycle's share of the supply on the motor,
+/// current is too high: the overcurrent trip. An enabled driver puts the duty cycle's share of the supply on the motor,
 /// in the present orientation: the motor can drive and brake in it. Without duty cycle the motor is
 /// short-circuited and brakes. A disabled driver leaves the motor open, and the wheel coasts.
 ///
-/// @secret How the driver of a motor is made to apply a tension, and how a driver that an interrupt has
-/// switched off is kept from being switched on again.
+/// @secret How the driver of a motor is made to apply a tension, how a tripped driver brakes, and how an
+/// interrupt and a thread share its state.
 ///
 /// @role{wheel-commands, Receiver}
 class Wheel final {
@@ -32,16 +33,20 @@ class Wheel final {
   Wheel(const Wheel&) = delete;
   Wheel& operator=(const Wheel&) = delete;
 
-  /// @brief Takes all tension from the motor: it is short-circuited and brakes.
-  /// @post The driver is enabled, unless it is cut off.
+  /// @brief Removes all tension from the motor: it is short-circuited and brakes. A wheel calls it once in
+  /// each control cycle of an overcurrent trip: the second call, when the current has decayed, enables
+  /// the driver for braking.
+  /// @post The driver is enabled, unless its overcurrent trip is younger than a cycle or has acted twice.
   /// @satisfies FR-88
+  /// @satisfies FR-89
+  /// @satisfies FR-221
   /// @isr{no}
   void stop();
 
   /// @brief Sets the tension, in the present orientation. The duty cycle is rounded to the nearest
   /// 0.01 %.
   /// @param magnitude tension [mV], 0 to 24000; what is beyond counts as the limit
-  /// @post The driver is enabled, unless it is cut off.
+  /// @post The driver is enabled; after an overcurrent trip neither tension nor driver change.
   /// @satisfies FR-80
   /// @satisfies FR-86
   /// @isr{no}
@@ -53,25 +58,35 @@ class Wheel final {
   /// @isr{no}
   void setOrientation(bool backwards);
 
-  /// @brief Gives the command that switches the driver off at once, for an interrupt to execute.
-  /// @return command of this wheel; after it nothing but release() lets the driver be switched on
+  /// @brief Returns the command of the overcurrent trip, for an interrupt to execute. It switches the
+  /// driver off at once.
+  /// @return command of this wheel; after it the motor has no tension until release()
   /// @satisfies FR-89
   /// @isr{yes}
   [[nodiscard]] Command& cutOff();
 
-  /// @brief Tells whether the driver is cut off.
+  /// @brief Checks whether the overcurrent trip has acted.
   /// @return true from the execution of cutOff() to release()
   /// @satisfies FR-89
   /// @isr{yes}
   [[nodiscard]] bool isCutOff() const;
 
-  /// @brief Ends the cut-off. The driver is switched on by the next setTension() or stop().
+  /// @brief Resets the overcurrent trip. The next setTension() or stop() enables the driver.
   /// @satisfies FR-89
   /// @isr{no}
   void release();
 
  private:
-  /// Switches the driver off, and keeps it off.
+  /// What the overcurrent trip has done.
+  enum class Trip : std::uint8_t {
+    None,      ///< nothing
+    Tripped,   ///< the driver is off
+    Decaying,  ///< the driver is off, and a thread has seen it
+    Braking,   ///< the driver is on, without tension
+    Off        ///< it acted again while braking: the driver stays off
+  };
+
+  /// Switches the driver off.
   class CutOff final : public Command {
    public:
     explicit CutOff(Wheel& wheel);
@@ -81,15 +96,15 @@ class Wheel final {
     Wheel& wheel_;
   };
 
-  void enableDriver();
+  void enableDriver(Trip permitted);
 
   CutOff command_;
   PwmOutput& pwm_;
   DigitalOutput& orientation_;
   DigitalOutput& enable_;
-  std::atomic<bool> isCutOff_{false};  // an interrupt sets it, the thread of the wheel clears it
+  std::atomic<Trip> trip_{Trip::None};  // shared by an interrupt and the thread of the wheel
 
-  static_assert(std::atomic<bool>::is_always_lock_free, "an interrupt cannot wait");
+  static_assert(std::atomic<Trip>::is_always_lock_free, "an interrupt cannot wait");
 };
 
 }  // namespace wr

@@ -10,9 +10,11 @@ namespace wr {
 
 namespace {
 
-constexpr Tension kMuch(6000);             // tension beyond which a wheel must turn
-constexpr std::uint8_t kBlindCycles = 10;  // cycles that it has to do so
-constexpr std::int32_t kJitter = 1;        // edges to and fro that one working sensor gives
+constexpr Tension kLeastEffort(1500);        // a tension beyond this is expected to turn a wheel
+constexpr std::int32_t kMostEffort = 45000;  // [mV cycles] 4.5 V s: 6 V for 0.75 s
+constexpr std::int32_t kJitter = 1;          // edges to and fro that one working sensor gives
+constexpr Tension kReversal(500);            // a demand below this needs no orientation of its own
+constexpr std::uint8_t kMostWaiting = 20;    // cycles that a reversal may wait for a slow wheel
 
 // The value of a measurement, unless it has grown old.
 template <class T>
@@ -37,10 +39,10 @@ WheelController::WheelController(const Parts& parts)
       stopWheel_(parts.stopWheel) {}
 
 void WheelController::control(const WheelSetPoint& setPoint, HallCount position) {
-  watch(position);
+  watchMotion(setPoint, position);
   const std::optional<Velocity> measuredVelocity = velocity();
   const std::optional<Current> measuredCurrent = current();
-  if (measuredVelocity && measuredCurrent && !blind_) {
+  if (measuredVelocity && measuredCurrent && !blind_ && !reversalLate_) {
     follow(setPoint, {.velocity = *measuredVelocity, .current = *measuredCurrent});
   } else {
     lower();
@@ -48,17 +50,23 @@ void WheelController::control(const WheelSetPoint& setPoint, HallCount position)
 }
 
 void WheelController::halt() {
-  blind_ = false;
-  stillCycles_ = 0;
+  waitingCycles_ = 0;
   lower();
 }
 
 void WheelController::driverOff() {
   stopWheel_.execute(Tension());
-  stillCycles_ = 0;
+  waitingCycles_ = 0;
   advance_.resume(Tension());
   resetAlgorithms();
   applied_.reset();
+}
+
+void WheelController::release() {
+  blind_ = false;
+  effort_ = 0;
+  reversalLate_ = false;
+  waitingCycles_ = 0;
 }
 
 std::optional<Velocity> WheelController::velocity() const {
@@ -77,16 +85,29 @@ bool WheelController::blind() const {
   return blind_;
 }
 
-void WheelController::watch(HallCount position) {
-  const Tension applied = applied_.value_or(Tension());
-  const std::int32_t turned = position.count() - seen_.count();
-  if (std::abs(applied.count()) <= kMuch.count() || std::abs(turned) > kJitter) {
+bool WheelController::reversalLate() const {
+  return reversalLate_;
+}
+
+// A wheel that is ordered to stand still may keep its tension without motion, on a slope.
+void WheelController::watchMotion(const WheelSetPoint& setPoint, HallCount position) {
+  const std::int32_t tension = std::abs(applied_.value_or(Tension()).count());
+  if (std::abs(position.count() - seen_.count()) > kJitter) {
     seen_ = position;
-    stillCycles_ = 0;
-    return;
+    effort_ = 0;
+  } else if (tension <= kLeastEffort.count() || setPoint == WheelSetPoint{}) {
+    effort_ = std::max(effort_ - kLeastEffort.count(), std::int32_t{0});
+  } else {
+    effort_ += tension;
   }
-  ++stillCycles_;
-  blind_ = blind_ || stillCycles_ >= kBlindCycles;
+  blind_ = blind_ || effort_ >= kMostEffort;
+}
+
+// While a reversal waits for the wheel, its demand is not applied.
+void WheelController::watchReversal(Tension demand) {
+  const bool waits = std::abs(demand.count()) >= kReversal.count() && applied_ == Tension();
+  waitingCycles_ = waits ? static_cast<std::uint8_t>(waitingCycles_ + 1) : std::uint8_t{0};
+  reversalLate_ = reversalLate_ || waitingCycles_ > kMostWaiting;
 }
 
 void WheelController::follow(const WheelSetPoint& setPoint, const WheelFeedback& feedback) {
@@ -99,6 +120,7 @@ void WheelController::follow(const WheelSetPoint& setPoint, const WheelFeedback&
   const Tension demand = algorithm.calculate(setPoint.value, feedback);
   applied_ = advance_.apply(std::clamp(demand, -kMost, kMost), feedback.velocity);
   algorithm.applied(*applied_);
+  watchReversal(demand);
 }
 
 void WheelController::lower() {

@@ -20,7 +20,7 @@ namespace wr {
 /// quantity calculate a tension, and has a behaviour apply it. It stops a wheel that cannot be
 /// controlled.
 ///
-/// @secret Which measured values control needs, and what makes a wheel one that cannot be controlled.
+/// @secret Which measured values control needs, and how it is found that a wheel cannot be controlled.
 ///
 /// @role{wheel-control-algorithms, Context}
 /// @role{wheel-behaviours, Context}
@@ -47,28 +47,35 @@ class WheelController final {
   WheelController& operator=(const WheelController&) = delete;
 
   /// @brief Brings the wheel towards its set-point for one cycle. A wheel whose velocity or current is
-  /// missing, or that is blind, is stopped.
+  /// missing, that shows no motion or whose reversal is late is stopped.
   /// @param setPoint what the wheel shall reach
   /// @param position position of the wheel
   /// @satisfies FR-80
   /// @satisfies FR-86
   /// @satisfies FR-90
   /// @satisfies FR-91
+  /// @satisfies FR-222
   /// @isr{no}
   void control(const WheelSetPoint& setPoint, HallCount position);
 
-  /// @brief Stops the wheel for one cycle. It is no longer blind.
+  /// @brief Stops the wheel for one cycle. Latched faults stay.
   /// @satisfies FR-88
-  /// @satisfies FR-91
   /// @satisfies FR-95
   /// @isr{no}
   void halt();
 
-  /// @brief Takes note that the driver of the wheel is off: nothing is applied, and nothing shall be when
-  /// it is switched on again.
+  /// @brief Stops a wheel whose overcurrent trip has acted: nothing is applied, and control starts from
+  /// nothing after the release.
   /// @satisfies FR-89
+  /// @satisfies FR-221
   /// @isr{no}
   void driverOff();
+
+  /// @brief Releases the latched faults: no motion, and a late reversal.
+  /// @satisfies FR-91
+  /// @satisfies FR-222
+  /// @isr{no}
+  void release();
 
   /// @brief Tells the measured velocity.
   /// @return velocity [0.1 rpm]; nothing when it is older than the lifetime of a measurement
@@ -90,14 +97,21 @@ class WheelController final {
   /// @isr{no}
   [[nodiscard]] std::optional<Tension> applied() const;
 
-  /// @brief Tells whether the wheel is blind: it had tension, and its position did not change.
-  /// @return true until the wheel is halted
+  /// @brief Checks whether the wheel had tension and its Hall sensors showed no motion.
+  /// @return true until release()
   /// @satisfies FR-91
   /// @isr{no}
   [[nodiscard]] bool blind() const;
 
+  /// @brief Checks whether the wheel could not change its orientation in time.
+  /// @return true until release()
+  /// @satisfies FR-222
+  /// @isr{no}
+  [[nodiscard]] bool reversalLate() const;
+
  private:
-  void watch(HallCount position);
+  void watchMotion(const WheelSetPoint& setPoint, HallCount position);
+  void watchReversal(Tension demand);
   void follow(const WheelSetPoint& setPoint, const WheelFeedback& feedback);
   void lower();
   void resetAlgorithms();
@@ -111,9 +125,11 @@ class WheelController final {
   WheelCommand& stopWheel_;
   WheelQuantity quantity_ = WheelQuantity::Velocity;  // what the last set-point set
   std::optional<Tension> applied_;
-  HallCount seen_{};              // position when the wheel was last seen to turn
-  std::uint8_t stillCycles_ = 0;  // cycles in a row with tension and without a turn
+  HallCount seen_{};                // position when the wheel was last seen to turn
+  std::int32_t effort_ = 0;         // [mV cycles] tension times the time without motion
+  std::uint8_t waitingCycles_ = 0;  // cycles in a row in which a reversal waits without tension
   bool blind_ = false;
+  bool reversalLate_ = false;
 };
 
 }  // namespace wr

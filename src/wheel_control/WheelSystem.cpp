@@ -28,8 +28,8 @@ void WheelSystem::collect(Measurements& measurements, Outputs& outputs) const {
 void WheelSystem::measure() {
   work_ = {};
   count_ = 0;
-  note(parts_.registerPosition);
   note(parts_.readVelocity);
+  note(parts_.registerPosition);
   note(parts_.readCurrent);
 }
 

@@ -31,9 +31,9 @@ class WheelSystem final : public ControlSystem {
   struct Parts {
     std::size_t wheel;             ///< number of the wheel, 0 to 3
     ControlThread& thread;         ///< executes the orders
-    WheelOrder& registerPosition;  ///< the first order of a cycle
-    WheelOrder& readVelocity;      ///< the second one
-    WheelOrder& readCurrent;       ///< the third one
+    WheelOrder& readVelocity;      ///< the first order of a cycle
+    WheelOrder& registerPosition;  ///< the second order
+    WheelOrder& readCurrent;       ///< the third order
     WheelOrder& applyControl;      ///< the last one when the wheel follows its set-point
     WheelOrder& haltWheel;         ///< the last one when the wheel stands still
   };

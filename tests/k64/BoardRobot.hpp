@@ -35,7 +35,7 @@ inline constexpr std::array<SafePin, 17> kSafePins{{
     {'C', 16, false},
     {'C', 17, false},
     {'B', 9, false},
-    {'B', 23, false},
+    {'A', 2, false},
     {'C', 5, false},
     {'C', 7, false},
     {'C', 11, false},
@@ -113,10 +113,12 @@ inline constexpr std::uint32_t kSystemReset = 0xE000ED0C;
 inline constexpr int kPowerOn = 1;
 inline constexpr int kPinReset = 3;
 inline constexpr int kByWatchdog = 4;
+inline constexpr int kClockLost = 5;
 inline constexpr int kBySoftware = 7;
 inline constexpr int kNoFault = 0;
 inline constexpr int kAssertion = 1;
 inline constexpr int kHardFault = 2;
+inline constexpr int kMemoryFault = 3;
 inline constexpr int kBusFault = 4;
 inline constexpr int kUsageFault = 5;
 inline constexpr int kUnexpectedInterrupt = 6;

@@ -66,6 +66,67 @@ TEST(K64AdcOnBoard, FR142_EachInputGivesAValueInEachMillisecond) {
   }
 }
 
+/// @brief Each input is converted once in each tick, neither twice nor not at all.
+/// @verifies FR-142
+TEST(K64AdcOnBoard, FR142_EachInputIsConvertedOnceInEachTick) {
+  constexpr std::uint32_t kTick = 16 + 49;
+  constexpr std::size_t kTicks = 200;
+  DriverBoard drivers;
+  drivers.startUp();
+  std::vector<std::array<int, kInputs.size()>> ticks;
+  drivers.board.onEvent([&](const k64::Event& event) {
+    if (event.kind == k64::Event::Kind::LineRaised && event.number == kTick) {
+      ticks.emplace_back();
+    }
+  });
+  drivers.board.onWrite([&](std::uint32_t address, unsigned /*size*/, std::uint32_t value) {
+    for (std::size_t input = 0; input < kInputs.size() && !ticks.empty(); ++input) {
+      const auto converter = static_cast<std::uint32_t>(kInputs.at(input).converter);
+      const auto channel = static_cast<std::uint32_t>(kInputs.at(input).channel);
+      if (address == kConverterBegin + converter * kDistance && (value & kNoChannel) == channel) {
+        ++ticks.back().at(input);
+      }
+    }
+  });
+  drivers.run(milliseconds(kTicks + 1));
+  ASSERT_GE(ticks.size(), kTicks);
+  for (std::size_t tick = 0; tick + 1 < ticks.size(); ++tick) {
+    EXPECT_EQ(ticks[tick], (std::array{1, 1, 1, 1, 1})) << tick;
+  }
+}
+
+/// @brief When one converter alone fails its calibration, its inputs give no value, and those of the other
+/// converter do.
+/// @verifies FR-143
+TEST(K64AdcOnBoard, FR143_OneConverterFailsAlone) {
+  for (const int failed : {0, 1}) {
+    DriverBoard drivers({.elf = {}, .calibrates = {failed != 0, failed != 1}});
+    drivers.startUp();
+    drivers.run(milliseconds(100));
+    const std::vector<std::uint16_t> samples = drivers.ask('A');
+    ASSERT_EQ(samples.size(), 2 * kInputs.size());
+    for (std::size_t input = 0; input < kInputs.size(); ++input) {
+      EXPECT_EQ(samples[2 * input] == 0, kInputs.at(input).converter == failed) << input;
+    }
+  }
+}
+
+/// @brief An open input without its resistor to ground gives the value of the input before it; with the
+/// resistor it gives 0.
+/// @verifies FR-205
+TEST(K64AdcOnBoard, FR205_OpenInputNeedsItsResistor) {
+  DriverBoard drivers;
+  drivers.startUp();
+  apply(drivers, 2, kReference / 2);
+  apply(drivers, 3, kReference / 2);
+  drivers.board.openAnalog(kInputs[4].converter, kInputs[4].channel);
+  drivers.run(milliseconds(10));
+  EXPECT_EQ(drivers.ask('A')[9], 2048) << "the charge of the input before it";
+  apply(drivers, 4, 0.0);
+  drivers.run(milliseconds(10));
+  EXPECT_EQ(drivers.ask('A')[9], 0);
+}
+
 /// @brief Each converter is calibrated before it converts for the first time, and the start takes less
 /// than 10 ms.
 /// @verifies FR-143
@@ -92,7 +153,7 @@ TEST(K64AdcOnBoard, FR143_ConvertersAreCalibratedBeforeTheyConvert) {
 /// @brief When the calibration fails the firmware starts all the same, and no input ever gives a value.
 /// @verifies FR-143
 TEST(K64AdcOnBoard, FR143_AfterAFailedCalibrationThereAreNoValues) {
-  DriverBoard drivers({.elf = {}, .calibrates = false});
+  DriverBoard drivers({.elf = {}, .calibrates = {false, false}});
   drivers.startUp();
   apply(drivers, 0, 1.0);
   drivers.run(milliseconds(500));
@@ -121,11 +182,28 @@ TEST(K64AdcInTheRobot, FR142_ReportsHaveTheCurrentsAndTheAngle) {
   }
 }
 
+/// @brief The report shows no angle when the wire of its sensor is open and its input has the resistor.
+/// @verifies FR-205
+TEST(K64AdcInTheRobot, FR205_OpenInputOfTheAngleIsMissing) {
+  constexpr Input kAngle = kInputs[4];
+  BoardRobot robot;
+  robot.startUp();
+  robot.connect();
+  ASSERT_NE(robot.report().measured & kSteeringPosition, 0);
+  robot.board.onWrite([&](std::uint32_t address, unsigned /*size*/, std::uint32_t value) {
+    if (address == kConverterBegin + kDistance && (value & kNoChannel) == kAngle.channel) {
+      robot.board.setAnalog(kAngle.converter, kAngle.channel, 0.0);
+    }
+  });
+  robot.silentCycles(3);
+  EXPECT_EQ(robot.report().measured & kSteeringPosition, 0);
+}
+
 /// @brief When the calibration failed the robot runs, and its reports tell that the currents and the angle
 /// are missing.
 /// @verifies FR-143
 TEST(K64AdcInTheRobot, FR143_AfterAFailedCalibrationTheCurrentsAreMissing) {
-  BoardRobot robot(k64::Options{.calibrates = false});
+  BoardRobot robot(k64::Options{.calibrates = {false, false}});
   robot.startUp();
   robot.connect();
   robot.cycles(3);

@@ -122,27 +122,130 @@ TEST(K64BoardOnBoard, FR72_CoreRunsAt120MegahertzBeforeTheFirstCycle) {
   EXPECT_EQ(robot.askForWelcome().resetCause, kPowerOn);
 }
 
-/// @brief Without the external clock no cycle runs, the outputs stay safe, and the watchdog begins the
-/// start again and again. When the clock comes back the robot starts and tells it.
+struct ClockFailure {
+  const char* name;
+  k64::Options options;
+  int step;
+};
+
+std::ostream& operator<<(std::ostream& out, const ClockFailure& failure) {
+  return out << failure.name;
+}
+
+class K64BoardWithoutClock : public testing::TestWithParam<ClockFailure> {
+ protected:
+  // Runs to a time of an attempt. The outputs are safe at each microsecond but those between a
+  // reset and the first stores of the start.
+  static void runSafely(BoardRobot& robot, nanoseconds duration) {
+    constexpr nanoseconds kFirstStores{100'000};
+    const nanoseconds end = robot.board.now() + duration;
+    int resets = robot.board.resets();
+    nanoseconds begin = robot.board.now();
+    while (robot.board.now() < end) {
+      robot.run(kSlice);
+      if (robot.board.resets() != resets) {
+        resets = robot.board.resets();
+        begin = robot.board.now();
+      }
+      if (robot.board.now() - begin > kFirstStores) {
+        ASSERT_EQ(robot.unsafePins(), "") << robot.board.now().count() << " ns";
+      }
+    }
+  }
+};
+
+/// @brief Whichever step of the clock fails: no cycle runs, the outputs are safe throughout, and the watchdog
+/// begins the start again within 340 ms, again and again. When the clock comes the robot starts and
+/// reports the step.
 /// @verifies FR-72
 /// @verifies FR-73
 /// @verifies FR-76
-TEST(K64BoardOnBoard, FR73_StartIsTriedAgainUntilTheClockComes) {
-  BoardRobot robot(k64::Options{.externalClock = false});
-  robot.run(milliseconds(280));
+TEST_P(K64BoardWithoutClock, FR73_StartIsTriedAgain) {
+  BoardRobot robot(GetParam().options);
+  robot.run(milliseconds(1));
   for (int attempt = 1; attempt <= 3; ++attempt) {
-    EXPECT_EQ(robot.board.resets(), attempt - 1);
-    EXPECT_EQ(robot.unsafePins(), "");
-    robot.run(milliseconds(301));
+    runSafely(robot, milliseconds(340));
+    EXPECT_GE(robot.board.resets(), attempt);
   }
   EXPECT_EQ(robot.line.pulses().size(), 0U);
   robot.board.setExternalClock(true);
-  robot.run(milliseconds(301));
+  robot.board.endClockFailure();
+  robot.run(milliseconds(340));
   const PcWelcome welcome = robot.askForWelcome();
   EXPECT_EQ(welcome.resetCause, kByWatchdog);
   EXPECT_EQ(welcome.faultKind, kClockFailed);
-  EXPECT_EQ(welcome.faultNumber, 1) << "the step in which the external clock does not come";
+  EXPECT_EQ(welcome.faultNumber, GetParam().step);
   EXPECT_EQ(robot.board.clockHz(), 120'000'000U);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Steps, K64BoardWithoutClock,
+    testing::Values(ClockFailure{"ExternalClockMissing", {.externalClock = false}, 1},
+                    ClockFailure{"NoChangeToExternalClock", {.failingClockStep = 2}, 2},
+                    ClockFailure{"NoLock", {.failingClockStep = 3}, 3},
+                    ClockFailure{"NoChangeToPll", {.failingClockStep = 4}, 4}),
+    [](const auto& each) { return each.param.name; });
+
+/// @brief Without the external clock no cycle runs. When the clock comes back the cycles begin.
+/// @verifies FR-73
+TEST(K64BoardOnBoard, FR73_StartIsTriedAgainUntilTheClockComes) {
+  BoardRobot robot(k64::Options{.externalClock = false});
+  robot.run(seconds(1));
+  EXPECT_EQ(robot.line.pulses().size(), 0U);
+  robot.board.setExternalClock(true);
+  robot.run(milliseconds(340 + 210));
+  EXPECT_GE(robot.line.pulses().size(), 2U);
+}
+
+// An order that turns all wheels.
+constexpr PcOrder kDriveOrder{.id = 1,
+                              .wheels = {{{.quantity = 1, .value = 6000},
+                                          {.quantity = 1, .value = 6000},
+                                          {.quantity = 1, .value = 6000},
+                                          {.quantity = 1, .value = 6000}}}};
+
+// Lets the robot drive by orders of the PC, with a voltage at each wheel.
+void driveByPc(BoardRobot& robot) {
+  robot.startUp();
+  robot.commandByPc(kDriveOrder);
+  for (int cycle = 0; cycle < 30; ++cycle) {
+    robot.order(kDriveOrder);
+    robot.cycle();
+  }
+  for (int wheel = 0; wheel < 4; ++wheel) {
+    ASSERT_GT(robot.board.pwmDuty(0, wheel), 0.1) << wheel;
+  }
+}
+
+/// @brief When the external clock is lost while the robot drives, the outputs are safe within 1 ms, and the
+/// next start reports that the clock was lost.
+/// @verifies FR-203
+TEST(K64BoardOnBoard, FR203_OutputsAreSafeWithin1MillisecondOfALostClock) {
+  BoardRobot robot;
+  driveByPc(robot);
+  robot.board.setExternalClock(false);
+  robot.run(milliseconds(1));
+  EXPECT_EQ(robot.board.resets(), 1);
+  EXPECT_EQ(robot.unsafePins(), "");
+  robot.board.setExternalClock(true);
+  robot.startUp();
+  EXPECT_EQ(robot.askForWelcome().resetCause, kClockLost);
+}
+
+/// @brief Before the first cycle a supply below the higher of the two thresholds resets.
+/// @verifies FR-204
+TEST(K64BoardOnBoard, FR204_LowSupplyResets) {
+  constexpr std::uint32_t kSupplyControl = 0x4007D000;
+  BoardRobot robot;
+  std::optional<std::uint32_t> control;
+  robot.board.onWrite([&](std::uint32_t address, unsigned /*size*/, std::uint32_t value) {
+    if (address == kSupplyControl) {
+      control = value;
+    }
+  });
+  robot.startUp();
+  ASSERT_TRUE(control.has_value());
+  EXPECT_EQ(*control, 0x11U) << "reset enabled, high threshold";
 }
 
 struct Ending {
@@ -223,6 +326,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Ending{"HardFault", unchanged, 3, kHardFault, 0, {}},
                     Ending{"BusFault", handledBy<stubs::readFromNowhere>, kUnusedException,
                            kBusFault, 0, kHandlerAddress + 4},
+                    Ending{"MemoryFault", handledBy<stubs::jumpIntoPeripheral>, kUnusedException,
+                           kMemoryFault, 0, stubs::kPeripheral},
+                    Ending{"DivisionByZero", handledBy<stubs::divideByZero>, kUnusedException,
+                           kUsageFault, 0, kHandlerAddress + 4},
+                    Ending{"NonMaskableInterrupt", unchanged, 2, kUnexpectedInterrupt, 2, {}},
                     Ending{"UsageFault", handledBy<stubs::undefined>, kUnusedException, kUsageFault,
                            0, kHandlerAddress},
                     Ending{"UnexpectedInterrupt",
@@ -234,6 +342,27 @@ INSTANTIATE_TEST_SUITE_P(
                     Ending{"Assertion", handledBy<failThreadStartedTwice>, kUnusedException,
                            kAssertion, 3, kHandlerAddress + 10}),
     nameOf);
+
+/// @brief Whatever ends the firmware while each wheel has a voltage: the outputs become safe before the reset.
+/// @verifies FR-75
+TEST_P(K64BoardEnds, FR75_WhileTheRobotDrives) {
+  BoardRobot robot(GetParam().image());
+  driveByPc(robot);
+  robot.board.raise(static_cast<int>(GetParam().exception));
+  EXPECT_EQ(unsafeAtReset(robot), "");
+  EXPECT_EQ(robot.board.pwmDuty(0, 0), 0.0);
+}
+
+/// @brief A division by zero is a fault like others: the record is made, and the reset comes.
+/// @verifies FR-206
+TEST(K64BoardOnBoard, FR206_DivisionByZeroIsAFault) {
+  BoardRobot robot(withHandler(unchanged(), kUnusedException, stubs::divideByZero()));
+  robot.cycles(2);
+  robot.board.raise(kUnusedException);
+  EXPECT_EQ(unsafeAtReset(robot), "");
+  robot.startUp();
+  EXPECT_EQ(robot.askForWelcome().faultKind, kUsageFault);
+}
 
 /// @brief A stack that overflows is a fault like others: the record is made, and the reset comes.
 /// @verifies FR-75

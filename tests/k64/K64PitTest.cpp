@@ -31,5 +31,37 @@ TEST(K64PitOnBoard, FR1_PulsesComeEvery100Milliseconds) {
   }
 }
 
+/// @brief The ticks come every 1 ms while wheels turn, the steering moves and the line is busy: each begins
+/// within 50 us of its time, and none is lost or doubled.
+/// @verifies FR-100
+TEST(K64PitOnBoard, FR100_TicksComeEveryMillisecond) {
+  constexpr std::uint32_t kTickException = exceptionOf(49);
+  constexpr int kCycles = 20;
+  constexpr PcOrder kOrder{
+      .id = 1,
+      .steering = 150,
+      .wheels = {{{.value = 3000}, {.value = 3000}, {.value = 3000}, {.value = 3000}}}};
+  BoardRobot robot;
+  robot.startUp();
+  robot.commandByPc(kOrder);
+  std::vector<nanoseconds> ticks;
+  robot.line.onEvent([&](const k64::Event& event) {
+    if (event.kind == k64::Event::Kind::ExceptionEntered && event.number == kTickException) {
+      ticks.push_back(event.at);
+    }
+  });
+  for (int cycle = 0; cycle < kCycles; ++cycle) {
+    robot.order(kOrder);
+    robot.cycle();
+  }
+  ASSERT_NEAR(static_cast<double>(ticks.size()), 100 * kCycles, 1);
+  const nanoseconds first = ticks.front();
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    const nanoseconds late = ticks[i] - first - milliseconds(1) * static_cast<int>(i);
+    EXPECT_LE(late, nanoseconds(50'000)) << i;
+    EXPECT_GE(late, nanoseconds(-50'000)) << i;
+  }
+}
+
 }  // namespace
 }  // namespace wr::test

@@ -6,6 +6,7 @@
 
 #include "k64/BoardRobot.hpp"
 #include "k64/DriverBoard.hpp"
+#include "k64/patch.hpp"
 
 namespace wr::test {
 namespace {
@@ -16,7 +17,7 @@ struct Wire {
 };
 
 // The Hall sensors of the wheels, then the remote control: each edge interrupts.
-constexpr std::array<Wire, 10> kEdgeInputs{{{'D', 0},
+constexpr std::array<Wire, 11> kEdgeInputs{{{'D', 0},
                                             {'D', 1},
                                             {'D', 2},
                                             {'D', 3},
@@ -25,8 +26,10 @@ constexpr std::array<Wire, 10> kEdgeInputs{{{'D', 0},
                                             {'D', 6},
                                             {'D', 7},
                                             {'B', 18},
-                                            {'B', 19}}};
-constexpr std::array<Wire, 2> kEndStops{{{'A', 1}, {'C', 18}}};
+                                            {'B', 19},
+                                            {'B', 23}}};
+// The end stops, and the contact of the emergency stop.
+constexpr std::array<Wire, 3> kContacts{{{'A', 1}, {'C', 18}, {'E', 25}}};
 
 void put(DriverBoard& drivers, const Wire& wire, bool level) {
   drivers.board.drive(wire.port, wire.number, level);
@@ -80,24 +83,102 @@ TEST_F(K64PortOnBoard, FR144_EdgesAtTheSameTimeAreAllSeen) {
   EXPECT_EQ(edges(), std::vector<int>(kEdgeInputs.size(), 1));
 }
 
-/// @brief Edges that follow each other by 20 us, which is faster than the wheels can turn, are all seen.
+/// @brief Four edges of one input within a tick are all seen: far more than a wheel at full speed has.
 /// @verifies FR-144
-TEST_F(K64PortOnBoard, FR144_FastEdgesAreAllSeen) {
-  constexpr int kEdges = 1000;
+TEST_F(K64PortOnBoard, FR144_FourEdgesInATickAreAllSeen) {
+  constexpr int kTicks = 100;
   bool level = false;
-  for (int edge = 0; edge < kEdges; ++edge) {
-    level = !level;
-    put(drivers, kEdgeInputs[2], level);
-    drivers.run(nanoseconds(20'000));
+  for (int tick = 0; tick < kTicks; ++tick) {
+    for (int edge = 0; edge < 4; ++edge) {
+      level = !level;
+      put(drivers, kEdgeInputs[2], level);
+      drivers.run(nanoseconds(250'000));
+    }
   }
-  EXPECT_EQ(edges().at(2), kEdges);
+  EXPECT_EQ(edges().at(2), 4 * kTicks);
 }
 
-/// @brief The level of each input can be read, that of the end stops too, which do not interrupt.
+/// @brief Of the edges of one input within a tick at most four interrupt, those of the next tick again, and
+/// the other inputs are not concerned.
+/// @verifies FR-201
+TEST_F(K64PortOnBoard, FR201_MoreEdgesInATickDoNotInterrupt) {
+  constexpr int kTicks = 100;
+  constexpr int kEdgesInATick = 50;
+  bool level = false;
+  for (int edge = 0; edge < kTicks * kEdgesInATick; ++edge) {
+    level = !level;
+    put(drivers, kEdgeInputs[2], level);
+    put(drivers, kEdgeInputs[9], level);
+    drivers.run(nanoseconds(20'000));
+  }
+  put(drivers, kEdgeInputs[3], true);
+  const std::vector<int> seen = edges();
+  EXPECT_LE(seen.at(2), 4 * (kTicks + 1));
+  EXPECT_GE(seen.at(2), 4 * (kTicks - 1));
+  EXPECT_LE(seen.at(9), 4 * (kTicks + 1));
+  EXPECT_GE(seen.at(9), 4 * (kTicks - 1));
+  EXPECT_EQ(seen.at(3), 1);
+}
+
+/// @brief A pulse of 0.5 us at a Hall sensor has no edge; one of 1 us has.
+/// @verifies FR-202
+TEST_F(K64PortOnBoard, FR202_ShortPulsesAtHallSensorsHaveNoEdge) {
+  const auto pulse = [this](nanoseconds width) {
+    put(drivers, kEdgeInputs[4], true);
+    drivers.run(width);
+    put(drivers, kEdgeInputs[4], false);
+    drivers.run(milliseconds(2));
+  };
+  for (int i = 0; i < 20; ++i) {
+    pulse(nanoseconds(500));
+  }
+  EXPECT_EQ(edges().at(4), 0);
+  pulse(nanoseconds(1000));
+  EXPECT_GE(edges().at(4), 1);
+}
+
+// Pulses of the remote control: widths of velocity, direction and enable in microseconds. The
+// program computes for some microseconds after each edge.
+std::vector<std::uint16_t> widths(DriverBoard& drivers) {
+  return drivers.ask('W');
+}
+
+/// @brief A pulse of the remote control that begins at the very moment at which another one ends has its own
+/// width to 1 us, as have pulses that begin and end together.
+/// @verifies FR-200
+TEST_F(K64PortOnBoard, FR200_EdgesThatComeTogetherGetOneTime) {
+  using std::chrono::microseconds;
+  const Wire velocity = kEdgeInputs[8];
+  const Wire direction = kEdgeInputs[9];
+  const Wire enable = kEdgeInputs[10];
+  const auto pulse = [this](const Wire& wire, microseconds from, microseconds width) {
+    const nanoseconds begin = drivers.board.now() + from;
+    drivers.board.driveAt(begin, wire.port, wire.number, true);
+    drivers.board.driveAt(begin + width, wire.port, wire.number, false);
+  };
+  pulse(velocity, microseconds(100), microseconds(1500));
+  pulse(direction, microseconds(1600), microseconds(1700));
+  pulse(enable, microseconds(3300), microseconds(1900));
+  drivers.run(milliseconds(10));
+  std::vector<std::uint16_t> oneAfterAnother = widths(drivers);
+  ASSERT_EQ(oneAfterAnother.size(), 3U);
+  EXPECT_NEAR(oneAfterAnother[0], 1500, 1);
+  EXPECT_NEAR(oneAfterAnother[1], 1700, 1);
+  EXPECT_NEAR(oneAfterAnother[2], 1900, 1);
+  pulse(velocity, microseconds(100), microseconds(1200));
+  pulse(direction, microseconds(100), microseconds(1200));
+  pulse(enable, microseconds(100), microseconds(1800));
+  drivers.run(milliseconds(10));
+  EXPECT_NEAR(widths(drivers)[0], 1200, 1);
+  EXPECT_NEAR(widths(drivers)[1], 1200, 1);
+  EXPECT_NEAR(widths(drivers)[2], 1800, 1);
+}
+
+/// @brief The level of each input can be read, those of the end stops and of the emergency stop too, which do not interrupt.
 /// @verifies FR-144
 TEST_F(K64PortOnBoard, FR144_LevelsAreThoseOfThePins) {
-  std::vector<std::uint16_t> expected(kEdgeInputs.size() + kEndStops.size(), 0);
-  for (const Wire& wire : kEndStops) {
+  std::vector<std::uint16_t> expected(kEdgeInputs.size() + kContacts.size(), 0);
+  for (const Wire& wire : kContacts) {
     put(drivers, wire, false);
   }
   EXPECT_EQ(drivers.ask('L'), expected);
@@ -111,8 +192,75 @@ TEST_F(K64PortOnBoard, FR144_LevelsAreThoseOfThePins) {
   for (const Wire& wire : kEdgeInputs) {
     raise(wire);
   }
-  for (const Wire& wire : kEndStops) {
+  for (const Wire& wire : kContacts) {
     raise(wire);
+  }
+}
+
+/// @brief Noise of 200 kHz at all Hall sensors and all signals of the remote control leaves the cycles their
+/// time: in a second ten of them run, none is late, and the watchdog does not reset.
+/// @verifies FR-201
+TEST(K64PortInTheRobot, FR201_NoiseDoesNotStarveTheCycles) {
+  BoardRobot robot;
+  robot.startUp();
+  bool noise = true;
+  bool level = false;
+  robot.board.onTime(nanoseconds(2500), [&] {
+    level = !level;
+    for (const Wire& wire : kEdgeInputs) {
+      if (noise) {
+        robot.board.drive(wire.port, wire.number, level);
+      }
+    }
+  });
+  robot.run(seconds(1));
+  noise = false;
+  EXPECT_EQ(robot.board.resets(), 0);
+  EXPECT_EQ(robot.line.pulses().size(), 10U);
+  robot.connect();
+  EXPECT_EQ(robot.report().overruns, 0);
+}
+
+/// @brief In the robot one interrupt serves the end of a pulse of the remote control and the begin of another
+/// one at the same moment.
+/// @verifies FR-200
+TEST(K64PortInTheRobot, FR200_OneInterruptServesEdgesThatComeTogether) {
+  constexpr std::uint32_t kEdgeException = exceptionOf(60);
+  BoardRobot robot;
+  robot.startUp();
+  int interrupts = 0;
+  robot.line.onEvent([&](const k64::Event& event) {
+    interrupts +=
+        event.kind == k64::Event::Kind::ExceptionEntered && event.number == kEdgeException ? 1 : 0;
+  });
+  robot.board.drive('B', 18, true);
+  robot.run(milliseconds(1));
+  EXPECT_EQ(interrupts, 1);
+  robot.board.drive('B', 18, false);
+  robot.board.drive('B', 19, true);
+  robot.run(milliseconds(1));
+  EXPECT_EQ(interrupts, 2);
+}
+
+/// @brief A robot at rest with pulses of 0.5 us at its Hall sensors counts none of them.
+/// @verifies FR-202
+TEST(K64PortInTheRobot, FR202_ShortPulsesMoveNoWheel) {
+  BoardRobot robot;
+  robot.startUp();
+  robot.connect();
+  for (int pulse = 0; pulse < 100; ++pulse) {
+    for (std::size_t sensor = 0; sensor < 8; ++sensor) {
+      const Wire& wire = kEdgeInputs.at(sensor);
+      const bool level = robot.board.pin(wire.port, wire.number);
+      robot.board.drive(wire.port, wire.number, !level);
+      robot.board.driveAt(robot.board.now() + nanoseconds(500), wire.port, wire.number, level);
+    }
+    robot.run(nanoseconds(100'000));
+  }
+  robot.silentCycles(2);
+  for (std::size_t wheel = 0; wheel < 4; ++wheel) {
+    EXPECT_EQ(robot.report().position.at(wheel), 0);
+    EXPECT_EQ(robot.report().rejectedEdges.at(wheel), 0);
   }
 }
 

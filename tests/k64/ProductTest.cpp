@@ -83,7 +83,7 @@ TEST_P(Product, RunsWithoutFinding) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Products, Product,
-                         testing::Values("weeding_robot", "weeding_robot_pc",
+                         testing::Values("weeding_robot", "weeding_robot_paper", "weeding_robot_pc",
                                          "weeding_robot_pc_bluetooth", "weeding_robot_warning"),
                          [](const auto& product) { return std::string(product.param); });
 

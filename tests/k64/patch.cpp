@@ -76,12 +76,30 @@ Code failAssertion(std::uint8_t number) {
   return code;
 }
 
+Code jumpIntoPeripheral() {
+  Code code;
+  load(code, 0, kPeripheral | 1U);
+  code.push_back(0x4700);  // bx r0
+  return code;
+}
+
+Code divideByZero() {
+  return {0x2001, 0x2100, 0xFBB0, 0xF0F1};  // movs r0, #1; movs r1, #0; udiv r0, r0, r1
+}
+
 Code undefined() {
   return {0xDE00};  // udf #0
 }
 
 Code overflowStack() {
   return {0xB401, 0xE7FD};  // 1: push {r0}; b 1b
+}
+
+Code keepDevicesWaiting(std::uint32_t rounds) {
+  Code code;
+  load(code, 2, rounds);
+  code.insert(code.end(), {0x3A01, 0xD1FD, 0x4770});  // 1: subs r2, #1; bne 1b; bx lr
+  return code;
 }
 
 Code takeTime(std::uint32_t rounds) {

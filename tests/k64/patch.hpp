@@ -44,11 +44,22 @@ namespace stubs {
 /// Calls assertionFailed with a number; the call is the instruction at kHandlerAddress + 10.
 [[nodiscard]] Code failAssertion(std::uint8_t number);
 
+/// Jumps to kPeripheral, where no code is allowed.
+inline constexpr std::uint32_t kPeripheral = 0x40000000;
+[[nodiscard]] Code jumpIntoPeripheral();
+
+/// Divides by zero: the instruction at kHandlerAddress + 4.
+[[nodiscard]] Code divideByZero();
+
 /// Executes an instruction that is none, at kHandlerAddress.
 [[nodiscard]] Code undefined();
 
 /// Pushes onto the stack without end.
 [[nodiscard]] Code overflowStack();
+
+/// Takes time above the priority of all devices: two instructions for each round. For
+/// kUnusedException.
+[[nodiscard]] Code keepDevicesWaiting(std::uint32_t rounds);
 
 /// Lowers the priority of kUnusedException below that of all devices, then takes time: two
 /// instructions for each round.

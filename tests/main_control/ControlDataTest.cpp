@@ -18,7 +18,8 @@ class ControlDataTest : public testing::Test {
 /// @verifies FR-19
 /// @verifies FR-174
 TEST_F(ControlDataTest, BeginsEmpty) {
-  const ReportData expected{.operationState = 1, .readingMode = 1, .link = {.damaged = 5}};
+  ReportData expected{.operationState = 1, .readingMode = 1, .held = true, .link = {.damaged = 5}};
+  expected.measurements.protection.inhibit = Inhibit::NoOrder;
   EXPECT_EQ(report(), expected);
   EXPECT_FALSE(data.setPoints().has_value());
 }
@@ -44,7 +45,7 @@ TEST_F(ControlDataTest, FR61_ReportHoldsTheCycle) {
   data.beginCycle(Instant(123'456));
   data.saveModeId(ModeId::PC);
   data.saveSetPoints({.orderId = 9, .steering = Angle(-5)});
-  data.saveStop(true);
+  data.saveStop(2);
   data.saveHeld(true);
   data.saveOverrun();
   data.measurements().steering = Angle(7);
@@ -54,7 +55,7 @@ TEST_F(ControlDataTest, FR61_ReportHoldsTheCycle) {
   EXPECT_EQ(report.time, Instant(123'456));
   EXPECT_EQ(report.setPoints.orderId, 9);
   EXPECT_EQ(report.setPoints.steering, Angle(-5));
-  EXPECT_TRUE(report.stop && report.held && report.overran && report.orderRead);
+  EXPECT_TRUE(report.stopSources == 2 && report.held && report.overran && report.orderRead);
   EXPECT_EQ(report.overruns, 1);
   EXPECT_EQ(report.measurements.steering, Angle(7));
   EXPECT_EQ(report.outputs.turn, -1);
@@ -69,7 +70,7 @@ TEST_F(ControlDataTest, FR62_NextCycleForgetsWhatWasMeasured) {
   data.beginCycle(Instant(1));
   data.saveModeId(ModeId::RC);
   data.saveSetPoints({.orderId = 9});
-  data.saveStop(true);
+  data.saveStop(1);
   data.saveHeld(true);
   data.saveOverrun();
   data.measurements().steering = Angle(7);
@@ -84,6 +85,46 @@ TEST_F(ControlDataTest, FR62_NextCycleForgetsWhatWasMeasured) {
                             .overruns = 1,
                             .link = {.damaged = 5}};
   EXPECT_EQ(report(), expected);
+}
+
+/// @brief While a source orders stop, the report gives this as the reason why the robot does not follow its
+/// set-points, whatever else keeps it.
+/// @verifies FR-242
+/// @verifies FR-175
+TEST_F(ControlDataTest, FR242_AStopIsTheFirstReason) {
+  data.beginCycle(Instant(1));
+  data.saveStop(1);
+  data.measurements().protection.inhibit = Inhibit::ProtectiveStop;
+  EXPECT_EQ(report().measurements.protection.inhibit, Inhibit::Stop);
+  EXPECT_TRUE(report().held);
+}
+
+/// @brief Without set-points, and in the state Reconnecting, the reason is that nobody orders.
+/// @verifies FR-242
+TEST_F(ControlDataTest, FR242_WithoutOrdersTheReasonIsThatNobodyOrders) {
+  data.beginCycle(Instant(1));
+  EXPECT_EQ(report().measurements.protection.inhibit, Inhibit::NoOrder);
+  EXPECT_TRUE(report().held);
+  data.saveSetPoints({.orderId = 1});
+  EXPECT_EQ(report().measurements.protection.inhibit, Inhibit::None);
+  EXPECT_FALSE(report().held);
+  const ReportData reconnecting = data.report(OperationStateId::Reconnecting, ModeId::RC, {});
+  EXPECT_EQ(reconnecting.measurements.protection.inhibit, Inhibit::NoOrder);
+  EXPECT_TRUE(reconnecting.held);
+}
+
+/// @brief The reason, the cause and the wheel that a safety function has measured are in the report, and
+/// the report says that the robot is held.
+/// @verifies FR-242
+/// @verifies FR-175
+TEST_F(ControlDataTest, FR242_TheReasonOfASafetyFunctionIsReported) {
+  data.beginCycle(Instant(1));
+  data.saveSetPoints({.orderId = 1});
+  const Protection protection{
+      .inhibit = Inhibit::ProtectiveStop, .cause = StopCause::Overspeed, .wheel = 2, .armed = true};
+  data.measurements().protection = protection;
+  EXPECT_EQ(report().measurements.protection, protection);
+  EXPECT_TRUE(report().held);
 }
 
 /// @brief The count of overruns stops at its greatest value.

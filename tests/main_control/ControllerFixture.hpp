@@ -82,6 +82,7 @@ class FakeState final : public OperationState {
 class ControllerFixture : public testing::Test {
  protected:
   ControllerFixture() {
+    port.setClock(time);
     systems.add(system);
     second.onServe = [this] { connection.service(); };
   }
@@ -89,8 +90,14 @@ class ControllerFixture : public testing::Test {
   // Connects the PC over the line. Nothing but the link is served.
   void connect() {
     port.arrive(pc.hello());
-    connection.service();
+    serveLink();
     port.arrive(pc.confirm(welcomeOf(bodies(port.takeSent()).at(0)).value().session));
+    serveLink();
+  }
+
+  // Serves the link in a cycle whose clock pulse comes now.
+  void serveLink() {
+    connection.beginCycle(time.now());
     connection.service();
   }
 
@@ -105,7 +112,7 @@ class ControllerFixture : public testing::Test {
   HostSerialPort port;
   HostScheduler scheduler;
   HostThread thread{scheduler, 1};
-  SerialReader pcReader{time};
+  SerialReader pcReader;
   struct Link {
     Link()
         : handshaking(connected, disconnected),
@@ -116,7 +123,7 @@ class ControllerFixture : public testing::Test {
     Connected connected;
   } link;
   StartRecord start;
-  PcConnection connection{port, time, pcReader, link.disconnected, start};
+  PcConnection connection{port, pcReader, link.disconnected, start};
   HostWatchdog watchdog{time};
   PcSender pc;
   ControlData data;

@@ -40,6 +40,7 @@ class ProductFixture : public testing::Test {
  protected:
   template <class Director>
   void begin(Director& director) {
+    port.setClock(time);
     director.construct();
     cycleTimer.connect([this] { builder.clock().expired(); });
     tickTimer.connect([this] { poolBuilder.timer().expired(); });

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdint>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace wr::test {
@@ -23,7 +25,7 @@ struct Pulse {
 // The pulses that a remote control sends in some time.
 std::vector<Pulse> pulsesOf(sim::RemoteControl& remote, int ms) {
   std::vector<Pulse> pulses;
-  std::array<nanoseconds, 2> begins{};
+  std::array<nanoseconds, 3> begins{};
   for (int i = 0; i < ms; ++i) {
     for (const sim::RcEdge& edge : remote.step()) {
       const nanoseconds at = milliseconds(i) + edge.offset;
@@ -39,31 +41,60 @@ std::vector<Pulse> pulsesOf(sim::RemoteControl& remote, int ms) {
   return pulses;
 }
 
-/// @brief A remote control that is off sends nothing.
-TEST(RemoteControlTest, OffAtFirst) {
+std::vector<nanoseconds> widthsOf(sim::RemoteControl& remote, std::size_t channel, int ms) {
+  std::vector<nanoseconds> widths;
+  for (const Pulse& pulse : pulsesOf(remote, ms)) {
+    if (pulse.channel == channel) {
+      widths.push_back(pulse.width);
+    }
+  }
+  return widths;
+}
+
+class RemoteControlTest : public testing::Test {
+ protected:
+  RemoteControlTest() { remote.setNoise(false); }
   sim::RemoteControl remote;
-  EXPECT_TRUE(pulsesOf(remote, 100).empty());
+};
+
+/// @brief At first the channels of the sticks send nothing, and the enable switch is in its middle.
+TEST_F(RemoteControlTest, OnlyTheEnableSwitchAtFirst) {
+  const std::vector<Pulse> pulses = pulsesOf(remote, 100);
+  ASSERT_EQ(pulses.size(), 5U);
+  for (const Pulse& pulse : pulses) {
+    EXPECT_EQ(pulse.channel, 2U);
+    EXPECT_EQ(pulse.width, microseconds(1500));
+  }
 }
 
 /// @brief Each channel has 50 pulses a second; their width follows the stick.
-TEST(RemoteControlTest, FiftyPulsesASecondOnEachChannel) {
-  sim::RemoteControl remote;
+TEST_F(RemoteControlTest, FiftyPulsesASecondOnEachChannel) {
   remote.set(sim::Sticks{.velocity = 0.5, .steering = -1.0});
   const std::vector<Pulse> pulses = pulsesOf(remote, 1000);
-  ASSERT_EQ(pulses.size(), 100U);
+  ASSERT_EQ(pulses.size(), 150U);
   for (std::size_t i = 0; i < pulses.size(); ++i) {
-    const bool ofVelocity = i % 2 == 0;
-    EXPECT_EQ(pulses[i].channel, ofVelocity ? 0U : 1U);
-    EXPECT_EQ(pulses[i].width, ofVelocity ? microseconds(1750) : microseconds(1000));
-    if (i >= 2) {
-      EXPECT_EQ(pulses[i].begin - pulses[i - 2].begin, milliseconds(20));
+    constexpr std::array<microseconds, 3> kWidths{microseconds(1750), microseconds(1000),
+                                                  microseconds(1500)};
+    EXPECT_EQ(pulses[i].channel, i % 3);
+    EXPECT_EQ(pulses[i].width, kWidths.at(i % 3));
+    if (i >= 3) {
+      EXPECT_EQ(pulses[i].begin - pulses[i - 3].begin, milliseconds(20));
     }
   }
 }
 
+/// @brief The enable switch has three positions.
+TEST_F(RemoteControlTest, EnableSwitchHasThreePositions) {
+  remote.setEnable(sim::EnablePosition::Stop);
+  EXPECT_EQ(widthsOf(remote, 2, 20), std::vector<nanoseconds>{microseconds(1100)});
+  remote.setEnable(sim::EnablePosition::Drive);
+  EXPECT_EQ(widthsOf(remote, 2, 20), std::vector<nanoseconds>{microseconds(1900)});
+  remote.setEnable(sim::EnablePosition::Pc);
+  EXPECT_EQ(widthsOf(remote, 2, 20), std::vector<nanoseconds>{microseconds(1500)});
+}
+
 /// @brief A pulse that has begun ends, also when the remote control is switched off meanwhile.
-TEST(RemoteControlTest, PulseThatHasBegunEnds) {
-  sim::RemoteControl remote;
+TEST_F(RemoteControlTest, PulseThatHasBegunEnds) {
   remote.set(sim::Sticks{});
   ASSERT_EQ(remote.step().size(), 1U);
   remote.set(std::nullopt);
@@ -75,13 +106,73 @@ TEST(RemoteControlTest, PulseThatHasBegunEnds) {
 }
 
 /// @brief A stick goes no further than its end.
-TEST(RemoteControlTest, SticksHaveEnds) {
-  sim::RemoteControl remote;
+TEST_F(RemoteControlTest, SticksHaveEnds) {
   remote.set(sim::Sticks{.velocity = 3.0, .steering = -3.0});
   const std::vector<Pulse> pulses = pulsesOf(remote, 20);
-  ASSERT_EQ(pulses.size(), 2U);
+  ASSERT_EQ(pulses.size(), 3U);
   EXPECT_EQ(pulses[0].width, milliseconds(2));
   EXPECT_EQ(pulses[1].width, milliseconds(1));
+}
+
+/// @brief While the transmitter is on, pulses vary by up to 2 us on each side.
+TEST_F(RemoteControlTest, PulsesOfATransmitterVary) {
+  remote.setNoise(true);
+  remote.set(sim::Sticks{});
+  const std::vector<nanoseconds> widths = widthsOf(remote, 0, 20'000);
+  EXPECT_EQ(*std::ranges::min_element(widths), microseconds(1498));
+  EXPECT_EQ(*std::ranges::max_element(widths), microseconds(1502));
+}
+
+/// @brief A receiver that holds sends the last pulses again and again, all the same, on each channel.
+TEST_F(RemoteControlTest, ReceiverThatHoldsRepeatsTheLastPulses) {
+  remote.setNoise(true);
+  remote.setFailSafe(sim::FailSafe::Hold);
+  remote.setEnable(sim::EnablePosition::Drive);
+  remote.set(sim::Sticks{.velocity = 0.8, .steering = 0});
+  const nanoseconds last = widthsOf(remote, 0, 100).back();
+  remote.set(std::nullopt);
+  remote.setEnable(sim::EnablePosition::Stop);
+  const std::vector<Pulse> pulses = pulsesOf(remote, 10'000);
+  ASSERT_EQ(pulses.size(), 1500U);
+  for (std::size_t i = 0; i < pulses.size(); i += 3) {
+    EXPECT_EQ(pulses[i].width, last);
+    EXPECT_EQ(pulses[i + 2].width, pulses[2].width);
+    EXPECT_GT(pulses[i + 2].width, microseconds(1890));
+  }
+}
+
+/// @brief A receiver with neutral fail-safe sends 1.5 ms on each channel.
+TEST_F(RemoteControlTest, ReceiverWithNeutralFailSafeSendsTheMiddle) {
+  remote.setFailSafe(sim::FailSafe::Neutral);
+  remote.set(sim::Sticks{.velocity = 0.8, .steering = 0.3});
+  static_cast<void>(pulsesOf(remote, 100));
+  remote.set(std::nullopt);
+  const std::vector<Pulse> pulses = pulsesOf(remote, 100);
+  EXPECT_EQ(pulses.size(), 15U);
+  for (const Pulse& pulse : pulses) {
+    EXPECT_EQ(pulse.width, microseconds(1500));
+  }
+}
+
+/// @brief The pulses of all channels can begin at one time.
+TEST_F(RemoteControlTest, PulsesCanBeginTogether) {
+  remote.set(sim::Sticks{});
+  remote.setCoincident(true);
+  const std::vector<Pulse> pulses = pulsesOf(remote, 20);
+  ASSERT_EQ(pulses.size(), 3U);
+  EXPECT_EQ(pulses[0].begin, pulses[1].begin);
+  EXPECT_EQ(pulses[0].begin, pulses[2].begin);
+}
+
+/// @brief A trembling hand changes the pulses of the velocity by its amount, and no others.
+TEST_F(RemoteControlTest, HandTrembles) {
+  remote.set(sim::Sticks{});
+  remote.setTremor(20);
+  const std::vector<nanoseconds> widths = widthsOf(remote, 0, 2000);
+  EXPECT_EQ(*std::ranges::min_element(widths), microseconds(1480));
+  EXPECT_EQ(*std::ranges::max_element(widths), microseconds(1520));
+  const std::vector<nanoseconds> steering = widthsOf(remote, 1, 1000);
+  EXPECT_EQ(*std::ranges::min_element(steering), *std::ranges::max_element(steering));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -11,6 +12,8 @@
 #include <vector>
 
 #include "sim/robot/DriveTrain.hpp"
+#include "sim/robot/Plant.hpp"
+#include "sim/robot/SteeringLinkage.hpp"
 
 namespace wr::test {
 namespace {
@@ -18,13 +21,18 @@ namespace {
 using sim::DriveTrain;
 using sim::Fault;
 using sim::HallEdge;
+using sim::MotorParameters;
+using sim::Plant;
 using sim::Robot;
 using sim::WheelDrive;
 
 // A robot without noise, all wheels of which get the same.
 class RobotTest : public testing::Test {
  protected:
-  RobotTest() { robot.setNoise(false); }
+  RobotTest() {
+    robot.setNoise(false);
+    robot.setParameter(sim::Parameter::Battery, 0);
+  }
 
   void drive(const WheelDrive& what) {
     for (std::size_t wheel = 0; wheel < sim::kWheels; ++wheel) {
@@ -57,26 +65,27 @@ class RobotTest : public testing::Test {
   // Current that the motor needs at a speed while each tyre pulls with a force; worked out by hand
   // from the equations of a steady state.
   [[nodiscard]] static double currentFor(double force, double rpm) {
+    constexpr MotorParameters motor;
     const double torque = force * DriveTrain::kRadius / DriveTrain::kRatio;
     const double gear =
         torque > 0 ? torque / DriveTrain::kEfficiency : torque * DriveTrain::kEfficiency;
     const double speed = rpm * 2 * std::numbers::pi / 60;
-    const double friction =
-        std::copysign(DriveTrain::kFriction, rpm) + DriveTrain::kDamping * speed;
-    return (gear + friction) / DriveTrain::kMotorConstant;
+    const double friction = std::copysign(motor.friction, rpm) + motor.damping * speed;
+    return (gear + friction) / motor.constant;
   }
 
   // The steady state: Ohm's law with the speed that was reached, and the current that the forces
   // need.
   void expectSteady(double volts, double forceOfWheel) const {
+    constexpr MotorParameters motor;
     const double rpm = robot.velocityRpm(0);
     const double speed = rpm * 2 * std::numbers::pi / 60;
     const double current = robot.currentAmperes(0);
-    EXPECT_NEAR(current * DriveTrain::kResistance + speed * DriveTrain::kMotorConstant, volts, 0.1);
+    EXPECT_NEAR(current * motor.resistance + speed * motor.constant, volts, 0.1);
     EXPECT_NEAR(current, currentFor(forceOfWheel, rpm), 0.05);
   }
 
-  static constexpr double kWeight = Robot::kMass * Robot::kGravity;
+  const double kWeight = Plant{}.mass * Robot::kGravity;
   Robot robot{1};
   std::vector<HallEdge> edges;
 };
@@ -120,6 +129,7 @@ TEST_F(RobotTest, OrientationTurnsEverything) {
   run(3000);
   Robot other(2);
   other.setNoise(false);
+  other.setParameter(sim::Parameter::Battery, 0);
   for (std::size_t wheel = 0; wheel < sim::kWheels; ++wheel) {
     other.setWheel(wheel, {.duty = 0.5, .backwards = true, .enabled = true});
   }
@@ -140,7 +150,7 @@ TEST_F(RobotTest, EnergyIsOnlyLost) {
     run(1);
     supplied += 4 * 0.8 * 24 * robot.currentAmperes(0) * 0.001;
   }
-  const auto moving = [&] { return Robot::kMass * robot.groundSpeed() * robot.groundSpeed() / 2; };
+  const auto moving = [&] { return Plant{}.mass * robot.groundSpeed() * robot.groundSpeed() / 2; };
   EXPECT_GT(supplied, moving());
   drive({.duty = 0, .backwards = false, .enabled = false});
   run(50);  // until the tyres have taken the change
@@ -359,6 +369,313 @@ TEST_F(RobotTest, BlockedWheelDrawsAllCurrent) {
   run(100);
   EXPECT_EQ(robot.velocityRpm(1), 0.0);
   EXPECT_NEAR(robot.currentAmperes(1), 16.0, 0.1);
+}
+
+/// @brief Four blocked wheels draw 16 A each; over 0.03 ohm the battery of 24 V falls below 22.2 V, and
+/// without load it is back at 24 V.
+TEST_F(RobotTest, BatterySagsUnderLoad) {
+  robot.setParameter(sim::Parameter::Battery, 0.03);
+  for (std::size_t wheel = 0; wheel < sim::kWheels; ++wheel) {
+    robot.setFault(Fault::Block, wheel, true);
+  }
+  drive({.duty = 1.0, .backwards = false, .enabled = true});
+  run(100);
+  EXPECT_NEAR(robot.supplyVolts(), 24.0 / (1 + 4 * 0.03 / 1.5), 0.02);
+  drive({.duty = 0, .backwards = false, .enabled = true});
+  run(100);
+  EXPECT_NEAR(robot.supplyVolts(), 24.0, 0.01);
+}
+
+/// @brief A robot of a seed is always the same, others differ, and each of a hundred lies in the bands of
+/// the page of the simulated robot.
+TEST_F(RobotTest, VariedRobotsLieInTheirBands) {
+  double lowest = 100;
+  double highest = 0;
+  for (std::uint32_t seed = 1; seed <= 100; ++seed) {
+    Robot varied(seed);
+    varied.vary(true);
+    const Plant& plant = varied.plant();
+    lowest = std::min(lowest, plant.supply);
+    highest = std::max(highest, plant.supply);
+    EXPECT_GE(plant.supply, 21);
+    EXPECT_LE(plant.supply, 29);
+    EXPECT_GE(plant.mass, 99);
+    EXPECT_LE(plant.mass, 298);
+    for (const MotorParameters& motor : plant.motors) {
+      EXPECT_GE(motor.resistance, 1.2);
+      EXPECT_LE(motor.resistance, 1.88);
+      EXPECT_GE(motor.constant, 0.45);
+      EXPECT_LE(motor.constant, 0.55);
+      EXPECT_GE(motor.rotorInertia, 0.75e-3);
+      EXPECT_LE(motor.rotorInertia, 3e-3);
+    }
+    Robot same(seed);
+    same.vary(true);
+    EXPECT_EQ(same.plant().supply, plant.supply);
+  }
+  EXPECT_LT(lowest, 21.5);
+  EXPECT_GT(highest, 28.5);
+}
+
+/// @brief The front wheels point at one middle of the curve: at 32 degrees the inner one is turned by 38.2
+/// degrees, the outer one by 27.4 (cot outer - cot inner = track / wheelbase).
+TEST_F(RobotTest, FrontWheelsTurnAboutOnePoint) {
+  sim::SteeringLinkage linkage;
+  linkage.turn(32);
+  const auto degrees = [&](std::size_t wheel) {
+    return std::atan2(linkage.pose(wheel).sine, linkage.pose(wheel).cosine) * 180 /
+           std::numbers::pi;
+  };
+  const auto cotangent = [&](std::size_t wheel) {
+    return linkage.pose(wheel).cosine / linkage.pose(wheel).sine;
+  };
+  EXPECT_NEAR(cotangent(1) - cotangent(0), 1.054 / 1.582, 1e-9);
+  EXPECT_NEAR((cotangent(0) + cotangent(1)) / 2, 1 / std::tan(32 * std::numbers::pi / 180), 1e-9);
+  EXPECT_NEAR(degrees(0), 38.3, 0.1);
+  EXPECT_NEAR(degrees(1), 27.3, 0.1);
+  EXPECT_EQ(degrees(2), 0);
+  EXPECT_EQ(degrees(3), 0);
+}
+
+// A robot that drives a curve of 32 degrees to the left, each wheel under a velocity controller of
+// the test's own.
+class CurveTest : public RobotTest {
+ protected:
+  CurveTest() {
+    robot.setSteeringEnabled(true);
+    for (int i = 0; i < 640; ++i) {
+      robot.steeringStep(true);
+    }
+  }
+
+  void follow(const std::array<double, sim::kWheels>& rpm, int ms) {
+    for (int i = 0; i < ms; ++i) {
+      for (std::size_t wheel = 0; wheel < sim::kWheels; ++wheel) {
+        const double error = rpm.at(wheel) - robot.velocityRpm(wheel);
+        integrals_.at(wheel) = std::clamp(integrals_.at(wheel) + 2e-4 * error, -1.0, 1.0);
+        const double duty = std::clamp(integrals_.at(wheel) + 0.005 * error, -1.0, 1.0);
+        robot.setWheel(wheel, {.duty = std::abs(duty), .backwards = duty < 0, .enabled = true});
+      }
+      static_cast<void>(robot.step());
+    }
+  }
+
+ private:
+  std::array<double, sim::kWheels> integrals_{};
+};
+
+// Way of each wheel for one of the middle of the rear axle at 32 degrees: its distance from the
+// middle of the curve over that of the rear axle, 1.582 m / tan 32 degrees = 2.532 m.
+constexpr std::array<double, sim::kWheels> kGeometry{1.008, 1.360, 0.792, 1.208};
+
+/// @brief With set-points that follow the geometry the robot drives the curve of the geometry, and the
+/// wheels pull alike.
+TEST_F(CurveTest, GeometryGivesTheCurveWithoutFight) {
+  follow({100 * kGeometry[0], 100 * kGeometry[1], 100 * kGeometry[2], 100 * kGeometry[3]}, 8000);
+  const double rear = 100.0 / 600 * 2 * std::numbers::pi * DriveTrain::kRadius;
+  EXPECT_NEAR(robot.yawRate(), rear / 2.532, 0.03 * rear / 2.532);
+  for (std::size_t wheel = 0; wheel < sim::kWheels; ++wheel) {
+    EXPECT_LT(std::abs(robot.currentAmperes(wheel)), 2.5) << wheel;
+    EXPECT_LT(std::abs(robot.sideSlip(wheel)), 0.02) << wheel;
+  }
+}
+
+/// @brief With equal set-points the wheels work against each other: the inner rear wheel brakes, the outer
+/// front wheel pulls with several times the current of a straight drive.
+TEST_F(CurveTest, EqualVelocitiesFight) {
+  follow({100, 100, 100, 100}, 8000);
+  double greatest = 0;
+  double least = 0;
+  for (std::size_t wheel = 0; wheel < sim::kWheels; ++wheel) {
+    greatest = std::max(greatest, robot.currentAmperes(wheel));
+    least = std::min(least, robot.currentAmperes(wheel));
+  }
+  EXPECT_GT(greatest, 5);
+  EXPECT_LT(least, -2);
+}
+
+/// @brief In a curve the robot turns about a vertical axis, to the side of the steering.
+TEST_F(CurveTest, SteeringTurnsTheRobot) {
+  follow({50, 50, 50, 50}, 3000);
+  EXPECT_GT(robot.yawRate(), 0.02);
+  EXPECT_GT(robot.heading(), 0.03);
+}
+
+/// @brief The slope belongs to the ground: after half a turn the robot that drove uphill goes downhill.
+TEST_F(CurveTest, SlopeBelongsToTheGround) {
+  robot.setSlope(4);
+  const std::array<double, sim::kWheels> rpm{100 * kGeometry[0], 100 * kGeometry[1],
+                                             100 * kGeometry[2], 100 * kGeometry[3]};
+  const auto meanCurrent = [&] {
+    double sum = 0;
+    for (std::size_t wheel = 0; wheel < sim::kWheels; ++wheel) {
+      sum += robot.currentAmperes(wheel);
+    }
+    return sum / 4;
+  };
+  follow(rpm, 3000);
+  const double uphill = meanCurrent();
+  while (robot.heading() < std::numbers::pi) {
+    follow(rpm, 100);
+  }
+  EXPECT_GT(uphill, meanCurrent() + 1.0);
+}
+
+/// @brief With swapped leads a voltage forwards turns the wheel backwards, and its sensor still shows the
+/// current that the driver drives.
+TEST_F(RobotTest, SwappedLeadsTurnTheMotorRound) {
+  robot.setFault(Fault::Leads, 2, true);
+  robot.setWheel(2, {.duty = 0.2, .backwards = false, .enabled = true});
+  run(20);
+  EXPECT_LT(robot.velocityRpm(2), 0);
+  EXPECT_LT(robot.torque(2), 0);
+  EXPECT_GT(robot.currentVolts(2), Robot::kMiddle);
+}
+
+/// @brief With swapped Hall sensors the same turns count backwards.
+TEST_F(RobotTest, SwappedHallSensorsCountBackwards) {
+  robot.setFault(Fault::HallSwapped, 1, true);
+  drive({.duty = 0.5, .backwards = false, .enabled = true});
+  run(2000);
+  EXPECT_GT(netEdges(0), 100);
+  EXPECT_NEAR(netEdges(1), -netEdges(0), 0.02 * netEdges(0));
+}
+
+/// @brief A sensor that is 30 electrical degrees off its place makes gaps of 60 and 120 degrees.
+TEST_F(RobotTest, MisplacedSensorMakesShortGaps) {
+  robot.setFault(Fault::HallMisplaced, 0, true, 30);
+  drive({.duty = 0.5, .backwards = false, .enabled = true});
+  run(4000);
+  std::vector<double> times;
+  for (int step = 0; step < 1000; ++step) {
+    for (const HallEdge& edge : robot.step()) {
+      if (edge.wheel == 0) {
+        times.push_back(step * 1e6 + static_cast<double>(edge.offset.count()));
+      }
+    }
+  }
+  const double even = 1e9 / robot.velocityRpm(0);
+  ASSERT_GT(times.size(), 100U);
+  for (std::size_t i = 2; i < times.size(); ++i) {
+    const double gap = times[i] - times[i - 1];
+    EXPECT_NEAR(std::min(gap, 2 * even - gap), even * 60 / 90, 0.02 * even);
+  }
+}
+
+/// @brief Glitches come as pulses of 30 us on sensor a, so many in a second; lost edges are missing.
+TEST_F(RobotTest, GlitchesAndLostEdges) {
+  robot.setFault(Fault::HallGlitches, 0, true, 50);
+  run(10'000);
+  EXPECT_NEAR(static_cast<double>(edges.size()), 2 * 500, 2 * 70);
+  for (std::size_t i = 1; i < edges.size(); i += 2) {
+    EXPECT_EQ((edges[i].offset - edges[i - 1].offset).count(), 30'000);
+    EXPECT_EQ(edges[i].sensor, 0U);
+  }
+  robot.setFault(Fault::HallGlitches, 0, false);
+  robot.setFault(Fault::HallLosses, 1, true, 20);
+  edges.clear();
+  drive({.duty = 0.5, .backwards = false, .enabled = true});
+  run(10'000);
+  const auto ofWheel = [&](std::size_t wheel) {
+    return std::ranges::count(edges, wheel, &HallEdge::wheel);
+  };
+  EXPECT_NEAR(static_cast<double>(ofWheel(0) - ofWheel(1)), 200, 50);
+}
+
+/// @brief A stuck current sensor keeps its value; one that is off shows its error.
+TEST_F(RobotTest, StuckAndOffsetCurrentSensors) {
+  run(1);
+  robot.setFault(Fault::CurrentStuck, 0, true);
+  robot.setFault(Fault::CurrentOffset, 1, true, 5000);
+  robot.setFault(Fault::Block, 0, true);
+  run(1);
+  EXPECT_EQ(robot.currentVolts(1), Robot::kMiddle + 0.5);
+  drive({.duty = 1.0, .backwards = false, .enabled = true});
+  run(100);
+  EXPECT_GT(robot.currentAmperes(0), 15);
+  EXPECT_EQ(robot.currentVolts(0), Robot::kMiddle);
+  robot.setFault(Fault::CurrentStuck, 0, false);
+  run(1);
+  EXPECT_GT(robot.currentVolts(0), Robot::kMiddle + 1);
+}
+
+/// @brief An open angle input goes to the voltage of the input that is converted before it; a stuck sensor
+/// keeps its value; a drifting one leaves the truth by its rate.
+TEST_F(RobotTest, AngleThatIsOpenStuckOrDrifts) {
+  robot.setSteeringEnabled(true);
+  for (int i = 0; i < 400; ++i) {
+    robot.steeringStep(true);
+  }
+  run(1);
+  EXPECT_NEAR(robot.steeringVolts(), 1.65 + 20 * 3.3 / 80, 1e-9);
+  robot.setFault(Fault::AngleStuck, 0, true);
+  for (int i = 0; i < 400; ++i) {
+    robot.steeringStep(false);
+  }
+  run(100);
+  EXPECT_NEAR(robot.steeringVolts(), 1.65 + 20 * 3.3 / 80, 1e-9);
+  robot.setFault(Fault::AngleStuck, 0, false);
+  EXPECT_NEAR(robot.steeringVolts(), 1.65, 1e-9);
+  robot.setFault(Fault::AngleDrift, 0, true, 200);
+  run(1000);
+  EXPECT_NEAR(robot.steeringVolts(), 1.65 + 2 * 3.3 / 80, 1e-6);
+  robot.setFault(Fault::AngleDrift, 0, false);
+  robot.setFault(Fault::CurrentOffset, 3, true, 8000);
+  robot.setFault(Fault::AngleOpen, 0, true);
+  run(500);
+  EXPECT_NEAR(robot.steeringVolts(), 2.45, 0.01);
+}
+
+/// @brief The contacts of the end stops are open at the ends, and when their wire is broken.
+TEST_F(RobotTest, BrokenWireOfAnEndStopIsOpen) {
+  EXPECT_FALSE(robot.leftEnd());
+  robot.setFault(Fault::LeftEnd, 0, true);
+  EXPECT_TRUE(robot.leftEnd());
+  EXPECT_FALSE(robot.rightEnd());
+  robot.setFault(Fault::RightEnd, 0, true);
+  EXPECT_TRUE(robot.rightEnd());
+}
+
+/// @brief The emergency stop takes all torque, whatever the firmware does, and opens its contact. With
+/// short-circuited motors the robot is at rest sooner.
+TEST_F(RobotTest, EmergencyStopTakesAllTorque) {
+  const auto wayAfter = [](sim::EmergencyStop state) {
+    Robot driven(1);
+    for (std::size_t wheel = 0; wheel < sim::kWheels; ++wheel) {
+      driven.setWheel(wheel, {.duty = 0.6, .backwards = false, .enabled = true});
+    }
+    for (int i = 0; i < 3000; ++i) {
+      static_cast<void>(driven.step());
+    }
+    EXPECT_FALSE(driven.emergencyStopOpen());
+    EXPECT_FALSE(driven.braking());
+    driven.setEmergencyStop(state);
+    EXPECT_TRUE(driven.emergencyStopOpen());
+    const double from = driven.distance();
+    for (int i = 0; i < 10'000; ++i) {
+      static_cast<void>(driven.step());
+      EXPECT_LE(driven.torque(2), i < 10 ? 2.0 : 0.0);
+      EXPECT_TRUE(i < 10 || driven.braking());
+    }
+    EXPECT_EQ(driven.groundSpeed(), 0.0);
+    driven.steeringStep(true);
+    EXPECT_EQ(driven.steeringDegrees(), 0.0);
+    return driven.distance() - from;
+  };
+  EXPECT_GT(wayAfter(sim::EmergencyStop::Coast), wayAfter(sim::EmergencyStop::Brake) + 0.2);
+}
+
+/// @brief The greatest velocity is kept until it is cleared.
+TEST_F(RobotTest, GreatestVelocityIsKept) {
+  drive({.duty = 0.5, .backwards = true, .enabled = true});
+  run(2000);
+  const double top = std::abs(robot.velocityRpm(0));
+  drive({.duty = 0, .backwards = true, .enabled = true});
+  run(2000);
+  EXPECT_GE(robot.greatestRpm(), top);
+  robot.clearGreatestVelocity();
+  run(1);
+  EXPECT_LT(robot.greatestRpm(), 1);
 }
 
 /// @brief A tyre pulls no more than the ground holds: with little grip the wheels spin.

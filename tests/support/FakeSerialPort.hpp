@@ -10,16 +10,21 @@
 
 namespace wr::test {
 
-/// @brief Serial port whose far end is the test.
+/// @brief Serial port whose far end is the test. What it gives was received at the time of the clock.
 class FakeSerialPort final : public SerialPort {
  public:
   std::size_t read(std::span<std::uint8_t> bytes) override {
     const std::size_t taken = std::min(bytes.size(), received.size());
-    const auto end = received.begin() + static_cast<std::ptrdiff_t>(taken);
+    const auto most = received.begin() + static_cast<std::ptrdiff_t>(taken);
+    const auto zero = std::find(received.begin(), most, 0);
+    const auto end = zero == most ? most : zero + 1;
     std::copy(received.begin(), end, bytes.begin());
+    const auto count = static_cast<std::size_t>(end - received.begin());
     received.erase(received.begin(), end);
-    return taken;
+    return count;
   }
+
+  [[nodiscard]] Instant receivedAt() const override { return at; }
 
   [[nodiscard]] std::size_t free() const override { return room; }
 
@@ -37,6 +42,7 @@ class FakeSerialPort final : public SerialPort {
   std::vector<std::uint8_t> sent;      // bytes that the system has written
   std::size_t room = std::numeric_limits<std::size_t>::max();
   std::uint16_t lost = 0;
+  Instant at{};  // when the bytes were received
 };
 
 }  // namespace wr::test

@@ -53,20 +53,22 @@ inline Bytes stuffed(const Bytes& body) {
 
 /// @brief The bytes on the line of a frame.
 inline Bytes lineBytes(std::uint8_t type, std::uint8_t sequence, const Bytes& payload,
-                       std::uint8_t version = 1) {
+                       std::uint8_t version = 2) {
   Bytes body{version, type, sequence};
   body.insert(body.end(), payload.begin(), payload.end());
   return stuffed(withCrc(body));
 }
 
-/// @brief Splits bytes on the line into bodies, each with its CRC.
+/// @brief Splits bytes on the line into bodies, each with its CRC. Zero bytes between them are ignored.
 inline std::vector<Bytes> bodies(const Bytes& line) {
   std::vector<Bytes> found;
   Bytes body;
   unsigned distance = 0;
   for (const std::uint8_t byte : line) {
     if (byte == 0) {
-      found.push_back(body);
+      if (!body.empty() || distance != 0) {
+        found.push_back(body);
+      }
       body.clear();
       distance = 0;
       continue;

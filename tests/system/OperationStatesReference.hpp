@@ -148,12 +148,13 @@ class Comparison {
   [[nodiscard]] std::int64_t lastPulse() const { return cycles * kPeriod; }
 
  private:
-  void pcSpeaks(std::int64_t pulse) {
+  void pcSpeaks(std::int64_t receivedAt) {
     const int id = number(1, 65535);
     const bool stop = oneIn(20);
     robot_.order({.id = static_cast<std::uint16_t>(id), .stop = stop});
+    reference_.stop = reference_.stop || stop;
     if (reference_.connected) {
-      reference_.acceptOrder(id, stop, pulse);
+      reference_.acceptOrder(id, stop, receivedAt);
     }
   }
 
@@ -172,7 +173,7 @@ class Comparison {
       robot_.keepAlive();
     }
     if (pc) {
-      pcSpeaks(pulse);
+      pcSpeaks(lastPulse());
     }
     const int stateBefore = reference_.state;
     const int modeBefore = reference_.mode;

@@ -61,33 +61,91 @@ TEST_F(OrdersOfRobot, FR20_OnlyTheNewestOrderIsReadAndOnce) {
   EXPECT_FALSE(robot.report().orderRead());
 }
 
-/// @brief An order that waits for the mode PC is read while it is not older than 200 ms.
+/// @brief An order that waits for the mode PC is read when its last byte came 199 ms before the clock pulse.
 /// @verifies FR-20
 TEST_F(OrdersOfRobot, FR20_OrderIsReadUpToItsLifetime) {
   connectAndFail(kN);
-  robot.order({.id = 30});
-  robot.cycle();
+  robot.silentCycle();
   EXPECT_EQ(robot.report().state, kReconnecting);
-  robot.keepAlive();
+  EXPECT_EQ(robot.report().mode, kRc);
+  robot.arriveBeforePulse(robot.pc.order({.id = 30}), std::chrono::milliseconds(99));
   robot.cycle();
   EXPECT_EQ(robot.report().mode, kPc);
-  robot.keepAlive();
-  robot.cycle();
+  robot.silentCycle();
   EXPECT_EQ(robot.report().orderId, 30);
   EXPECT_EQ(robot.report().state, kWorking);
 }
 
-/// @brief An order that is older than 200 ms when the mode PC comes is no message.
+/// @brief An order whose last byte came 201 ms before the clock pulse is no message.
 /// @verifies FR-20
 TEST_F(OrdersOfRobot, FR20_OlderOrderIsNoMessage) {
-  connectAndFail(kN - 1);
-  robot.order({.id = 30});
-  for (int i = 0; i < 4; ++i) {
-    robot.keepAlive();
-    robot.cycle();
-  }
+  connectAndFail(kN);
+  robot.arriveBeforePulse(robot.pc.order({.id = 30}), std::chrono::milliseconds(1));
+  robot.cycle();
+  EXPECT_EQ(robot.report().mode, kRc);
+  robot.silentCycle();
+  EXPECT_EQ(robot.report().mode, kPc);
+  robot.silentCycle();
   EXPECT_EQ(robot.report().state, kReconnecting);
   EXPECT_EQ(robot.report().orderId, 0);
+}
+
+/// @brief The report of an order repeats the time of the sender's clock.
+/// @verifies FR-249
+TEST_F(OrdersOfRobot, FR249_ReportRepeatsTheTimeOfTheSender) {
+  robot.commandByPc();
+  robot.order({.id = 31, .sentAt = 0x89ABCDEF});
+  robot.cycle();
+  EXPECT_EQ(robot.report().orderId, 31);
+  EXPECT_EQ(robot.report().sentAt, 0x89ABCDEF);
+  robot.silentCycle();
+  EXPECT_EQ(robot.report().sentAt, 0x89ABCDEF);
+}
+
+/// @brief An order that comes twice is read once, and the second one is counted.
+/// @verifies FR-243
+TEST_F(OrdersOfRobot, FR243_AnOrderThatIsRepeatedIsStale) {
+  robot.commandByPc();
+  const Bytes order = robot.pc.order({.id = 32});
+  robot.arrive(order);
+  robot.cycle();
+  EXPECT_TRUE(robot.report().orderRead());
+  robot.arrive(order);
+  robot.cycle();
+  EXPECT_FALSE(robot.report().orderRead());
+  EXPECT_EQ(robot.report().staleOrders, 1);
+}
+
+/// @brief A stop acts before the PC is connected, and the report of the connection shows its source.
+/// @verifies FR-240
+/// @verifies FR-242
+TEST_F(OrdersOfRobot, FR240_StopActsWithoutConnection) {
+  robot.order({.id = 39, .stop = true});
+  robot.cycle();
+  robot.connect();
+  EXPECT_TRUE(robot.report().stop());
+  EXPECT_TRUE(robot.report().held());
+  EXPECT_EQ(robot.report().inhibit, 2);
+  EXPECT_EQ(robot.report().stopSources, 1 << kPc);
+}
+
+/// @brief A stop is not released by an order that moves a wheel.
+/// @verifies FR-241
+TEST_F(OrdersOfRobot, FR241_AnOrderThatMovesDoesNotRelease) {
+  robot.commandByPc();
+  robot.order({.id = 40, .stop = true});
+  robot.cycle();
+  PcOrder moving{.id = 41};
+  moving.wheels[3] = {.quantity = 1, .value = 1};
+  robot.order(moving);
+  robot.cycle();
+  EXPECT_EQ(robot.report().orderId, 41);
+  EXPECT_TRUE(robot.report().stop());
+  EXPECT_TRUE(robot.report().held());
+  robot.order({.id = 42});
+  robot.cycle();
+  EXPECT_FALSE(robot.report().stop());
+  EXPECT_EQ(robot.report().stopSources, 0);
 }
 
 /// @brief A stop of the PC holds the robot in the mode PC, in every operation state.

@@ -203,10 +203,10 @@ TEST_F(ReportsOfRobot, FR63_ReportCountsDroppedFramesByReason) {
   damaged[4] = static_cast<std::uint8_t>(damaged[4] ^ 0x10U);
   const std::vector<std::pair<Bytes, int>> frames{
       {damaged, 1},
-      {Bytes(200, 1), 2},
-      {robot.pc.frame(0x03, {}, 2), 3},
+      {Bytes(220, 1), 2},
+      {robot.pc.frame(0x03, {}, 1), 3},
       {robot.pc.frame(0x55, {}), 4},
-      {robot.pc.frame(0x03, std::array<std::uint8_t, 1>{9}), 5},
+      {robot.pc.frame(0x04, std::array<std::uint8_t, 1>{9}), 5},
       {robot.pc.order({.id = 9, .steering = 3201}), 6},
       {robot.pc.confirm(robot.welcome.value().session), 7},
   };

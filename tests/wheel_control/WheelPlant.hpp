@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -9,28 +10,53 @@
 
 namespace wr::test {
 
-/// Motor, gear and a quarter of the robot, as a train of first order with a load.
+/// Motor, gear and a quarter of the robot, as a train of first order with friction and a load. Its
+/// parameters are its own: a motor and a battery as they may be, not as the controller assumes them.
 class WheelPlant {
  public:
-  double inertia = 0.037;  // at the shaft [kg m2]
-  double load = 0;  // torque at the shaft that is always there, positive against forwards [N m]
+  double supply = 25.0;      // a charged battery of 24 V [V]
+  double resistance = 1.55;  // winding, leads and driver [ohm]
+  double constant = 0.485;   // [V s/rad], and [N m/A]
+  double inertia = 0.039;    // at the shaft [kg m2]
+  double friction = 0;       // torque at the shaft against the motion [N m]
+  double load = 0;           // torque at the shaft that is always there, positive against forwards [N m]
 
-  /// Lets a cycle pass with what the driver puts on the motor.
+  /// Lets a cycle pass with the voltage that the driver applies to the motor.
   void cycle(const ControlledWheel& wheel) {
-    constexpr int kParts = 100;
-    constexpr double kPart = 0.001;
-    double speeds = 0;
-    double currents = 0;
+    begin();
     for (int part = 0; part < kParts; ++part) {
-      const double tension = wheel.output().count() / 1000.0;
-      const double current =
-          wheel.enable.isOn() ? (tension - kConstant * speed_) / kResistance : 0.0;
-      speed_ += (kConstant * current - load) / inertia * kPart;
-      speeds += speed_;
-      currents += current;
+      step(torque(wheel) / inertia);
     }
-    velocity_ = toVelocity(speeds / kParts);
-    current_ = Current(static_cast<std::int32_t>(std::lround(currents / kParts * 1000)));
+    end();
+  }
+
+  /// Begins a cycle of single steps.
+  void begin() {
+    speeds_ = 0;
+    currents_ = 0;
+  }
+
+  /// Torque at the shaft in the present step, of motor and load.
+  double torque(const ControlledWheel& wheel) {
+    const double share = wheel.pwm.dutyCycle().count() / 10000.0;
+    const double tension = (wheel.orientation.isOn() ? -share : share) * supply;
+    const double current = wheel.enable.isOn() ? (tension - constant * speed_) / resistance : 0.0;
+    currents_ += current;
+    const double driving = constant * current - load;
+    const double opposing = std::clamp(driving + speed_ * inertia / kPart, -friction, friction);
+    return driving - opposing;
+  }
+
+  /// Moves on by one step.
+  void step(double acceleration) {
+    speed_ += acceleration * kPart;
+    speeds_ += speed_;
+  }
+
+  /// Ends a cycle: computes the means that the sensors measure.
+  void end() {
+    velocity_ = toVelocity(speeds_ / kParts);
+    current_ = Current(static_cast<std::int32_t>(std::lround(currents_ / kParts * 1000)));
   }
 
   /// Mean velocity of the last cycle.
@@ -42,15 +68,20 @@ class WheelPlant {
   /// Velocity now.
   [[nodiscard]] Velocity present() const { return toVelocity(speed_); }
 
- private:
-  static constexpr double kResistance = 1.5;  // ohm
-  static constexpr double kConstant = 0.5;    // V s/rad, and N m/A
+  /// Speed of the shaft now [rad/s].
+  [[nodiscard]] double speed() const { return speed_; }
 
+  static constexpr int kParts = 100;       // steps in a cycle
+  static constexpr double kPart = 0.001;   // [s]
+
+ private:
   static Velocity toVelocity(double speed) {
     return Velocity(static_cast<std::int32_t>(std::lround(speed * 300 / std::numbers::pi)));
   }
 
   double speed_ = 0;  // rad/s
+  double speeds_ = 0;
+  double currents_ = 0;
   Velocity velocity_{};
   Current current_{};
 };

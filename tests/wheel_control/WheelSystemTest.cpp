@@ -27,8 +27,8 @@ class WheelSystemTest : public testing::Test, protected SensedWheel {
   HostThread thread{scheduler, kWheelPriority};
   WheelSystem system{{.wheel = kWheel,
                       .thread = thread,
-                      .registerPosition = registerPosition,
                       .readVelocity = readVelocity,
+                      .registerPosition = registerPosition,
                       .readCurrent = readCurrent,
                       .applyControl = applyControl,
                       .haltWheel = haltWheel}};
@@ -91,8 +91,8 @@ TEST_F(WheelSystemTest, FR92_WorkIsDoneWhenTheMainThreadGoesOn) {
 TEST_F(WheelSystemTest, FR92_ThreadIsNotShared) {
   WheelSystem other{{.wheel = 0,
                      .thread = thread,
-                     .registerPosition = registerPosition,
                      .readVelocity = readVelocity,
+                     .registerPosition = registerPosition,
                      .readCurrent = readCurrent,
                      .applyControl = applyControl,
                      .haltWheel = haltWheel}};

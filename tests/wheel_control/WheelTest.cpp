@@ -68,15 +68,60 @@ TEST_F(WheelTest, FR87_OrientationStandsAtItsOutput) {
   EXPECT_FALSE(orientation.isOn());
 }
 
-/// @brief The cut-off switches the driver off at once; neither tension nor stop switches it on again.
+/// @brief The overcurrent trip switches the driver off at once, and no tension passes before the release.
 /// @verifies FR-89
-TEST_F(WheelTest, FR89_CutOffIsLatched) {
+TEST_F(WheelTest, FR89_TripIsLatched) {
   wheel.setTension(Tension(5000));
   wheel.cutOff().execute();
   EXPECT_FALSE(enable.isOn());
   EXPECT_TRUE(wheel.isCutOff());
+  for (int cycle = 0; cycle < 5; ++cycle) {
+    wheel.stop();
+    wheel.setTension(Tension(5000));
+    EXPECT_TRUE(wheel.isCutOff());
+    EXPECT_EQ(pwm.dutyCycle(), DutyCycle(0));
+  }
+}
+
+/// @brief The driver stays off through one whole control cycle, in which the current decays, and is then
+/// on without tension: the motor brakes.
+/// @verifies FR-221
+TEST_F(WheelTest, FR221_BrakesWhenTheCurrentHasDecayed) {
   wheel.setTension(Tension(5000));
+  wheel.cutOff().execute();
+  wheel.cutOff().execute();  // the current is still too high at the next sample
+  wheel.stop();
   EXPECT_FALSE(enable.isOn());
+  wheel.stop();
+  EXPECT_TRUE(enable.isOn());
+  EXPECT_EQ(pwm.dutyCycle(), DutyCycle(0));
+  wheel.stop();
+  EXPECT_TRUE(enable.isOn());
+}
+
+/// @brief A trip while the motor brakes switches the driver off for good.
+/// @verifies FR-221
+TEST_F(WheelTest, FR221_SecondTripKeepsTheDriverOff) {
+  wheel.cutOff().execute();
+  wheel.stop();
+  wheel.stop();
+  ASSERT_TRUE(enable.isOn());
+  wheel.cutOff().execute();
+  for (int cycle = 0; cycle < 5; ++cycle) {
+    EXPECT_FALSE(enable.isOn());
+    wheel.stop();
+  }
+  wheel.release();
+  wheel.stop();
+  EXPECT_TRUE(enable.isOn());
+}
+
+/// @brief A second trip that comes while the driver is switched on for braking wins.
+/// @verifies FR-221
+TEST_F(WheelTest, FR221_TripWinsAgainstBraking) {
+  wheel.cutOff().execute();
+  wheel.stop();
+  enable.onRise([this] { wheel.cutOff().execute(); });
   wheel.stop();
   EXPECT_FALSE(enable.isOn());
 }
@@ -92,18 +137,18 @@ TEST_F(WheelTest, FR89_ReleaseLetsTheNextTensionSwitchOn) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief A cut-off that comes while the driver is being switched on wins.
+/// @brief A trip that comes while the driver is being switched on wins.
 /// @verifies FR-89
-TEST_F(WheelTest, FR89_CutOffWinsAgainstSwitchingOn) {
+TEST_F(WheelTest, FR89_TripWinsAgainstSwitchingOn) {
   enable.onRise([this] { wheel.cutOff().execute(); });
   wheel.setTension(Tension(5000));
   EXPECT_FALSE(enable.isOn());
   EXPECT_TRUE(wheel.isCutOff());
 }
 
-/// @brief A cut-off that comes between the look at the latch and the switch wins as well.
+/// @brief A trip that comes between the look at the latch and the switch wins as well.
 /// @verifies FR-89
-TEST_F(WheelTest, FR89_CutOffWinsBeforeTheSwitch) {
+TEST_F(WheelTest, FR89_TripWinsBeforeTheSwitch) {
   // This output interrupts just before it takes its level.
   class Interrupted final : public DigitalOutput {
    public:

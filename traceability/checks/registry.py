@@ -274,6 +274,15 @@ _FIXED = [
         "write a test that makes the finding happen, or correct the id.",
     ),
     Check(
+        "board-belief",
+        "Each belief of the virtual K64 has a source",
+        "Every belief in design/board_beliefs.toml names a register of src/k64/registers.hpp, a "
+        "file of sim/k64 that has it, and a declared source; it is marked as shared exactly when "
+        "that source is not an outside one.",
+        "a belief that is not listed, and whether the source says what is stated.",
+        "correct the entry, or find an outside source.",
+    ),
+    Check(
         "uses-cycle",
         "No cycles of uses",
         "The uses between the top folders form no cycle; inside one, the cycles are those declared "

@@ -441,11 +441,19 @@ def builder_constructs(shape: Shape) -> Broken:
     builders = shape.playing("Concrete Builder")
     for product in shape.playing("Product"):
         for builder in builders:
-            if not makes(shape, builder, product):
+            if not makes(shape, builder, product) and not passes_steps_on(shape, builder):
                 yield shape.place(builder), f"{builder} does not construct {product}"
         for place, maker in makers(shape, product):
             if maker not in builders and maker not in shape.family(product):
                 yield place, f"{maker or 'a function'} makes a {product}"
+
+
+def passes_steps_on(shape: Shape, builder: str) -> bool:
+    """Whether a Concrete Builder calls the steps of the Builder, which others carry out."""
+    abstract = shape.playing("Builder")
+    return builder not in abstract and any(
+        owner_of(target) in abstract for target, _ in shape.calls(builder)
+    )
 
 
 def builder_parts(shape: Shape) -> Broken:

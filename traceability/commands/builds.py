@@ -13,12 +13,12 @@ from typing import TextIO
 
 from traceability.commands.steps import FailureError, run
 from traceability.model.results import cost_of
-from traceability.products import DEFAULT, PRODUCTS, image_of
+from traceability.products import PAPER, PRODUCTS, image_of
 from traceability.sources import hash_of, source_hash
 
 # CMake keeps what it once read of them, so that a change needs a fresh configuration.
 SETTINGS = ("CMakePresets.json", "setup/k64-toolchain.cmake")
-IMAGE = str(image_of(DEFAULT, ".bin"))
+IMAGE = str(image_of(PAPER, ".bin"))
 TESTS = "firmware_tests"
 # The tests on the virtual K64 are a run of their own, built with the preset of this machine.
 BOARD, BOARD_TESTS, BOARD_PRESET = "board", "board_tests", "host"

@@ -54,7 +54,7 @@ def _play(root: Path, log: TextIO, name: str, binding: str) -> dict[str, object]
     reports.parent.mkdir(parents=True, exist_ok=True)
     reports.unlink(missing_ok=True)
     folder = root / "build" / "host" / "sim"
-    words: list[str | Path] = [folder / HOST_PROGRAM]
+    words: list[str | Path] = [folder / HOST_PROGRAM, "--paper"]
     if binding == VIRTUAL_K64:
         elf = (root / IMAGE).with_suffix(".elf")
         words = [folder / BOARD_PROGRAM, "--image", root / IMAGE, "--elf", elf, "--stack"]

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TextIO
 
-from traceability.commands.builds import IMAGE, build
+from traceability.commands.builds import build
 from traceability.commands.sizes import (
     ELF,
     PARTS,
@@ -19,7 +19,7 @@ from traceability.commands.sizes import (
 from traceability.commands.steps import FailureError, Steps
 from traceability.products import DEFAULT, PRODUCTS, image_of
 
-BIN = Path(IMAGE)
+BIN = image_of(DEFAULT, ".bin")
 FILES = {
     ".elf": "for a debugger",
     ".bin": "for the board's drive, ./wr flash writes it",

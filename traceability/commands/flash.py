@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import shutil
+import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,6 +15,7 @@ from traceability.commands.firmware import add_product, build_k64
 from traceability.commands.steps import FailureError, MissingError, Steps, run
 from traceability.image import lock_problems
 from traceability.products import image_of
+from traceability.radio_key import KeyFileError, write_keyed
 
 USB = Path("/sys/bus/usb/devices")
 ARM = "0d28"  # vendor of the debug probe that is on the FRDM-K64F
@@ -56,6 +58,12 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--image", type=Path, metavar="BIN", help="write this image, and build nothing"
     )
     parser.add_argument(
+        "--bluetooth-key",
+        type=Path,
+        metavar="FILE",
+        help="write this key (32 hexadecimal digits) into the image of weeding_robot_pc_bluetooth",
+    )
+    parser.add_argument(
         "--dry-run", action="store_true", help="check the image, and say what would be done"
     )
     parser.set_defaults(run=lambda root, options: flash(root, options, parser))
@@ -66,11 +74,16 @@ def flash(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
     if options.way not in (None, name):
         parser.error(f"--drive does not go with --with {options.way}")
     image: Path = options.image or root / image_of(options.product, ".bin")
-    steps = Steps(root, 2 if options.image else 3)
+    steps = Steps(root, (2 if options.image else 3) + bool(options.bluetooth_key))
     if not options.image:
         build_k64(root, steps)
     if steps.failed or not steps.run("image", lambda _log: checked(image)):
         return 1
+    if options.bluetooth_key:
+        keyed = root / "build" / f"{image.stem}.keyed.bin"
+        if not steps.run("key", lambda _log: add_key(image, options.bluetooth_key, keyed)):
+            return 1
+        image = keyed
     name, way = choose(ways(image, options.drive), name)
     if options.dry_run:
         steps.skip(f"flash ({name})", f"dry run, would {way.does}")
@@ -94,14 +107,25 @@ def checked(image: Path) -> str:
     return f"{len(content)} bytes, does not lock the chip"
 
 
+def add_key(image: Path, key_file: Path, keyed: Path) -> str:
+    """Writes a copy of the image with the key; fails without a key or a place for it."""
+    try:
+        keyed.parent.mkdir(parents=True, exist_ok=True)
+        write_keyed(image, key_file, keyed)
+    except KeyFileError as error:
+        raise FailureError(str(error)) from error
+    return f"the key is in a copy of the image, {keyed}"
+
+
 def ways(image: Path, folder: Path | None) -> dict[str, Way]:
     """All ways, the one to try first in front."""
     file = image.resolve()
     flags = ("-t", "k64f", "--no-wait", "--format", "bin", "--base-address", "0")
-    # OpenOCD reads a script: braces keep the path one word.
-    script = f"program {{{file}}} verify reset exit 0x0"
+    # OpenOCD reads a script: braces keep the path one word. Without fcf_source it writes a flash
+    # configuration field of its own, and the comparison fails. The field was checked before.
+    script = f"init; kinetis fcf_source write; program {{{file}}} verify reset exit 0x0"
     return {
-        "pyocd": tool("pyocd", "flash", *flags, str(file)),
+        "pyocd": pyocd(file, flags),
         "openocd": tool("openocd", "-f", "board/nxp_frdm-k64f.cfg", "-c", script),
         "drive": copy(file, folder),
     }
@@ -111,6 +135,39 @@ def tool(name: str, *arguments: str) -> Way:
     missing = "" if shutil.which(name) else "not installed"
     words = [name, *arguments]
     return Way(missing, f"run {' '.join(words)}", lambda log: run(log, words))
+
+
+def pyocd(image: Path, flags: tuple[str, ...]) -> Way:
+    """Writes with pyOCD, which does not compare by itself: reads the flash back and compares."""
+    missing = "" if shutil.which("pyocd") else "not installed"
+    words = ["pyocd", "flash", *flags, str(image)]
+
+    def write(log: TextIO) -> str | None:
+        run(log, words)
+        with tempfile.TemporaryDirectory() as folder:
+            copy = Path(folder) / "read_back.bin"
+            commands = ("reset halt", f"savemem 0 {image.stat().st_size} {copy}", "reset")
+            read = ["pyocd", "commander", "-t", "k64f", "--no-wait"]
+            run(log, [*read, *(word for line in commands for word in ("-c", line))])
+            return compared(image, copy)
+
+    return Way(missing, f"run {' '.join(words)}, read the flash back and compare", write)
+
+
+def compared(image: Path, copy: Path) -> str:
+    """Reports that the flash holds the image; fails at the first byte that differs."""
+    wanted = image.read_bytes()
+    try:
+        found = copy.read_bytes()
+    except OSError as error:
+        raise FailureError("the flash could not be read back: write the image again") from error
+    for address, (byte, other) in enumerate(zip(wanted, found, strict=False)):
+        if byte != other:
+            differs = f"flash at 0x{address:X} holds 0x{other:02X}, not 0x{byte:02X}"
+            raise FailureError(f"{differs}: write the image again")
+    if len(found) < len(wanted):
+        raise FailureError(f"only {len(found)} of {len(wanted)} bytes were read back: try again")
+    return f"{len(wanted)} bytes read back, equal to the image"
 
 
 def copy(image: Path, folder: Path | None) -> Way:

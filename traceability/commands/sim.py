@@ -11,7 +11,7 @@ from weeding_robot_client.options import positive
 from traceability.commands.builds import BOARD_PROGRAM, build, build_for_board
 from traceability.commands.firmware import add_product, build_k64
 from traceability.commands.steps import FailureError, Steps
-from traceability.products import DEFAULT, image_of
+from traceability.products import DEFAULT, PAPER, image_of
 
 PROGRAM = "weeding_robot_host"
 
@@ -62,7 +62,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
     """Builds what is asked for, and becomes it."""
-    if options.product != DEFAULT and not options.board:
+    if options.product not in (DEFAULT, PAPER) and not options.board:
         parser.error(f"--product {options.product} needs --board")
     if options.trace and not options.board:
         parser.error(f"--trace {options.trace} needs --board")
@@ -93,6 +93,8 @@ def command(root: Path, options: argparse.Namespace) -> list[str]:
     if options.board:
         image, elf = (root / image_of(options.product, suffix) for suffix in (".bin", ".elf"))
         words += ["--image", str(image), "--elf", str(elf)]
+    elif options.product == PAPER:
+        words.append("--paper")
     link, control = options.link, options.control
     if not stepped:
         link = link or root / "build" / "pc-link"

@@ -36,6 +36,10 @@ def virtual_k64_page(portal: Portal) -> Page:
     )
 
 
+def beliefs_page(portal: Portal) -> Page:
+    return portal.page("beliefs", "Beliefs of the virtual board", "beliefs", "beliefs")
+
+
 def driver_coverage(portal: Portal) -> list[DriverFile] | None:
     if portal.model.board_lines is None:
         return None

@@ -149,6 +149,13 @@ def verify(portal: Portal) -> list[Entry]:
         Entry("closed_loop", "Closed loop", "closed_loop.html", "", len(portal.model.closed_loop)),
         Entry("bench", "Bench", "bench.html"),
         Entry("virtual_k64", "Findings of the virtual K64", "virtual_k64.html"),
+        Entry(
+            "beliefs",
+            "Beliefs of the virtual board",
+            "beliefs.html",
+            "",
+            len(portal.model.beliefs),
+        ),
         Entry("checks", "Checks", "checks/index.html", "", len(portal.checks)),
         Entry("drift", "Drift test", "checks/drift.html", "", len(portal.faults)),
     ]

@@ -11,6 +11,7 @@ from traceability.documents.bench_page import bench_page
 from traceability.documents.exports import DIAGRAMS
 from traceability.documents.links import logic_anchor
 from traceability.documents.measured_pages import (
+    beliefs_page,
     closed_loop_page,
     mutation_page,
     usual_design_page,
@@ -83,6 +84,7 @@ def overviews(portal: Portal) -> Iterator[Callable[[], Page]]:
     yield page("trees", "Invocation trees", "trees", "trees")
     yield partial(tests_page, portal)
     yield partial(virtual_k64_page, portal)
+    yield partial(beliefs_page, portal)
     yield partial(mutation_page, portal)
     yield partial(reverse_page, portal)
     yield partial(closed_loop_page, portal)

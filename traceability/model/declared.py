@@ -15,6 +15,8 @@ from traceability.model.schema import (
     Apart,
     ArchitectureElement,
     ArchitectureGroup,
+    BeliefSource,
+    BoardBelief,
     BoardFinding,
     Connection,
     Cycle,
@@ -133,6 +135,8 @@ class Declared:
     pipes: dict[str, PipeText] = field(default_factory=dict)
     protections: dict[str, Protection] = field(default_factory=dict)  # member, or Class::*
     board_findings: dict[str, BoardFinding] = field(default_factory=dict)
+    beliefs: list[BoardBelief] = field(default_factory=list)
+    belief_sources: dict[str, BeliefSource] = field(default_factory=dict)
     justified: list[Justified] = field(default_factory=list)
     concordance: Concordance = field(default_factory=Concordance)
     changes: ChangeTexts = field(default_factory=ChangeTexts)
@@ -141,7 +145,8 @@ class Declared:
 
 # The files of a whole design, beside its trees and state machines.
 FILES = (
-    *("applications", "architecture", "board_findings", "changes", "clauses", "closed_loop"),
+    *("applications", "architecture", "board_beliefs", "board_findings", "changes"),
+    *("clauses", "closed_loop"),
     *("concordance", "execution", "figures", "justified", "modules", "paper", "questions"),
     *("register_owners", "stack", "uses"),
 )
@@ -168,6 +173,7 @@ def read_declared(root: Path) -> Declared:
         design / "board_findings.toml", "finding", {"id": str, "says": str}, own="id"
     ):
         declared.board_findings[item["id"]] = BoardFinding(item["id"], item["says"], place)
+    _beliefs(design / "board_beliefs.toml", entries, declared)
     declared.figures = [
         FigureText(item["text"], item["says"], item["of"], float(item.get("times", 1)), place)
         for item, place in entries.tables(
@@ -193,6 +199,28 @@ def read_declared(root: Path) -> Declared:
     if declared.total is not None:
         entries.absent(design / f"{name}.toml" for name in FILES)
     return declared
+
+
+def _beliefs(path: Path, entries: Entries, declared: Declared) -> None:
+    declared.belief_sources = {
+        item["id"]: BeliefSource(item["id"], item["says"], item["outside"], place)
+        for item, place in entries.tables(
+            path, "source", {"id": str, "says": str, "outside": bool}, own="id"
+        )
+    }
+    needs = {"register": str, "value": str, "says": str, "source": str, "model": str}
+    declared.beliefs = [
+        BoardBelief(
+            item["register"],
+            item["value"],
+            item["says"],
+            item["source"],
+            item["model"],
+            item.get("shared", False),
+            place,
+        )
+        for item, place in entries.tables(path, "belief", needs, {"shared": bool})
+    ]
 
 
 def _architecture(path: Path, entries: Entries, declared: Declared) -> None:

@@ -145,4 +145,11 @@ def _is_blank(key: str, value: object) -> bool:
     return isinstance(value, str) and not value.strip()
 
 
-_WORDS = {str: "a text", list: "a list", dict: "a table", int: "a number", Real: "a number"}
+_WORDS = {
+    str: "a text",
+    list: "a list",
+    dict: "a table",
+    int: "a number",
+    Real: "a number",
+    bool: "true or false",
+}

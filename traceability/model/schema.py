@@ -682,6 +682,34 @@ class BoardFinding:
 
 
 @dataclass
+class BeliefSource:
+    """Where a belief of the virtual board comes from."""
+
+    id: str
+    says: str
+    outside: bool  # neither driver nor model was written from it by memory
+    place: Place
+
+
+@dataclass
+class BoardBelief:
+    """A value of a register on which the virtual board depends, and its meaning."""
+
+    register: str  # block::NAME
+    value: str
+    says: str
+    source: str  # id of a BeliefSource
+    model: str  # file of the virtual board
+    shared: bool  # driver and model have only each other
+    place: Place
+
+    @property
+    def name(self) -> str:
+        """The register without its block."""
+        return self.register.rpartition("::")[2]
+
+
+@dataclass
 class DriverFault:
     """A mistake seeded in a driver, and what the virtual K64 found in the image made from it."""
 
@@ -785,6 +813,8 @@ class Model:
     paper_places: list[PaperPlace] = field(default_factory=list)
     changes: dict[str, LikelyChange] = field(default_factory=dict)  # by application
     board_findings: dict[str, BoardFinding] = field(default_factory=dict)
+    beliefs: list[BoardBelief] = field(default_factory=list)
+    belief_sources: dict[str, BeliefSource] = field(default_factory=dict)
     driver_faults: list[DriverFault] | None = None  # of these sources
     # File of the drivers -> line -> whether the tests executed it on the virtual K64.
     board_lines: dict[str, dict[int, bool]] | None = None

@@ -79,6 +79,8 @@ def _test_name(lines: list[str], line: int) -> tuple[str, str] | None:
 def add_board_findings(model: Model, facts: Facts) -> None:
     """A test of the virtual board makes a finding when its text names the id."""
     model.board_findings = facts.declared.board_findings
+    model.beliefs = facts.declared.beliefs
+    model.belief_sources = facts.declared.belief_sources
     model.driver_faults = read_driver_faults(facts.root, model.sources_hash)
     lines: dict[str, list[str]] = {}
     tests = [test for test in model.tests.values() if test.place.file.startswith(BOARD_TESTS)]

@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from traceability.model.schema import HOST, VIRTUAL_K64, TraceRow, TreeNode
+from traceability.products import PAPER, image_of
 from traceability.sources import file_hash
 
 
@@ -29,7 +30,7 @@ class Source:
 SOURCES = {
     HOST: Source(Path("build/trace/tests/firmware_tests"), Path("build/trace/traces"), "nm"),
     VIRTUAL_K64: Source(
-        Path("build/k64/weeding_robot.elf"), Path("build/host/traces-board"), "arm-none-eabi-nm"
+        image_of(PAPER, ".elf"), Path("build/host/traces-board"), "arm-none-eabi-nm"
     ),
 }
 EXIT = 1 << 63

@@ -1,6 +1,10 @@
 // The composition of the weeding robot that the PC and a Bluetooth device command.
 
+#include <algorithm>
+#include <tuple>
+
 #include "bluetooth/BluetoothDirector.hpp"
+#include "bluetooth/k64/K64Random.hpp"
 #include "construction/MainControllerBuilder.hpp"
 #include "k64/K64Thread.hpp"
 #include "k64/K64Uart.hpp"
@@ -13,15 +17,34 @@ namespace wr {
 
 namespace {
 
-K64Uart bluetoothPort(K64Uart::Port::Uart4);
+K64Uart bluetoothPort(K64Uart::Port::Uart4, platform::timebase);
 MainControllerBuilder controllerBuilder({.thread = platform::mainThread,
                                          .cycleTimer = platform::cycleTimer,
                                          .timebase = platform::timebase,
                                          .pcPort = platform::pcPort,
                                          .watchdog = platform::watchdog,
                                          .start = platform::startRecord});
-BluetoothDirector director(platform::poolBuilder, controllerBuilder, bluetoothPort,
-                           platform::timebase);
+K64Random random;
+
+// The key is written over these bytes when the image is flashed, so the compiler must not know
+// them.
+[[gnu::section(".bluetooth_key"), gnu::used]] const volatile SipHash::Key::value_type
+    bluetoothKey[std::tuple_size_v<SipHash::Key>] = {0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF,
+                                                     0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF,
+                                                     0xFF, 0xFF, 0xFF, 0xFF};
+
+SipHash::Key readKey() {
+  SipHash::Key key{};
+  std::ranges::copy(bluetoothKey, key.begin());
+  return key;
+}
+
+BluetoothDirector director(platform::poolBuilder, controllerBuilder,
+                           {.port = bluetoothPort,
+                            .key = readKey(),
+                            .random = random,
+                            .timebase = platform::timebase,
+                            .start = platform::startRecord});
 
 }  // namespace
 

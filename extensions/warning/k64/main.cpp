@@ -26,7 +26,8 @@ MainControllerBuilder controllerBuilder(
          .velocityPin = platform::rcVelocityPin,
          .directionPin = platform::rcDirectionPin,
          .velocity = rcVelocity,
-         .direction = rcDirection}});
+         .direction = rcDirection,
+         .edgeTime = &platform::rcEdgeTime}});
 WarningDirector director(platform::poolBuilder, controllerBuilder, platform::redLight);
 
 }  // namespace
@@ -41,8 +42,13 @@ void cycleTimerInterrupt() {
 }
 
 void remoteControlInterrupt() {
-  wr::controllerBuilder.velocityPin().serve();
-  wr::controllerBuilder.directionPin().serve();
+  const wr::platform::RcEdges edges = wr::platform::enterRcInterrupt();
+  if (edges.velocity) {
+    wr::controllerBuilder.velocityPin().serve();
+  }
+  if (edges.direction) {
+    wr::controllerBuilder.directionPin().serve();
+  }
   wr::finishStores();
 }
 

@@ -25,14 +25,23 @@ struct Frame {
   std::span<const std::uint8_t> payload{};  ///< the bytes that the frame carries
 };
 
-/// @brief Version of the protocol.
-inline constexpr std::uint8_t kProtocolVersion = 1;
+/// @brief Version of the protocol, which every frame carries.
+inline constexpr std::uint8_t kProtocolVersion = 2;
+
+/// @brief Lowest version of the protocol that is accepted. Only a Hello of another version is answered.
+inline constexpr std::uint8_t kLowestVersion = kProtocolVersion;
+
+/// @brief Highest version of the protocol that is accepted.
+inline constexpr std::uint8_t kHighestVersion = kProtocolVersion;
+
+/// @brief Hash of the layout of all payloads: the CRC-32 of design/frames.txt.
+inline constexpr std::uint32_t kSchemaHash = 0xBC1063C0;
 
 /// @brief Fewest bytes of a body.
 inline constexpr std::size_t kMinBody = 5;
 
 /// @brief Most bytes of a body.
-inline constexpr std::size_t kMaxBody = 128;
+inline constexpr std::size_t kMaxBody = 205;
 
 /// @brief Most bytes of a payload.
 inline constexpr std::size_t kMaxPayload = kMaxBody - kMinBody;

@@ -14,7 +14,7 @@ enum class Decoded : std::uint8_t {
   Nothing,        ///< no frame has ended
   Whole,          ///< a frame that is in order
   Damaged,        ///< a frame with bad COBS or CRC or less than 5 bytes
-  TooLong,        ///< a frame with a body of more than 128 bytes
+  TooLong,        ///< a frame with a body of more than 205 bytes
   UnknownVersion  ///< a frame of another protocol version
 };
 
@@ -37,9 +37,9 @@ class FrameDecoder final {
   /// @satisfies FR-43
   Decoded push(std::uint8_t byte);
 
-  /// @brief Tells the frame that was found.
+  /// @brief Returns the frame that was found.
   /// @return the frame, valid until the next push
-  /// @pre The last push returned Whole.
+  /// @pre The last push returned Whole or UnknownVersion.
   /// @isr{no}
   [[nodiscard]] Frame frame() const;
 

@@ -17,9 +17,9 @@ class FrameEncoder final {
   FrameEncoder() = default;
 
   /// @brief Makes one frame.
-  /// @param frame type, sequence number and payload of at most 123 bytes
+  /// @param frame type, sequence number and payload of at most 200 bytes
   /// @return the bytes for the line, with the zero that ends them; valid until the next call
-  /// @errors Assertion FrameTooLarge when the payload has more than 123 bytes.
+  /// @errors Assertion FrameTooLarge when the payload has more than 200 bytes.
   /// @isr{no}
   /// @satisfies FR-40
   /// @satisfies FR-176

@@ -18,9 +18,8 @@ bool Connected::keepAlive(PcConnection& /*connection*/) {
   return true;
 }
 
-bool Connected::order(PcConnection& connection,
-                      std::span<const std::uint8_t, SerialReader::kOrderLength> payload) {
-  return connection.takeOrder(payload);
+bool Connected::order(PcConnection& connection, const Frame& frame) {
+  return connection.takeOrder(frame);
 }
 
 void Connected::checkTime(PcConnection& connection) {

@@ -15,7 +15,7 @@ class Connected final : public ConnectionState {
   /// @param disconnected state that follows when the PC is silent
   Connected(ConnectionState& handshaking, ConnectionState& disconnected);
 
-  /// @brief Ends the connection, drops the newest order, sends a Welcome and begins a new handshake.
+  /// @brief Ends the connection, drops the newest order, asks for a Welcome and begins a new handshake.
   /// @param connection the connection that received the Hello
   /// @isr{no}
   /// @satisfies FR-30
@@ -29,17 +29,16 @@ class Connected final : public ConnectionState {
   /// @satisfies FR-33
   bool keepAlive(PcConnection& connection) override;
 
-  /// @brief Takes the order as the newest one.
+  /// @brief Stores the order as the newest one.
   /// @param connection the connection that received it
-  /// @param payload the bytes of the order
-  /// @return false when the order was dropped because a field is out of range
+  /// @param frame the frame of the order
+  /// @return false when the order was dropped: it is stale, or a field is out of range
   /// @isr{no}
   /// @satisfies FR-36
-  bool order(PcConnection& connection,
-             std::span<const std::uint8_t, SerialReader::kOrderLength> payload) override;
+  bool order(PcConnection& connection, const Frame& frame) override;
 
   /// @brief Ends the connection and drops the newest order when the PC was silent for too long.
-  /// @param connection the connection whose time is looked at
+  /// @param connection the connection whose time is checked
   /// @isr{no}
   /// @satisfies FR-33
   void checkTime(PcConnection& connection) override;

@@ -14,8 +14,7 @@ bool ConnectionState::keepAlive(PcConnection& connection) {
   return false;
 }
 
-bool ConnectionState::order(PcConnection& connection,
-                            std::span<const std::uint8_t, SerialReader::kOrderLength> /*payload*/) {
+bool ConnectionState::order(PcConnection& connection, const Frame& /*frame*/) {
   connection.countUnexpected();
   return false;
 }

@@ -1,13 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
-
-#include "communication/serialization/SerialReader.hpp"
 
 namespace wr {
 
 class PcConnection;
+struct Frame;
 
 /// @brief What the connection with the PC does in one of its states.
 /// @function Answers each frame of the PC, and looks at the time, in the way of one state.
@@ -46,16 +44,15 @@ class ConnectionState {
 
   /// @brief Takes an order. Unless a state says otherwise it is counted as unexpected.
   /// @param connection the connection that received it
-  /// @param payload the bytes of the order
+  /// @param frame the frame of the order
   /// @return false when the frame was dropped
   /// @isr{no}
   /// @satisfies FR-47
-  virtual bool order(PcConnection& connection,
-                     std::span<const std::uint8_t, SerialReader::kOrderLength> payload);
+  virtual bool order(PcConnection& connection, const Frame& frame);
 
-  /// @brief Looks at the time once in each cycle, after all frames. Unless a state says otherwise
-  /// nothing happens.
-  /// @param connection the connection whose time is looked at
+  /// @brief Checks the silence before each frame, at the time when the frame was received, and after
+  /// the frames of a cycle, at its clock pulse. Unless a state says otherwise nothing happens.
+  /// @param connection the connection whose time is checked
   /// @isr{no}
   virtual void checkTime(PcConnection& connection);
 

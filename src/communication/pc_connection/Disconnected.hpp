@@ -14,7 +14,7 @@ class Disconnected final : public ConnectionState {
   /// @param handshaking state that follows a Hello
   explicit Disconnected(ConnectionState& handshaking);
 
-  /// @brief Sends a Welcome and begins the handshake.
+  /// @brief Asks for a Welcome and begins the handshake.
   /// @param connection the connection that received the Hello
   /// @isr{no}
   /// @satisfies FR-30

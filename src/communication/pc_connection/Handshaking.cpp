@@ -13,9 +13,7 @@ void Handshaking::hello(PcConnection& connection) {
 }
 
 bool Handshaking::confirm(PcConnection& connection, std::uint8_t session) {
-  // Only a Hello is accepted in this state, so the silence began with the Welcome.
-  if (!connection.offered(session) ||
-      connection.silence() > SystemConstants::instance().handshakeTimeout()) {
+  if (!connection.offered(session)) {
     connection.countUnexpected();
     return false;
   }
@@ -24,7 +22,7 @@ bool Handshaking::confirm(PcConnection& connection, std::uint8_t session) {
 }
 
 void Handshaking::checkTime(PcConnection& connection) {
-  if (connection.silence() >= SystemConstants::instance().handshakeTimeout()) {
+  if (connection.sinceWelcome() > SystemConstants::instance().handshakeTimeout()) {
     connection.changeState(disconnected_);
   }
 }

@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief A Welcome was sent, and its Confirm has not come.
+/// @brief A Hello was received, and the Confirm of its Welcome has not come.
 /// @function Waits for the Confirm of the session that was offered.
 /// @secret What makes a Confirm right, and how long it is waited for.
 /// @role{pc-mcu-connection, Concrete State}
@@ -15,13 +15,13 @@ class Handshaking final : public ConnectionState {
   /// @param disconnected state that follows when no right Confirm comes
   Handshaking(ConnectionState& connected, ConnectionState& disconnected);
 
-  /// @brief Sends a Welcome with a new session. The handshake begins again.
+  /// @brief Asks for a Welcome with a new session. The handshake begins again.
   /// @param connection the connection that received the Hello
   /// @isr{no}
   /// @satisfies FR-30
   void hello(PcConnection& connection) override;
 
-  /// @brief Connects the PC when it accepts the session that was offered last, in time.
+  /// @brief Connects the PC when it accepts the session of the newest Welcome.
   /// @param connection the connection that received the Confirm
   /// @param session number of the session that the PC accepts
   /// @return false when the frame was dropped
@@ -30,8 +30,8 @@ class Handshaking final : public ConnectionState {
   /// @satisfies FR-47
   bool confirm(PcConnection& connection, std::uint8_t session) override;
 
-  /// @brief Ends the handshake when it has lasted too long.
-  /// @param connection the connection whose time is looked at
+  /// @brief Ends the handshake when the Welcome is more than 1 s old.
+  /// @param connection the connection whose time is checked
   /// @isr{no}
   /// @satisfies FR-32
   void checkTime(PcConnection& connection) override;

@@ -1,8 +1,11 @@
 #include "communication/pc_connection/PcConnection.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "communication/pc_connection/FirmwareIdentity.hpp"
 #include "services/SystemConstants.hpp"
@@ -11,7 +14,8 @@ namespace wr {
 
 namespace {
 
-constexpr std::size_t kMostChunks = 64;
+constexpr std::size_t kMostBytes = 4096;
+constexpr std::uint8_t kMostAhead = 127;
 
 static_assert(SerialWriter::kCapacity <= kMaxPayload, "what the writer holds fits in a frame");
 
@@ -21,6 +25,7 @@ void count(std::uint16_t& counter) {
   }
 }
 
+// Fewest bytes of the payload; a sender of a later version may append fields.
 std::optional<std::size_t> lengthOf(FrameType received) {
   switch (received) {
     case FrameType::Hello:
@@ -37,20 +42,31 @@ std::optional<std::size_t> lengthOf(FrameType received) {
 
 }  // namespace
 
-PcConnection::PcConnection(SerialPort& port, const Timebase& clock, SerialReader& orders,
-                           ConnectionState& initial, const StartRecord& start)
-    : port_(port), clock_(clock), orders_(orders), state_(&initial), start_(start) {}
+PcConnection::PcConnection(SerialPort& port, SerialReader& orders, ConnectionState& initial,
+                           const StartRecord& start)
+    : port_(port), orders_(orders), state_(&initial), start_(start) {}
+
+void PcConnection::beginCycle(Instant clockPulse) {
+  clockPulse_ = clockPulse;
+  orders_.beginCycle(clockPulse);
+}
 
 void PcConnection::service() {
+  std::size_t left = kMostBytes;
   std::size_t received = chunk_.size();
-  for (std::size_t i = 0; i < kMostChunks && received == chunk_.size(); ++i) {
-    received = port_.read(chunk_);
+  while (left != 0 && received != 0) {
+    received = port_.read(std::span(chunk_).first(std::min(left, chunk_.size())));
+    left -= received;
     for (const std::uint8_t byte : std::span(chunk_).first(received)) {
       receive(byte);
     }
   }
   counts_.lostBytes = port_.lostBytes();
+  at_ = clockPulse_;
   state_->checkTime(*this);
+  if (welcomeDue_) {
+    sendWelcome();
+  }
 }
 
 bool PcConnection::connected() const {
@@ -78,27 +94,20 @@ void PcConnection::changeState(ConnectionState& next) {
 }
 
 void PcConnection::welcome() {
-  session_ = session_ == std::numeric_limits<std::uint8_t>::max()
-                 ? std::uint8_t{1}
-                 : static_cast<std::uint8_t>(session_ + 1);
-  const SystemConstants& constants = SystemConstants::instance();
-  writer_.clear();
-  writer_.writeU8({.name = FieldName::Session}, session_);
-  writeIdentity();
-  const Microseconds inMilliseconds = constants.cyclePeriod() / milliseconds(1).count();
-  writer_.writeU16({.name = FieldName::CyclePeriod},
-                   static_cast<std::uint16_t>(inMilliseconds.count()));
-  writer_.writeU8({.name = FieldName::WaitingCycles}, constants.waitingCycles());
-  writeStart();
-  send(FrameType::Welcome);
+  welcomeDue_ = true;
+  offered_.reset();
 }
 
 bool PcConnection::offered(std::uint8_t session) const {
-  return session == session_;
+  return offered_ == session;
 }
 
-bool PcConnection::takeOrder(std::span<const std::uint8_t, SerialReader::kOrderLength> payload) {
-  const bool taken = orders_.offer(payload);
+bool PcConnection::takeOrder(const Frame& frame) {
+  if (!isNewer(frame.sequence)) {
+    count(counts_.staleOrders);
+    return false;
+  }
+  const bool taken = orders_.offer(frame.payload.first<SerialReader::kOrderLength>(), at_);
   if (!taken) {
     count(counts_.outOfRange);
   }
@@ -114,7 +123,11 @@ void PcConnection::countUnexpected() {
 }
 
 Microseconds PcConnection::silence() const {
-  return clock_.now() - lastAccepted_;
+  return at_ - lastAccepted_;
+}
+
+Microseconds PcConnection::sinceWelcome() const {
+  return welcomeDue_ ? Microseconds() : at_ - welcomed_;
 }
 
 void PcConnection::receive(std::uint8_t byte) {
@@ -131,16 +144,26 @@ void PcConnection::receive(std::uint8_t byte) {
       count(counts_.tooLong);
       break;
     case Decoded::UnknownVersion:
-      count(counts_.unknownVersion);
+      handleUnknownVersion(decoder_.frame());
       break;
   }
 }
 
+void PcConnection::handleUnknownVersion(const Frame& frame) {
+  if (frame.type == FrameType::Hello) {
+    handle(frame);
+  } else {
+    count(counts_.unknownVersion);
+  }
+}
+
 void PcConnection::handle(const Frame& frame) {
+  at_ = port_.receivedAt();
+  state_->checkTime(*this);
   const std::optional<std::size_t> length = lengthOf(frame.type);
   if (!length) {
     count(counts_.unknownType);
-  } else if (frame.payload.size() != *length) {
+  } else if (frame.payload.size() < *length) {
     count(counts_.wrongLength);
   } else if (answer(frame)) {
     noteAccepted(frame);
@@ -158,15 +181,49 @@ bool PcConnection::answer(const Frame& frame) {
   if (frame.type == FrameType::KeepAlive) {
     return state_->keepAlive(*this);
   }
-  return state_->order(*this, frame.payload.first<SerialReader::kOrderLength>());
+  orders_.heedStop(frame.payload.first<SerialReader::kOrderLength>());
+  return state_->order(*this, frame);
 }
 
 void PcConnection::noteAccepted(const Frame& frame) {
-  if (frame.type != FrameType::Hello && frame.sequence != nextReceived_) {
+  const bool hello = frame.type == FrameType::Hello;
+  if (!hello && frame.sequence != static_cast<std::uint8_t>(newest_ + 1)) {
     count(counts_.sequenceGaps);
   }
-  nextReceived_ = static_cast<std::uint8_t>(frame.sequence + 1);
-  lastAccepted_ = clock_.now();
+  if (hello || isNewer(frame.sequence)) {
+    newest_ = frame.sequence;
+  }
+  lastAccepted_ = at_;
+}
+
+bool PcConnection::isNewer(std::uint8_t sequence) const {
+  const auto ahead = static_cast<std::uint8_t>(sequence - newest_);
+  return ahead != 0 && ahead <= kMostAhead;
+}
+
+void PcConnection::sendWelcome() {
+  welcomeDue_ = false;
+  const SystemConstants& constants = SystemConstants::instance();
+  writer_.clear();
+  writer_.writeU8({.name = FieldName::Session}, nextSession());
+  writeIdentity();
+  const Microseconds inMilliseconds = constants.cyclePeriod() / milliseconds(1).count();
+  writer_.writeU16({.name = FieldName::CyclePeriod},
+                   static_cast<std::uint16_t>(inMilliseconds.count()));
+  writer_.writeU8({.name = FieldName::WaitingCycles}, constants.waitingCycles());
+  writeStart();
+  writeProtocol();
+  if (send(FrameType::Welcome)) {
+    session_ = nextSession();
+    offered_ = session_;
+    welcomed_ = clockPulse_;
+  }
+}
+
+std::uint8_t PcConnection::nextSession() const {
+  return session_ == std::numeric_limits<std::uint8_t>::max()
+             ? std::uint8_t{1}
+             : static_cast<std::uint8_t>(session_ + 1);
 }
 
 void PcConnection::writeIdentity() {
@@ -179,6 +236,12 @@ void PcConnection::writeIdentity() {
   }
 }
 
+void PcConnection::writeProtocol() {
+  writer_.writeU8({.name = FieldName::LowestVersion}, kLowestVersion);
+  writer_.writeU8({.name = FieldName::HighestVersion}, kHighestVersion);
+  writer_.writeU32({.name = FieldName::SchemaHash}, kSchemaHash);
+}
+
 void PcConnection::writeStart() {
   writer_.writeU8({.name = FieldName::ResetCause}, static_cast<std::uint8_t>(start_.cause));
   writer_.writeU8({.name = FieldName::FaultKind}, static_cast<std::uint8_t>(start_.fault));
@@ -188,7 +251,16 @@ void PcConnection::writeStart() {
 
 bool PcConnection::send(FrameType type) {
   const Frame frame{.type = type, .sequence = nextSent_, .payload = writer_.bytes()};
-  if (!port_.write(encoder_.encode(frame))) {
+  const std::span<const std::uint8_t> coded = encoder_.encode(frame);
+  if (!begun_) {
+    if (port_.free() <= coded.size()) {
+      return false;
+    }
+    constexpr std::array<std::uint8_t, 1> kEnd{0};
+    port_.write(kEnd);
+    begun_ = true;
+  }
+  if (!port_.write(coded)) {
     return false;
   }
   ++nextSent_;

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <optional>
 
 #include "communication/framing/FrameDecoder.hpp"
 #include "communication/framing/FrameEncoder.hpp"
@@ -13,8 +13,8 @@
 #include "communication/serialization/SerialWriter.hpp"
 #include "communication/serialization/Serializable.hpp"
 #include "devices/SerialPort.hpp"
-#include "devices/Timebase.hpp"
 #include "services/StartRecord.hpp"
+#include "units/quantities.hpp"
 
 namespace wr {
 
@@ -29,22 +29,31 @@ class PcConnection final {
  public:
   /// @brief Makes a connection.
   /// @param port serial line to the PC
-  /// @param clock tells how long the PC is silent
   /// @param orders takes the orders of the PC
   /// @param initial state after start
   /// @param start why the firmware started; each Welcome tells it
-  PcConnection(SerialPort& port, const Timebase& clock, SerialReader& orders,
-               ConnectionState& initial, const StartRecord& start);
+  PcConnection(SerialPort& port, SerialReader& orders, ConnectionState& initial,
+               const StartRecord& start);
 
   PcConnection(const PcConnection&) = delete;
   PcConnection& operator=(const PcConnection&) = delete;
 
-  /// @brief Serves the link: takes all received bytes, but at most 4096, lets the state answer each
-  /// frame, and then look at the time. It is called once in each cycle.
+  /// @brief Sets the instant at which ages and silence are measured in this cycle.
+  /// @param clockPulse clock pulse of the cycle
+  /// @isr{no}
+  /// @satisfies FR-20
+  /// @satisfies FR-33
+  void beginCycle(Instant clockPulse);
+
+  /// @brief Serves the link: reads the received bytes, but at most 4096, lets the state answer each
+  /// frame, checks the silence at the clock pulse, and sends a Welcome if a Hello asks for one. It
+  /// is called once in each cycle.
   /// @isr{no}
   /// @satisfies FR-35
   /// @satisfies FR-37
   /// @satisfies FR-49
+  /// @satisfies FR-244
+  /// @satisfies FR-245
   void service();
 
   /// @brief Tells whether the PC is connected.
@@ -73,25 +82,26 @@ class PcConnection final {
   /// @isr{no}
   void changeState(ConnectionState& next);
 
-  /// @brief Offers a new session to the PC, and tells it what it must know. States call it. When the
-  /// port has no room, the Welcome is not sent, and the PC must ask again.
+  /// @brief Asks for a Welcome at the end of this service, and voids the session that was offered
+  /// before. States call it.
   /// @isr{no}
   /// @satisfies FR-30
-  /// @satisfies FR-76
+  /// @satisfies FR-245
   void welcome();
 
-  /// @brief Tells whether a session is the one that was offered last. States call it.
+  /// @brief Checks whether a session is the one that the newest Welcome offers. States call it.
   /// @param session number of a session
   /// @return true when it is the one
   /// @isr{no}
   [[nodiscard]] bool offered(std::uint8_t session) const;
 
-  /// @brief Takes an order as the newest one, or counts it as out of range. States call it.
-  /// @param payload the bytes of the order
+  /// @brief Stores an order as the newest one, or counts it as stale or out of range. States call it.
+  /// @param frame the frame of the order
   /// @return false when the order was dropped
   /// @isr{no}
   /// @satisfies FR-46
-  bool takeOrder(std::span<const std::uint8_t, SerialReader::kOrderLength> payload);
+  /// @satisfies FR-243
+  bool takeOrder(const Frame& frame);
 
   /// @brief Drops the newest order. States call it.
   /// @isr{no}
@@ -102,16 +112,35 @@ class PcConnection final {
   /// @satisfies FR-47
   void countUnexpected();
 
-  /// @brief Tells how long no frame was accepted. States call it.
-  /// @return time since the last accepted frame [us]
+  /// @brief Returns how long no frame was accepted. States call it.
+  /// @return time from the last byte of the last accepted frame to that of the present frame, or to
+  /// the clock pulse after the frames of a cycle [us]
   /// @isr{no}
+  /// @satisfies FR-33
   [[nodiscard]] Microseconds silence() const;
 
+  /// @brief Returns the age of the newest Welcome. States call it.
+  /// @return time from the clock pulse of the cycle that sent it, as for the silence [us]; 0 until it
+  /// is sent
+  /// @isr{no}
+  /// @satisfies FR-32
+  [[nodiscard]] Microseconds sinceWelcome() const;
+
  private:
-  /// @brief Takes one byte, and handles the frame that it ends.
+  /// @brief Decodes one byte, and handles the frame that it ends.
+  /// @satisfies FR-246
+  /// @satisfies FR-251
   void receive(std::uint8_t byte);
 
-  /// @brief Drops and counts a frame of unknown type or wrong length; the state answers any other.
+  /// @brief Handles a frame of another version: a Hello is answered, any other frame is counted.
+  /// @satisfies FR-43
+  /// @satisfies FR-246
+  void handleUnknownVersion(const Frame& frame);
+
+  /// @brief Drops and counts a frame of unknown type or with a payload that is too short. The state
+  /// answers any other.
+  /// @satisfies FR-248
+  /// @satisfies FR-251
   /// @satisfies FR-44
   /// @satisfies FR-45
   /// @satisfies FR-48
@@ -121,25 +150,46 @@ class PcConnection final {
   /// @return false when the frame was dropped
   bool answer(const Frame& frame);
 
-  /// @brief Notes that a frame was accepted, and counts a gap before it.
+  /// @brief Records that a frame was accepted, and counts a gap before it.
   /// @satisfies FR-49
+  /// @satisfies FR-243
   void noteAccepted(const Frame& frame);
+
+  /// @brief Checks whether a sequence number is 1 to 127 after the newest accepted one.
+  /// @satisfies FR-243
+  [[nodiscard]] bool isNewer(std::uint8_t sequence) const;
+
+  /// @brief Sends the Welcome that a Hello asked for, and offers its session. Without room in the port
+  /// nothing is sent and no session is offered.
+  /// @satisfies FR-30
+  /// @satisfies FR-76
+  /// @satisfies FR-245
+  void sendWelcome();
+
+  /// @brief Returns the session that the next Welcome offers.
+  [[nodiscard]] std::uint8_t nextSession() const;
 
   /// @brief Writes the identity of the firmware.
   void writeIdentity();
+
+  /// @brief Writes the versions of the protocol that are accepted, and the hash of the layout.
+  /// @satisfies FR-246
+  void writeProtocol();
 
   /// @brief Writes why the firmware started, and what ended it before.
   /// @satisfies FR-76
   void writeStart();
 
-  /// @brief Sends the payload that the writer holds.
+  /// @brief Sends the payload that the writer holds. Before the first frame it sends a zero byte, which
+  /// ends what a firmware before this start may have left on the line.
   /// @return false when the port has no room: nothing is sent
+  /// @satisfies FR-247
+  /// @satisfies FR-252
   bool send(FrameType type);
 
   static constexpr std::size_t kChunk = 64;
 
   SerialPort& port_;
-  const Timebase& clock_;
   SerialReader& orders_;
   ConnectionState* state_;
   const StartRecord& start_;
@@ -148,10 +198,16 @@ class PcConnection final {
   FrameEncoder encoder_;
   SerialWriter writer_;
   LinkCounts counts_{};
-  Instant lastAccepted_{};
-  std::uint8_t session_ = 0;
-  std::uint8_t nextReceived_ = 0;  // sequence number that the next accepted frame should have
-  std::uint8_t nextSent_ = 0;      // sequence number of the next frame that is sent
+  Instant clockPulse_{};    // of this cycle
+  Instant at_{};            // when the present frame was received, or the clock pulse
+  Instant lastAccepted_{};  // when the last accepted frame was received
+  Instant welcomed_{};      // clock pulse of the cycle that sent the newest Welcome
+  bool welcomeDue_ = false;
+  std::uint8_t session_ = 0;  // of the newest Welcome
+  std::optional<std::uint8_t> offered_;
+  std::uint8_t newest_ = 0;    // sequence number of the newest accepted frame
+  bool begun_ = false;         // something was sent since start
+  std::uint8_t nextSent_ = 0;  // sequence number of the next frame that is sent
 };
 
 }  // namespace wr

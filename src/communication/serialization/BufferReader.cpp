@@ -40,7 +40,7 @@ std::uint8_t BufferReader::readU8(Field field) {
   switch (field.name) {
     case FieldName::WheelQuantity:
       return static_cast<std::uint8_t>(WheelQuantity::Velocity);
-    case FieldName::Stop:
+    case FieldName::Commands:
       return 0;
     default:
       failed_ = true;
@@ -68,8 +68,9 @@ std::int16_t BufferReader::readI16(Field field) {
   }
 }
 
-std::uint32_t BufferReader::readU32(Field /*field*/) {
-  failed_ = true;
+std::uint32_t BufferReader::readU32(Field field) {
+  take();
+  failed_ = failed_ || field.name != FieldName::SentAt;
   return 0;
 }
 

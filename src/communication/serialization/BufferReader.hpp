@@ -56,7 +56,12 @@ class BufferReader final : public Reader {
   /// @satisfies FR-51
   std::int16_t readI16(Field field) override;
 
+  /// @brief Reads the time of the sender's clock, which is 0: the remote control has none.
+  /// @param field name of the field
+  /// @return value of the field
+  /// @isr{no}
   std::uint32_t readU32(Field field) override;
+
   std::int32_t readI32(Field field) override;
 
   /// @brief Ends the read of the order. The values of both signals are consumed.

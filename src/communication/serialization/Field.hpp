@@ -12,7 +12,8 @@ enum class FieldName : std::uint8_t {
   Steering,          ///< set-point of the steering
   WheelQuantity,     ///< what the set-point of a wheel sets
   WheelValue,        ///< set-point of a wheel
-  Stop,              ///< whether the order stops the robot
+  SentAt,            ///< time of the sender's clock when the order was sent
+  Commands,          ///< bits for stop and acknowledge
   Cycle,             ///< number of the cycle
   Time,              ///< time of the clock pulse
   OperationState,    ///< operation state after the read
@@ -33,7 +34,7 @@ enum class FieldName : std::uint8_t {
   TooLong,           ///< count of frames that were too long
   UnknownVersion,    ///< count of frames of another protocol version
   UnknownType,       ///< count of frames of a type that is not received
-  WrongLength,       ///< count of frames with a payload of wrong length
+  WrongLength,       ///< count of frames whose payload is too short
   OutOfRange,        ///< count of orders with a field out of range
   Unexpected,        ///< count of frames that the connection did not expect
   SequenceGaps,      ///< count of gaps in the sequence numbers
@@ -46,6 +47,11 @@ enum class FieldName : std::uint8_t {
   ReportCost,        ///< processor cycles from a clock pulse to the report of its cycle
   AwakeCost,         ///< processor cycles not asleep between two clock pulses
   StartCost,         ///< processor cycles from a clock pulse to the start of its cycle
+  Inhibit,           ///< why the set-points are not followed
+  StopCause,         ///< cause of a protective stop
+  StopWheel,         ///< wheel that the cause concerns
+  StopSources,       ///< sources that order stop
+  StaleOrders,       ///< count of orders that were not newer than the one before
   Session,           ///< number of the session
   FirmwareVersion,   ///< major, minor and patch number
   BuildId,           ///< character of the build id
@@ -54,7 +60,10 @@ enum class FieldName : std::uint8_t {
   ResetCause,        ///< what reset the microcontroller
   FaultKind,         ///< what ended the firmware before
   FaultNumber,       ///< number that belongs to the kind of fault
-  FaultAddress       ///< instruction at which the firmware ended
+  FaultAddress,      ///< instruction at which the firmware ended
+  LowestVersion,     ///< lowest version of the protocol that is accepted
+  HighestVersion,    ///< highest version of the protocol that is accepted
+  SchemaHash         ///< hash of the layout of all payloads
 };
 
 /// @brief Name of one field.

@@ -29,15 +29,24 @@ bool wheelInRange(const WheelSetPoint& wheel) {
 }  // namespace
 
 OrderMessage::OrderMessage(const SetPoints& setPoints, bool stop)
-    : setPoints_(setPoints), stop_(stop ? kStop : kGo) {}
+    : setPoints_(setPoints),
+      commands_(static_cast<std::uint8_t>((stop ? kStop : 0) |
+                                          (setPoints.acknowledge ? kAcknowledge : 0))) {}
+
+bool OrderMessage::neutral() const {
+  return std::ranges::all_of(setPoints_.wheels,
+                             [](const WheelSetPoint& wheel) { return wheel.value == 0; });
+}
 
 bool OrderMessage::inRange() const {
   return within(setPoints_.steering.count(), SystemConstants::instance().steeringLimit().count()) &&
-         std::ranges::all_of(setPoints_.wheels, wheelInRange) && stop_ <= kStop;
+         std::ranges::all_of(setPoints_.wheels, wheelInRange) &&
+         commands_ <= (kStop | kAcknowledge);
 }
 
 bool OrderMessage::readFrom(Reader& reader) {
   setPoints_.orderId = reader.readU16({.name = FieldName::OrderId});
+  setPoints_.sentAt = reader.readU32({.name = FieldName::SentAt});
   setPoints_.steering = Angle(reader.readI16({.name = FieldName::Steering}));
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
     setPoints_.wheels[wheel].quantity = static_cast<WheelQuantity>(
@@ -45,12 +54,14 @@ bool OrderMessage::readFrom(Reader& reader) {
     setPoints_.wheels[wheel].value =
         reader.readI16({.name = FieldName::WheelValue, .index = wheel});
   }
-  stop_ = reader.readU8({.name = FieldName::Stop});
+  commands_ = reader.readU8({.name = FieldName::Commands});
+  setPoints_.acknowledge = (commands_ & kAcknowledge) != 0;
   return reader.finish() && inRange();
 }
 
 bool OrderMessage::writeTo(Writer& writer) const {
   writer.writeU16({.name = FieldName::OrderId}, setPoints_.orderId);
+  writer.writeU32({.name = FieldName::SentAt}, setPoints_.sentAt);
   writer.writeI16({.name = FieldName::Steering},
                   static_cast<std::int16_t>(setPoints_.steering.count()));
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -59,7 +70,7 @@ bool OrderMessage::writeTo(Writer& writer) const {
     writer.writeI16({.name = FieldName::WheelValue, .index = wheel},
                     setPoints_.wheels[wheel].value);
   }
-  writer.writeU8({.name = FieldName::Stop}, stop_);
+  writer.writeU8({.name = FieldName::Commands}, commands_);
   return writer.finish();
 }
 

@@ -11,6 +11,9 @@ namespace wr {
 /// @role{serializer, Concrete Element}
 class OrderMessage final : public Serializable {
  public:
+  /// @brief Bit of the last field, the commands, that orders stop.
+  static constexpr std::uint8_t kStop = 1;
+
   /// @brief Makes an order with all set-points zero, without stop.
   OrderMessage() = default;
 
@@ -25,14 +28,20 @@ class OrderMessage final : public Serializable {
   /// @isr{yes}
   [[nodiscard]] const SetPoints& setPoints() const { return setPoints_; }
 
-  /// @brief Tells whether the robot is to stop.
+  /// @brief Checks whether the order stops the robot. A stop counts whatever the other fields hold.
   /// @return true for a stop
   /// @satisfies FR-21
+  /// @satisfies FR-240
   /// @isr{yes}
-  [[nodiscard]] bool stop() const { return stop_ == kStop; }
+  [[nodiscard]] bool stop() const { return (commands_ & kStop) != 0; }
 
-  /// @brief Tells whether each field is in its range. The fields beside the stop count in a stop
-  /// order too.
+  /// @brief Checks whether the value of each wheel is 0, whatever its quantity.
+  /// @return true when no wheel is to move
+  /// @satisfies FR-241
+  /// @isr{yes}
+  [[nodiscard]] bool neutral() const;
+
+  /// @brief Checks whether each field is in its range, also in an order that stops.
   /// @return true when the order can be carried out
   /// @satisfies FR-46
   /// @satisfies FR-178
@@ -43,11 +52,10 @@ class OrderMessage final : public Serializable {
   [[nodiscard]] bool writeTo(Writer& writer) const override;
 
  private:
-  static constexpr std::uint8_t kGo = 0;
-  static constexpr std::uint8_t kStop = 1;
+  static constexpr std::uint8_t kAcknowledge = 2;  // bit of the field for commands
 
   SetPoints setPoints_{};
-  std::uint8_t stop_ = kGo;
+  std::uint8_t commands_ = 0;
 };
 
 }  // namespace wr

@@ -22,9 +22,9 @@ class Reader {
   /// @isr{no}
   [[nodiscard]] virtual bool available() const = 0;
 
-  /// @brief Tells whether the newest order ever accepted from this source is a stop. Neither age nor
-  /// the end of a connection releases a stop.
-  /// @return true until the source orders without stop
+  /// @brief Checks whether a stop of this source is latched. Neither age nor the end of a connection
+  /// releases a stop.
+  /// @return true until the source orders without stop and with all wheel values 0
   /// @isr{no}
   [[nodiscard]] virtual bool stopOrdered() const = 0;
 

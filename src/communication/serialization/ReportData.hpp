@@ -13,14 +13,15 @@ namespace wr {
 struct LinkCounts {
   std::uint16_t lostBytes = 0;       ///< bytes that the serial port could not store
   std::uint16_t damaged = 0;         ///< frames with bad COBS or CRC or less than 5 bytes
-  std::uint16_t tooLong = 0;         ///< frames with a body of more than 128 bytes
-  std::uint16_t unknownVersion = 0;  ///< frames of another protocol version
+  std::uint16_t tooLong = 0;         ///< frames with a body of more than 205 bytes
+  std::uint16_t unknownVersion = 0;  ///< frames of another protocol version that are no Hello
   std::uint16_t unknownType = 0;     ///< frames of a type that is not received
-  std::uint16_t wrongLength = 0;     ///< frames with a payload of wrong length
+  std::uint16_t wrongLength = 0;     ///< frames whose payload is too short
   std::uint16_t outOfRange = 0;      ///< orders with a field out of range
   std::uint16_t unexpected = 0;      ///< frames that the connection did not expect
   std::uint16_t sequenceGaps = 0;    ///< accepted frames that do not follow the one before
   std::uint16_t reportsNotSent = 0;  ///< reports for which the port had no room
+  std::uint16_t staleOrders = 0;     ///< orders that were not newer than the frame before
 
   /// @brief Tells whether two sets of counts are the same.
   friend constexpr bool operator==(const LinkCounts&, const LinkCounts&) = default;
@@ -48,7 +49,7 @@ struct ReportData {
   std::uint8_t operationState = 0;  ///< 0 Working, 1 Waiting, 2 WaitingN, 3 Reconnecting
   std::uint8_t readingMode = 0;     ///< 0 RC, 1 PC
   std::uint8_t source = kNoSource;  ///< source of the set-points: 0 RC, 1 PC, 255 none
-  bool stop = false;                ///< a stop is in force
+  std::uint8_t stopSources = 0;     ///< bit n: the source with mode id n orders stop
   bool orderRead = false;           ///< an order was read in this cycle
   bool held = false;                ///< wheels halted and steering held
   bool overran = false;             ///< this cycle overran

@@ -14,6 +14,7 @@ constexpr std::uint32_t kStopFlag = 1;
 constexpr std::uint32_t kOrderReadFlag = 2;
 constexpr std::uint32_t kHeldFlag = 4;
 constexpr std::uint32_t kOverranFlag = 8;
+constexpr std::uint32_t kArmedFlag = 16;
 
 constexpr std::uint64_t kMicrosecondsPerMillisecond = 1000;
 
@@ -74,9 +75,10 @@ std::uint8_t appliedBits(const Outputs& outputs) {
 }
 
 std::uint8_t flags(const ReportData& data) {
-  return static_cast<std::uint8_t>(bitIf(data.stop, kStopFlag) |
+  return static_cast<std::uint8_t>(bitIf(data.stopSources != 0, kStopFlag) |
                                    bitIf(data.orderRead, kOrderReadFlag) |
-                                   bitIf(data.held, kHeldFlag) | bitIf(data.overran, kOverranFlag));
+                                   bitIf(data.held, kHeldFlag) | bitIf(data.overran, kOverranFlag) |
+                                   bitIf(data.measurements.protection.armed, kArmedFlag));
 }
 
 void writeCycle(Writer& writer, const ReportData& data) {
@@ -96,10 +98,10 @@ void readCycle(Reader& reader, ReportData& data) {
   data.readingMode = reader.readU8({.name = FieldName::ReadingMode});
   data.source = reader.readU8({.name = FieldName::Source});
   const std::uint32_t bits = reader.readU8({.name = FieldName::Flags});
-  data.stop = (bits & kStopFlag) != 0;
   data.orderRead = (bits & kOrderReadFlag) != 0;
   data.held = (bits & kHeldFlag) != 0;
   data.overran = (bits & kOverranFlag) != 0;
+  data.measurements.protection.armed = (bits & kArmedFlag) != 0;
 }
 
 void writeSetPoints(Writer& writer, const SetPoints& setPoints) {
@@ -269,6 +271,22 @@ void readCosts(Reader& reader, CycleCosts& costs) {
   costs.start = reader.readU32({.name = FieldName::StartCost});
 }
 
+void writeStop(Writer& writer, const ReportData& data) {
+  const Protection& protection = data.measurements.protection;
+  writer.writeU8({.name = FieldName::Inhibit}, static_cast<std::uint8_t>(protection.inhibit));
+  writer.writeU8({.name = FieldName::StopCause}, static_cast<std::uint8_t>(protection.cause));
+  writer.writeU8({.name = FieldName::StopWheel}, protection.wheel);
+  writer.writeU8({.name = FieldName::StopSources}, data.stopSources);
+}
+
+void readStop(Reader& reader, ReportData& data) {
+  Protection& protection = data.measurements.protection;
+  protection.inhibit = static_cast<Inhibit>(reader.readU8({.name = FieldName::Inhibit}));
+  protection.cause = static_cast<StopCause>(reader.readU8({.name = FieldName::StopCause}));
+  protection.wheel = reader.readU8({.name = FieldName::StopWheel});
+  data.stopSources = reader.readU8({.name = FieldName::StopSources});
+}
+
 }  // namespace
 
 ReportMessage::ReportMessage(const ReportData& data) : data_(data) {}
@@ -282,6 +300,9 @@ bool ReportMessage::readFrom(Reader& reader) {
   readCounts(reader, data_.link);
   readConditions(reader, data_.measurements);
   readCosts(reader, data_.costs);
+  readStop(reader, data_);
+  data_.setPoints.sentAt = reader.readU32({.name = FieldName::SentAt});
+  data_.link.staleOrders = reader.readU16({.name = FieldName::StaleOrders});
   return reader.finish();
 }
 
@@ -294,6 +315,9 @@ bool ReportMessage::writeTo(Writer& writer) const {
   writeCounts(writer, data_.link);
   writeConditions(writer, data_.measurements);
   writeCosts(writer, data_.costs);
+  writeStop(writer, data_);
+  writer.writeU32({.name = FieldName::SentAt}, data_.setPoints.sentAt);
+  writer.writeU16({.name = FieldName::StaleOrders}, data_.link.staleOrders);
   return writer.finish();
 }
 

@@ -40,6 +40,8 @@ class ReportMessage final : public Serializable {
   /// @satisfies FR-68
   /// @satisfies FR-69
   /// @satisfies FR-177
+  /// @satisfies FR-242
+  /// @satisfies FR-249
   [[nodiscard]] bool writeTo(Writer& writer) const override;
 
  private:

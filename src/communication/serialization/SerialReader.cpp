@@ -8,19 +8,32 @@
 
 namespace wr {
 
-SerialReader::SerialReader(const Timebase& clock) : clock_(clock) {}
+void SerialReader::beginCycle(Instant clockPulse) {
+  clockPulse_ = clockPulse;
+}
 
-bool SerialReader::offer(std::span<const std::uint8_t, kOrderLength> payload) {
+void SerialReader::heedStop(std::span<const std::uint8_t, kOrderLength> payload) {
+  if ((payload.back() & OrderMessage::kStop) != 0) {
+    latchStop();
+  }
+}
+
+void SerialReader::latchStop() {
+  stop_ = true;
+}
+
+bool SerialReader::offer(std::span<const std::uint8_t, kOrderLength> payload, Instant receivedAt) {
   const Kept before = kept_;
   std::memcpy(kept_.bytes.data(), payload.data(), payload.size());
-  kept_.at = clock_.now();
+  kept_.at = receivedAt;
+  position_ = 0;
   OrderMessage order;
   if (!order.readFrom(*this)) {
     kept_ = before;
     return false;
   }
   kept_.unread = true;
-  stop_ = order.stop();
+  stop_ = order.stop() || (stop_ && !order.neutral());
   return true;
 }
 
@@ -29,7 +42,7 @@ void SerialReader::discard() {
 }
 
 bool SerialReader::available() const {
-  return kept_.unread && clock_.now() - kept_.at <= SystemConstants::instance().orderLifetime();
+  return kept_.unread && clockPulse_ - kept_.at <= SystemConstants::instance().orderLifetime();
 }
 
 bool SerialReader::stopOrdered() const {

@@ -6,34 +6,53 @@
 #include <span>
 
 #include "communication/serialization/Reader.hpp"
-#include "devices/Timebase.hpp"
+#include "units/quantities.hpp"
 
 namespace wr {
 
 /// @brief The newest order of the PC.
 /// @function Keeps the newest order that came over the serial line until it is read, replaced,
-/// dropped or too old. Remembers whether the PC has stopped the robot.
+/// dropped or too old. Latches a stop until an order releases it.
 /// @secret That the newest order is kept as raw bytes and decoded when it is read.
 /// @role{serializer, Concrete Reader}
 class SerialReader final : public Reader {
  public:
   /// @brief Length of the payload of an order [bytes].
-  static constexpr std::size_t kOrderLength = 17;
+  static constexpr std::size_t kOrderLength = 21;
 
   /// @brief Makes a reader without an order and without stop.
-  /// @param clock tells the age of orders
-  explicit SerialReader(const Timebase& clock);
+  SerialReader() = default;
 
-  /// @brief Takes an order in place of the one before. An order with a field out of range is
-  /// refused, and changes nothing.
+  /// @brief Sets the instant at which the age of an order is measured.
+  /// @param clockPulse clock pulse of the present cycle
+  /// @isr{no}
+  /// @satisfies FR-20
+  void beginCycle(Instant clockPulse);
+
+  /// @brief Latches the stop if an order has it, whatever its other fields hold.
   /// @param payload the bytes of the order
+  /// @isr{no}
+  /// @satisfies FR-240
+  void heedStop(std::span<const std::uint8_t, kOrderLength> payload);
+
+  /// @brief Latches the stop, as an order with stop does.
+  /// @isr{no}
+  /// @satisfies FR-21
+  void latchStop();
+
+  /// @brief Stores an order in place of the one before. An order with a field out of range is
+  /// refused, and changes nothing. An order without stop whose wheel values are all 0 releases the
+  /// stop.
+  /// @param payload the bytes of the order
+  /// @param receivedAt when the last byte of its frame was received
   /// @return false when a field is out of its range
   /// @isr{no}
   /// @satisfies FR-20
   /// @satisfies FR-21
   /// @satisfies FR-46
   /// @satisfies FR-48
-  bool offer(std::span<const std::uint8_t, kOrderLength> payload);
+  /// @satisfies FR-241
+  bool offer(std::span<const std::uint8_t, kOrderLength> payload, Instant receivedAt);
 
   /// @brief Drops the order that is kept. A stop stays.
   /// @isr{no}
@@ -41,16 +60,18 @@ class SerialReader final : public Reader {
   /// @satisfies FR-34
   void discard();
 
-  /// @brief Tells whether there is an order of the PC that was not read and is not too old.
+  /// @brief Checks whether there is an order of the PC that was not read and is not too old at the
+  /// clock pulse of the present cycle.
   /// @return true when there is such an order
   /// @isr{no}
   /// @satisfies FR-20
   [[nodiscard]] bool available() const override;
 
-  /// @brief Tells whether the newest order that the PC ever gave is a stop.
-  /// @return true until the PC orders without stop
+  /// @brief Checks whether a stop of the PC is latched.
+  /// @return true until the PC releases the stop
   /// @isr{no}
   /// @satisfies FR-21
+  /// @satisfies FR-240
   [[nodiscard]] bool stopOrdered() const override;
 
   std::uint8_t readU8(Field field) override;
@@ -66,7 +87,7 @@ class SerialReader final : public Reader {
   bool finish() override;
 
  private:
-  /// @brief An order, when it came, and whether it was read.
+  /// @brief An order, when its last byte was received, and whether it was read.
   struct Kept {
     std::array<std::uint8_t, kOrderLength> bytes{};
     Instant at{};
@@ -78,7 +99,7 @@ class SerialReader final : public Reader {
   template <class Value>
   Value next();
 
-  const Timebase& clock_;
+  Instant clockPulse_{};
   Kept kept_{};
   std::size_t position_ = 0;
   bool stop_ = false;

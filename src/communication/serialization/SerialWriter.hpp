@@ -16,7 +16,7 @@ namespace wr {
 class SerialWriter final : public Writer {
  public:
   /// @brief Most bytes that an object can have.
-  static constexpr std::size_t kCapacity = 123;
+  static constexpr std::size_t kCapacity = 200;
 
   /// @brief Makes a writer without bytes.
   SerialWriter() = default;

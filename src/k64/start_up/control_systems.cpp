@@ -27,9 +27,6 @@ WheelSystemBuilder::Devices devicesOf(std::size_t wheel) {
           .wheel = wheel};
 }
 
-std::array<WheelSystemBuilder, kWheelCount> wheelBuilders{
-    WheelSystemBuilder(devicesOf(0)), WheelSystemBuilder(devicesOf(1)),
-    WheelSystemBuilder(devicesOf(2)), WheelSystemBuilder(devicesOf(3))};
 DirSystemBuilder steeringBuilder({.step = steeringStep,
                                   .direction = steeringDirection,
                                   .enable = steeringEnable,
@@ -37,21 +34,18 @@ DirSystemBuilder steeringBuilder({.step = steeringStep,
                                   .rightEnd = rightEnd,
                                   .angle = steeringAngle,
                                   .timebase = timebase});
-constexpr std::array<ControlSystemBuilder*, kWheelCount + 1> kBuilders{
-    &wheelBuilders[0], &wheelBuilders[1], &wheelBuilders[2], &wheelBuilders[3], &steeringBuilder};
 
 }  // namespace
 
-ControlSystemPoolBuilder poolBuilder(tickTimer, kBuilders);
+std::array<WheelSystemBuilder, kWheelCount> wheelBuilders{
+    WheelSystemBuilder(devicesOf(0)), WheelSystemBuilder(devicesOf(1)),
+    WheelSystemBuilder(devicesOf(2)), WheelSystemBuilder(devicesOf(3))};
+constinit const std::array<ControlSystemBuilder*, kWheelCount + 1> systemBuilders{
+    &wheelBuilders[0], &wheelBuilders[1], &wheelBuilders[2], &wheelBuilders[3], &steeringBuilder};
 
 }  // namespace wr::platform
 
 // Each handler ends when its stores have ended: see those of the devices.
-
-void tickTimerInterrupt() {
-  wr::platform::poolBuilder.timer().expired();
-  wr::finishStores();
-}
 
 void hallSensorInterrupt() {
   for (wr::WheelSystemBuilder& builder : wr::platform::wheelBuilders) {

@@ -37,7 +37,8 @@ extern const std::uint32_t stackTop[];
 [[gnu::naked]] void unexpected() {
   asm volatile(
       "mov r0, sp\n\t"
-      "ldr r1, =stackTop\n\t"
+      "movw r1, #:lower16:stackTop\n\t"
+      "movt r1, #:upper16:stackTop\n\t"
       "mov sp, r1\n\t"
       "b endOfProgram");
 }

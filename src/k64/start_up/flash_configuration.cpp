@@ -6,10 +6,11 @@ namespace wr {
 namespace {
 
 // What the flash reads at reset, at 0x400. FSEC = FE: not secured, mass erase allowed. Any other
-// value can lock the microcontroller for good.
+// value can lock the microcontroller for good. FOPT = FD: a low level at PTA4 during the reset does
+// not lead to the mode for programming over a serial line, in which no program runs.
 [[gnu::section(".flash_configuration"),
   gnu::used]] constexpr std::array<std::uint8_t, 16> kFlashConfiguration = {
-    0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFE, 0xFF, 0xFF, 0xFF};
+    0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFE, 0xFD, 0xFF, 0xFF};
 
 static_assert(sizeof(kFlashConfiguration) == 16);
 

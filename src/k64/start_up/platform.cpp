@@ -18,7 +18,7 @@ constinit K64Watchdog watchdog;
 constinit K64Timebase timebase;
 constinit K64Pit cycleTimer(K64Pit::Channel::First);
 constinit K64Pit tickTimer(K64Pit::Channel::Second);
-K64Uart pcPort(K64Uart::Port::Uart0);
+K64Uart pcPort(K64Uart::Port::Uart0, timebase);
 constinit K64Thread mainThread(kMainThreadLine);
 
 constinit std::array<WheelDevices, kWheelCount> wheels{
@@ -60,19 +60,42 @@ constinit K64Port rightEnd(pinOf("steering_right_end"));
 constinit K64Adc steeringAngle(converters, K64Adc::channelOf("ADC1_SE6b"));
 constinit K64Port rcVelocityPin(pinOf("rc_velocity"));
 constinit K64Port rcDirectionPin(pinOf("rc_direction"));
+constinit K64Port rcEnablePin(pinOf("rc_enable"));
+constinit K64Timebase::EntryTime rcEdgeTime(timebase);
+constinit K64Port emergencyStopContact(pinOf("emergency_stop"));
 
 constinit K64Gpio redLight(pinOf("light_red"), K64Gpio::Level::Low);
 
 StartRecord startRecord;
 
+RcEdges enterRcInterrupt() {
+  rcEdgeTime.record();
+  return {.velocity = rcVelocityPin.hasEdge(),
+          .direction = rcDirectionPin.hasEdge(),
+          .enable = rcEnablePin.hasEdge()};
+}
+
+void allowEdges() {
+  for (WheelDevices& wheel : wheels) {
+    wheel.hallA.allowEdges();
+    wheel.hallB.allowEdges();
+  }
+  rcVelocityPin.allowEdges();
+  rcDirectionPin.allowEdges();
+  rcEnablePin.allowEdges();
+}
+
+void calibrateConverters() {
+  K64Board::openGates();
+  K64Adc::calibrate(converters);
+}
+
 void startDevices() {
   startRecord = K64Board::takeStartRecord();
-  K64Board::openGates();
   timebase.start();
   pcPort.start();
   K64Ftm::start();
   K64Board::connectLateOutputs();
-  K64Adc::calibrate(converters);
 }
 
 void enableInterrupts() {

@@ -47,6 +47,13 @@ extern K64Port rightEnd;
 extern K64Adc steeringAngle;
 extern K64Port rcVelocityPin;
 extern K64Port rcDirectionPin;
+extern K64Port rcEnablePin;
+
+/// @brief Time of the edges of the remote control: that at which their interrupt was entered.
+extern K64Timebase::EntryTime rcEdgeTime;
+
+/// @brief Contact of the emergency stop: low while it is released.
+extern K64Port emergencyStopContact;
 
 /// @brief On from the reset on until control cycles run. Then it is free for the product.
 extern K64Gpio redLight;
@@ -54,8 +61,32 @@ extern K64Gpio redLight;
 /// @brief Why the firmware started.
 extern StartRecord startRecord;
 
+/// @brief Signals of the remote control that have an edge.
+/// @datatype
+struct RcEdges {
+  bool velocity;   ///< pulses of the velocity lever
+  bool direction;  ///< pulses of the direction lever
+  bool enable;     ///< pulses of the enable switch
+};
+
+/// @brief Records the time of the edges of the remote control. The handler of their interrupt calls it
+/// first, and then serves the signals that have an edge.
+/// @return the signals that have an edge
+/// @isr{yes}
+RcEdges enterRcInterrupt();
+
+/// @brief Lets the inputs interrupt again that had too many edges. The handler of the tick calls it.
+/// @isr{yes}
+void allowEdges();
+
+/// @brief Opens the gates of the devices and calibrates the converters.
+/// @pre The core still runs from the clock after reset: the full clock is too fast for the calibration.
+/// @isr{no}
+void calibrateConverters();
+
 /// @brief Starts the devices. The outputs for the tension leave their safe level for the timer, which
 /// holds them low.
+/// @pre The converters are calibrated, and the core runs at its full clock.
 /// @isr{no}
 void startDevices();
 

@@ -4,6 +4,7 @@
 #include "k64/K64Board.hpp"
 #include "k64/K64Watchdog.hpp"
 #include "k64/start_up/handlers.hpp"
+#include "k64/start_up/platform.hpp"
 
 // The linker script defines where things begin and end.
 extern "C" {
@@ -42,8 +43,10 @@ void resetHandler() {
   wr::K64Board::makeOutputsSafe();
   wr::K64Board::connectInputs();
   wr::K64Board::enableFloatingPoint();
+  wr::K64Board::enableGuards();
   wr::initialiseMemory();
   wr::constructObjects();
+  wr::platform::calibrateConverters();
   if (const std::uint16_t failedStep = wr::K64Board::startClock(); failedStep != 0) {
     wr::K64Board::endWithoutClock(failedStep);
   }

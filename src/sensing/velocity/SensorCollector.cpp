@@ -1,9 +1,6 @@
 #include "sensing/velocity/SensorCollector.hpp"
 
 #include <array>
-#include <limits>
-
-#include "services/SystemConstants.hpp"
 
 namespace wr {
 
@@ -17,10 +14,8 @@ constexpr std::array<std::array<std::int8_t, 4>, 4> kDirections = {{
     {0, -1, 1, 0},
 }};
 
-// Time between two edges at the greatest velocity [us]: 2222. A velocity is in 0.1 rpm.
-constexpr Microseconds kLeastGap(600'000'000 /
-                                 (std::int64_t{SensorCollector::kGreatestVelocity.count()} *
-                                  SystemConstants::instance().hallEdgesPerTurn()));
+// A wheel that turns needs more time than this to pass an edge, to stop and to pass it again.
+constexpr Microseconds kLeastReversal = milliseconds(25);
 
 }  // namespace
 
@@ -34,12 +29,10 @@ void SensorCollector::collect(std::uint8_t phase, Instant at) {
   const std::int8_t direction = kDirections[*phase_][phase];
   const bool rising = phase > *phase_;
   phase_ = phase;
-  if (plausible(direction, at)) {
-    direction_ = direction;
-    last_ = at;
-    instants_.collect({at, rising, direction});
-  } else if (newest_.rejected < std::numeric_limits<std::uint16_t>::max()) {
-    ++newest_.rejected;
+  if (direction != 0) {
+    step(direction, rising, at);
+  } else {
+    ++newest_.unclear;
   }
   instants_.fill(newest_.instants);
   record_.write(newest_, at);
@@ -50,8 +43,13 @@ HallRecord SensorCollector::record() {
   return newest != nullptr ? newest->value : HallRecord();
 }
 
-bool SensorCollector::plausible(std::int8_t direction, Instant at) const {
-  return direction != 0 && (direction != direction_ || at - last_ >= kLeastGap);
+void SensorCollector::step(std::int8_t direction, bool rising, Instant at) {
+  if (direction + direction_ == 0 && at - last_ < kLeastReversal) {
+    ++newest_.reversals;
+  }
+  direction_ = direction;
+  last_ = at;
+  instants_.collect({at, rising, direction});
 }
 
 }  // namespace wr

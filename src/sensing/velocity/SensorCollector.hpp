@@ -9,45 +9,44 @@
 
 namespace wr {
 
-/// @brief What is known of the Hall edges of a wheel. All numbers count from start: who wants those
-/// of a time takes the difference.
+/// @brief Record of the Hall edges of a wheel. All numbers count from start and wrap: a reader takes
+/// the difference of two records.
 /// @datatype
 struct HallRecord {
-  Instants instants;           ///< what the collector of instants tells
-  std::uint16_t rejected = 0;  ///< edges that were rejected since start, at most 65535
+  Instants instants;            ///< instants and number of the steps
+  std::uint32_t unclear = 0;    ///< interrupts since start in which no level or both changed
+  std::uint32_t reversals = 0;  ///< steps since start that reversed faster than a wheel can
 };
 
 /// @brief Collects the edges of the two Hall sensors of a wheel.
-/// @function Finds the direction of each edge and gives it to a collector of instants. Rejects and
-/// counts edges that a wheel cannot give. Hands the whole record from the interrupt to the thread
-/// of the wheel.
-/// @secret The sequence of levels that a turning wheel gives, and which edges are not believed.
+/// @function Finds the direction of each edge and gives it to a collector of instants. Counts
+/// separately the edges that a turning wheel cannot give. Passes the whole record from the interrupt
+/// to the thread of the wheel.
+/// @secret The sequence of levels that a turning wheel gives, and which edges are implausible.
 /// @role{hall-interrupt, Receiver}
 class SensorCollector final {
  public:
-  /// @brief Velocity that no wheel reaches: half more than the greatest that can be ordered.
-  static constexpr Velocity kGreatestVelocity{4500};
-
   /// @brief Binds the collector of instants.
-  /// @param instants takes the edges that are believed
+  /// @param instants receives each step, that is, each edge at which exactly one level changed
   explicit SensorCollector(InstantCollector& instants);
 
   SensorCollector(const SensorCollector&) = delete;
   SensorCollector& operator=(const SensorCollector&) = delete;
 
-  /// @brief Takes the levels after an edge. The first call only learns where the wheel stands. An
-  /// edge is rejected and counted when no level changed, when both changed, and when it follows an
-  /// edge of the same direction sooner than a wheel at 450 rpm can give it. An edge that turns the
-  /// direction may follow at any time: a wheel can rock on an edge.
+  /// @brief Records the levels after an edge. The first call only records the levels. An edge at which
+  /// exactly one level changed is a step and is counted, however soon it comes. An edge is unclear
+  /// when no level or both changed. A step that reverses the direction within 25 ms is counted as a
+  /// step and as a reversal: a wheel that turns cannot do it, one at rest on an edge can.
   /// @param phase levels of the sensors, bit 0 the first, bit 1 the second [0 to 3]; forwards they
   /// are 0, 1, 3, 2
   /// @param at time of the edge
   /// @isr{yes}
   /// @satisfies FR-121
   /// @satisfies FR-123
+  /// @satisfies FR-220
   void collect(std::uint8_t phase, Instant at);
 
-  /// @brief Tells all that is known of the edges, as of the last one.
+  /// @brief Returns the record of the edges, as of the last one.
   /// @return the record; empty before the first edge
   /// @pre No other call of record() is under way: only the thread of the wheel calls it.
   /// @isr{no}
@@ -55,12 +54,12 @@ class SensorCollector final {
   [[nodiscard]] HallRecord record();
 
  private:
-  /// @brief Tells whether an edge is believed.
-  [[nodiscard]] bool plausible(std::int8_t direction, Instant at) const;
+  /// @brief Records a step.
+  void step(std::int8_t direction, bool rising, Instant at);
 
   InstantCollector& instants_;
   std::optional<std::uint8_t> phase_;
-  std::int8_t direction_ = 0;  // of the last edge that was believed
+  std::int8_t direction_ = 0;  // of the last step
   Instant last_{};             // its time
   HallRecord newest_;
   Pipe<HallRecord> record_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 #include "functions/arguments/BaseArguments.hpp"
 #include "functions/arguments/RangeArguments.hpp"
@@ -11,6 +12,15 @@
 namespace wr {
 
 namespace {
+
+// Greatest velocity that is measured. Without load 24 V turn a motor with 460 rpm.
+constexpr Velocity kGreatestVelocity{6000};
+
+// From this velocity on a wheel does not come to rest within a cycle.
+constexpr Velocity kMoving{300};
+
+// Implausible edges in a cycle: one short disturbance of a line gives two.
+constexpr std::uint32_t kMostImplausible = 3;
 
 // One turn in one microsecond [0.1 rpm].
 constexpr std::int32_t kTurnPerMicrosecond = 600'000'000;
@@ -31,23 +41,32 @@ VelSensor::VelSensor(SensorCollector& collector, const Function& function, const
     : collector_(collector), function_(function), timebase_(timebase), pipe_(velocity) {}
 
 void VelSensor::measure() {
-  const Instants instants = collector_.record().instants;
+  const HallRecord before = record_;
+  record_ = collector_.record();
+  const Instants& instants = record_.instants;
   const Instant now = timebase_.now();
   const std::optional<Velocity> measured =
       instants.last == edge_ ? withoutEdges(now) : withEdges(instants, now);
   measuredAt_ = now;
-  if (measured) {
+  if (measured && plausible(before)) {
     velocity_ = *measured;
     pipe_.write(*measured, now);
   }
 }
 
-HallCount VelSensor::position() {
-  return HallCount(collector_.record().instants.count);
+HallCount VelSensor::position() const {
+  return HallCount(record_.instants.count);
 }
 
-std::uint16_t VelSensor::rejectedEdges() {
-  return collector_.record().rejected;
+std::uint16_t VelSensor::rejectedEdges() const {
+  constexpr std::uint32_t kMost = std::numeric_limits<std::uint16_t>::max();
+  return static_cast<std::uint16_t>(std::min(record_.unclear + record_.reversals, kMost));
+}
+
+bool VelSensor::plausible(const HallRecord& before) const {
+  const bool moving = velocity_ >= kMoving || velocity_ <= -kMoving;
+  const std::uint32_t reversals = moving ? record_.reversals - before.reversals : 0;
+  return record_.unclear - before.unclear + reversals <= kMostImplausible;
 }
 
 std::optional<Velocity> VelSensor::withEdges(const Instants& instants, Instant now) {
@@ -80,8 +99,7 @@ std::optional<Velocity> VelSensor::velocity(std::int32_t edges, Microseconds ela
   const BaseArguments base(edges, elapsed);
   const ScaleArguments scaled(base, kTurnPerMicrosecond,
                               SystemConstants::instance().hallEdgesPerTurn(), 0);
-  const std::int32_t greatest = SensorCollector::kGreatestVelocity.count();
-  const RangeArguments arguments(scaled, -greatest, greatest);
+  const RangeArguments arguments(scaled, -kGreatestVelocity.count(), kGreatestVelocity.count());
   const std::optional<std::int32_t> value = function_.calculate(arguments);
   return value ? std::optional(Velocity(*value)) : std::nullopt;
 }

@@ -7,7 +7,7 @@ namespace wr {
 namespace {
 
 // The derivation of these figures stands in docs/wheel_control.rst.
-constexpr std::int32_t kWinding = 1500;  // [mOhm] resistance of winding and leads
+constexpr std::int32_t kWinding = SystemConstants::instance().winding();
 constexpr PiGains kGains{.proportional = 0, .integral = kWinding / 2};
 constexpr std::int32_t kThousand = 1000;
 

@@ -8,12 +8,16 @@ namespace wr {
 
 namespace {
 
-constexpr std::int64_t kMicrovolts = 1000;  // in a millivolt
-constexpr std::int64_t kMostIntegral = SystemConstants::instance().supply().count() * kMicrovolts;
+constexpr std::int32_t kMicrovolts = 1000;  // in a millivolt
+constexpr std::int32_t kMostIntegral = SystemConstants::instance().supply().count() * kMicrovolts;
+
+// A shortfall below this explains no error: a demand of less than 0.1 V may wait for a change of
+// orientation, and the integral must be able to raise it.
+constexpr Tension kSlight(100);
 
 // A wheel that got less tension than it should have stays behind, and one that got more runs ahead.
 bool explains(Tension shortfall, std::int32_t error) {
-  return (shortfall > Tension() && error > 0) || (shortfall < Tension() && error < 0);
+  return (shortfall >= kSlight && error > 0) || (shortfall <= -kSlight && error < 0);
 }
 
 }  // namespace
@@ -21,12 +25,12 @@ bool explains(Tension shortfall, std::int32_t error) {
 PiRegulator::PiRegulator(const PiGains& gains) : gains_(gains) {}
 
 Tension PiRegulator::regulate(std::int32_t error) {
+  std::int32_t sum = integral();
   if (!explains(shortfall_, error)) {
-    const std::int64_t sum = integral_ + std::int64_t{gains_.integral} * error;
-    integral_ = std::clamp(sum, -kMostIntegral, kMostIntegral);
+    sum = std::clamp(sum + gains_.integral * error, -kMostIntegral, kMostIntegral);
   }
-  const std::int64_t tension = std::int64_t{gains_.proportional} * error + integral_;
-  return Tension(static_cast<std::int32_t>(tension / kMicrovolts));
+  integral_.fill(sum);
+  return Tension((gains_.proportional * error + sum) / kMicrovolts);
 }
 
 void PiRegulator::missed(Tension shortfall) {
@@ -34,8 +38,14 @@ void PiRegulator::missed(Tension shortfall) {
 }
 
 void PiRegulator::reset() {
-  integral_ = 0;
+  integral_.fill(0);
   shortfall_ = Tension();
+}
+
+// Each bit as at least two of the copies have it.
+std::int32_t PiRegulator::integral() const {
+  const auto& [a, b, c] = integral_;
+  return (a & b) | (b & c) | (a & c);
 }
 
 }  // namespace wr

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "units/quantities.hpp"
 
 namespace wr {
 
-/// @brief How strongly a regulator acts.
+/// @brief Gains of a regulator, up to 16000 each.
 /// @datatype
 struct PiGains {
   std::int32_t proportional = 0;  ///< tension of the present error [uV per unit of the error]
@@ -18,8 +19,9 @@ struct PiGains {
 /// @function Adds a share of the present error and a share of each error before it to one tension. An error
 /// that comes from a tension that could not be applied is not kept.
 ///
-/// @secret How an integral is kept from winding up while the tension is limited, and how fractions of a
-/// millivolt are kept.
+/// @secret How the integral is limited while the tension is limited, how fractions of a millivolt are
+/// kept, and how a bit that changes in the memory of the integral is corrected: the wheels of a robot
+/// would work against each other for a long time.
 class PiRegulator final {
  public:
   /// @brief Makes a regulator without memory.
@@ -36,11 +38,12 @@ class PiRegulator final {
   /// @post The part of the integral is at most the supply.
   /// @satisfies FR-83
   /// @satisfies FR-85
+  /// @satisfies FR-224
   /// @isr{no}
   Tension regulate(std::int32_t error);
 
   /// @brief Learns by how much the wheel will miss its tension in the cycle that begins. An error of that
-  /// cycle that the missing tension explains is not kept.
+  /// cycle that the missing tension explains is not kept. Less than 0.1 V explains nothing.
   /// @param shortfall calculated less applied tension [mV]
   /// @satisfies FR-86
   /// @isr{no}
@@ -51,9 +54,11 @@ class PiRegulator final {
   void reset();
 
  private:
+  [[nodiscard]] std::int32_t integral() const;
+
   PiGains gains_;
-  std::int64_t integral_ = 0;  // [uV]
-  Tension shortfall_{};        // of the cycle whose error comes next
+  std::array<std::int32_t, 3> integral_{};  // [uV] three copies of the integral
+  Tension shortfall_{};                     // of the cycle whose error comes next
 };
 
 }  // namespace wr

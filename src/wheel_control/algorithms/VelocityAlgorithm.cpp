@@ -1,5 +1,8 @@
 #include "wheel_control/algorithms/VelocityAlgorithm.hpp"
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "services/SystemConstants.hpp"
 
 namespace wr {
@@ -12,6 +15,13 @@ constexpr std::int32_t kDecay = 637;  // [1/1000] what is left of a deviation af
 constexpr std::int32_t kMean = 806;   // [1/1000] mean of a deviation during a cycle
 constexpr PiGains kGains{.proportional = 4650, .integral = 2094};
 
+// Edges that are lost make the measured velocity too low. It is doubtful when the motor makes more
+// tension than it would make at this velocity, by more than supply, winding and motor constant can
+// differ from what is assumed.
+constexpr std::int32_t kDoubt = 400;     // [mV]
+constexpr std::int32_t kDoubtShare = 3;  // and this part of the tension
+constexpr std::uint8_t kMostDoubts = 5;  // cycles in a row
+
 // Part of a deviation. The product would have more than 32 bits, which the core divides slowly; the
 // thousands and the rest of it do not. A set-point has 16 bits, and no measured velocity has more.
 std::int32_t part(std::int32_t deviation, std::int32_t thousandths) {
@@ -23,8 +33,7 @@ std::int32_t part(std::int32_t deviation, std::int32_t thousandths) {
 VelocityAlgorithm::VelocityAlgorithm() : regulator_(kGains) {}
 
 Tension VelocityAlgorithm::calculate(std::int16_t setPoint, const WheelFeedback& feedback) {
-  measured_ = feedback.velocity;
-  std::int32_t expected = measured_.count() * kThousand;
+  std::int32_t expected = feedback.velocity.count() * kThousand;
   if (model_) {
     const std::int32_t goal = setPoint_ * kThousand;
     const std::int32_t deviation = *model_ - goal;
@@ -34,6 +43,7 @@ Tension VelocityAlgorithm::calculate(std::int16_t setPoint, const WheelFeedback&
     model_ = expected;
   }
   setPoint_ = setPoint;
+  measured_ = doubtful(feedback) ? Velocity(expected / kThousand) : feedback.velocity;
   const Tension unloaded(SystemConstants::instance().motorConstant().count() * setPoint /
                          kThousand);
   const std::int32_t error = expected / kThousand - measured_.count();
@@ -43,6 +53,7 @@ Tension VelocityAlgorithm::calculate(std::int16_t setPoint, const WheelFeedback&
 
 void VelocityAlgorithm::applied(Tension tension) {
   regulator_.missed(calculated_ - tension);
+  applied_ = tension;
   if (tension != calculated_) {
     model_ = measured_.count() * kThousand;
   }
@@ -51,6 +62,30 @@ void VelocityAlgorithm::applied(Tension tension) {
 void VelocityAlgorithm::reset() {
   regulator_.reset();
   model_.reset();
+  applied_.reset();
+  doubts_ = 0;
+}
+
+bool VelocityAlgorithm::doubtful(const WheelFeedback& feedback) {
+  constexpr const SystemConstants& kConstants = SystemConstants::instance();
+  if (!applied_) {
+    return false;
+  }
+  const std::int32_t turning =
+      kConstants.motorConstant().count() * feedback.velocity.count() / kThousand;
+  const std::int32_t winding = kConstants.winding() * feedback.current.count() / kThousand;
+  const std::int32_t made = applied_->count() - winding;
+  const std::int32_t missing = made > 0 ? made - turning : turning - made;
+  const std::int32_t greatest = std::max(std::abs(applied_->count()), std::abs(winding));
+  if (missing <= kDoubt + greatest / kDoubtShare) {
+    doubts_ = 0;
+    return false;
+  }
+  if (doubts_ == kMostDoubts) {
+    return false;
+  }
+  ++doubts_;
+  return true;
 }
 
 }  // namespace wr

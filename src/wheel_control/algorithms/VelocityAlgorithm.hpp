@@ -13,8 +13,8 @@ namespace wr {
 /// @function Gives the wheel the tension that it needs at the set-point when nothing loads it, and
 /// regulates what a load changes.
 ///
-/// @secret The model of a wheel that follows its set-point, and the gains that take away what differs
-/// from it.
+/// @secret The model of a wheel that follows its set-point, the gains that correct a difference from it,
+/// and how a measured velocity is checked by tension and current.
 ///
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class VelocityAlgorithm final : public WheelAlgorithm {
@@ -22,13 +22,16 @@ class VelocityAlgorithm final : public WheelAlgorithm {
   /// @brief Makes the algorithm for a wheel at rest.
   VelocityAlgorithm();
 
-  /// @brief Calculates the tension. All quotients are rounded towards zero.
+  /// @brief Calculates the tension. All quotients are rounded towards zero. For up to 5 cycles in a row
+  /// a velocity that does not agree with tension and current is replaced by that of the model.
   /// @param setPoint velocity [0.1 rpm], -3000 to 3000
-  /// @param feedback its velocity is used
+  /// @param feedback velocity and current of the cycle that ends
   /// @return tension [mV], positive forwards
   /// @satisfies FR-82
   /// @satisfies FR-83
   /// @satisfies FR-84
+  /// @satisfies FR-223
+  /// @satisfies FR-224
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
@@ -44,11 +47,15 @@ class VelocityAlgorithm final : public WheelAlgorithm {
   void reset() override;
 
  private:
+  [[nodiscard]] bool doubtful(const WheelFeedback& feedback);
+
   PiRegulator regulator_;
   std::optional<std::int32_t> model_;  // [0.0001 rpm] velocity of the model when the cycle began
   std::int16_t setPoint_ = 0;          // set-point of the cycle that ends
-  Velocity measured_{};                // measured velocity of the last calculation
+  Velocity measured_{};                // velocity that the last calculation used
   Tension calculated_{};               // result of the last calculation
+  std::optional<Tension> applied_;     // tension of the cycle that ends; nothing after a reset
+  std::uint8_t doubts_ = 0;            // doubtful velocities in a row
 };
 
 }  // namespace wr

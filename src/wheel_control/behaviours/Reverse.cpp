@@ -10,11 +10,11 @@ namespace {
 
 constexpr Tension kSlight(100);  // least tension that is worth a change of orientation
 
-constexpr std::uint8_t kSlowCycles = 2;  // slow cycles in a row that show that a wheel rests
+constexpr std::uint8_t kSlowCycles = 2;  // slow cycles in a row that show that a wheel is slow
 
 bool isSlow(Velocity velocity) {
-  constexpr Velocity kStandstill = SystemConstants::instance().standstill();
-  return velocity < kStandstill && velocity > -kStandstill;
+  constexpr Velocity kSlow = SystemConstants::instance().slow();
+  return velocity < kSlow && velocity > -kSlow;
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ Tension Reverse::apply(Tension demand, Velocity velocity) {
   } else if (slowCycles_ < kSlowCycles) {
     ++slowCycles_;
   }
-  if (!rests()) {
+  if (!canTurn()) {
     resume(stop_.apply(applied_, velocity));
     return applied_;
   }
@@ -57,7 +57,7 @@ Tension Reverse::agreeing(Tension demand) const {
   return backwards_ ? std::min(demand, Tension()) : std::max(demand, Tension());
 }
 
-bool Reverse::rests() const {
+bool Reverse::canTurn() const {
   return slowCycles_ >= kSlowCycles && applied_ == Tension();
 }
 

@@ -7,12 +7,12 @@
 
 namespace wr {
 
-/// @brief Lets a wheel turn the other way, once it has come to rest.
+/// @brief Lets a wheel turn the other way, once it is slow.
 ///
 /// @function Extends a behaviour: when the demand opposes the present orientation the wheel is stopped,
 /// then its orientation changes, and then the extended behaviour goes on.
 ///
-/// @secret When a wheel counts as being at rest, and what must happen before its orientation changes.
+/// @secret How it is found that a wheel is slow, and what must happen before its orientation changes.
 ///
 /// @role{wheel-behaviours, Concrete Strategy}
 /// @role{behaviour-extensions, Concrete Decorator}
@@ -25,8 +25,7 @@ class Reverse final : public BehaviourDecorator {
   Reverse(WheelBehaviour& wrapped, WheelBehaviour& stop, WheelCommand& setOrientation);
 
   /// @brief Has the demand applied when it agrees with the orientation. Otherwise the wheel is stopped
-  /// until its velocity was below the standstill velocity in two cycles in a row and no tension is
-  /// left; then the orientation changes. A demand of less than 0.1 V the other way is taken as 0:
+  /// until its velocity was below 40 rpm in two cycles in a row and no tension is left; then the orientation changes. A demand of less than 0.1 V the other way is taken as 0:
   /// the noise of a measurement must not turn a wheel that rests.
   /// @param demand tension that is demanded [mV], -24000 to 24000, positive forwards
   /// @param velocity measured velocity [0.1 rpm]
@@ -44,13 +43,13 @@ class Reverse final : public BehaviourDecorator {
  private:
   [[nodiscard]] bool opposes(Tension demand) const;
   [[nodiscard]] Tension agreeing(Tension demand) const;
-  [[nodiscard]] bool rests() const;
+  [[nodiscard]] bool canTurn() const;
 
   WheelBehaviour& stop_;
   WheelCommand& setOrientation_;
   bool backwards_ = false;
   Tension applied_{};
-  std::uint8_t slowCycles_ = 0;  // cycles in a row below the standstill velocity, while stopped
+  std::uint8_t slowCycles_ = 0;  // slow cycles in a row, while stopped
 };
 
 }  // namespace wr

@@ -13,6 +13,7 @@ void ApplyControl::execute(WheelWork& work) {
   }
   work.measured.cutOff = wheel_.isCutOff();
   work.measured.blind = controller_.blind();
+  work.measured.reversalLate = controller_.reversalLate();
   work.applied = controller_.applied();
 }
 

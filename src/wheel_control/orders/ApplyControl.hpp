@@ -8,17 +8,17 @@ namespace wr {
 
 /// @brief The order to follow the set-point.
 ///
-/// @function Has the controller control the wheel, unless its driver is cut off, and takes what was
-/// applied into the work of the cycle.
+/// @function Has the controller control the wheel, unless its overcurrent trip has acted, and writes the
+/// applied tension into the work of the cycle.
 ///
-/// @secret What control does at a wheel whose driver is cut off.
+/// @secret What control does at a wheel after an overcurrent trip.
 ///
 /// @role{wheel-orders, Concrete Strategy}
 class ApplyControl final : public WheelOrder {
  public:
   /// @brief Binds the order to controller and wheel.
   /// @param controller controls the wheel
-  /// @param wheel knows whether its driver is cut off
+  /// @param wheel wheel with the overcurrent trip
   ApplyControl(WheelController& controller, Wheel& wheel);
 
   /// @brief Controls the wheel. A position that is missing counts as one that does not change.
@@ -26,6 +26,7 @@ class ApplyControl final : public WheelOrder {
   /// @satisfies FR-80
   /// @satisfies FR-89
   /// @satisfies FR-94
+  /// @satisfies FR-222
   /// @isr{no}
   void execute(WheelWork& work) override;
 

@@ -10,22 +10,27 @@ HaltWheel::HaltWheel(WheelController& controller, Wheel& wheel)
     : controller_(controller), wheel_(wheel) {}
 
 void HaltWheel::execute(WheelWork& work) {
-  controller_.halt();
+  if (work.release) {
+    release();
+  }
   if (wheel_.isCutOff()) {
     controller_.driverOff();
-    if (work.release && stands()) {
-      wheel_.release();
-    }
+  } else {
+    controller_.halt();
   }
   work.measured.cutOff = wheel_.isCutOff();
   work.measured.blind = controller_.blind();
+  work.measured.reversalLate = controller_.reversalLate();
   work.applied = controller_.applied();
 }
 
-bool HaltWheel::stands() const {
-  constexpr Velocity kStandstill = SystemConstants::instance().standstill();
+void HaltWheel::release() {
+  constexpr Velocity kSlow = SystemConstants::instance().slow();
   const std::optional<Velocity> velocity = controller_.velocity();
-  return velocity && *velocity < kStandstill && *velocity > -kStandstill;
+  controller_.release();
+  if (velocity && *velocity < kSlow && *velocity > -kSlow) {
+    wheel_.release();
+  }
 }
 
 }  // namespace wr

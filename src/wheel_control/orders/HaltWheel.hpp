@@ -8,28 +8,31 @@ namespace wr {
 
 /// @brief The order to stand still.
 ///
-/// @function Has the controller stop the wheel, and ends a cut-off of its driver once the wheel stands.
+/// @function Has the controller stop the wheel, and releases its latched faults when that is ordered.
 ///
-/// @secret When a driver that was cut off may be used again.
+/// @secret When a driver may be used again after its overcurrent trip.
 ///
 /// @role{wheel-orders, Concrete Strategy}
 class HaltWheel final : public WheelOrder {
  public:
   /// @brief Binds the order to controller and wheel.
   /// @param controller stops the wheel
-  /// @param wheel knows whether its driver is cut off
+  /// @param wheel wheel with the overcurrent trip
   HaltWheel(WheelController& controller, Wheel& wheel);
 
-  /// @brief Stops the wheel. A cut-off ends when the velocity is known and below the standstill velocity.
-  /// @param work takes tension and state of the wheel
+  /// @brief Stops the wheel. When a release is ordered, the faults of the controller end, and so does an
+  /// overcurrent trip if the velocity is known and below 40 rpm.
+  /// @param work order to release; receives tension and state of the wheel
   /// @satisfies FR-88
   /// @satisfies FR-89
+  /// @satisfies FR-91
   /// @satisfies FR-94
+  /// @satisfies FR-222
   /// @isr{no}
   void execute(WheelWork& work) override;
 
  private:
-  [[nodiscard]] bool stands() const;
+  void release();
 
   WheelController& controller_;
   Wheel& wheel_;

@@ -96,16 +96,17 @@ TEST(FrameDecoder, FR41_ABodyOfFewerThanFiveBytesIsDamaged) {
 /// @verifies FR-41
 TEST(FrameDecoder, FR41_ABadCrcIsDamaged) {
   for (const std::size_t wrong : {3U, 4U}) {
-    Bytes body = test::withCrc({1, 1, 0});
+    Bytes body = test::withCrc({2, 1, 0});
     body[wrong] ^= 0x10U;
     FrameDecoder decoder;
     EXPECT_THAT(push(decoder, test::stuffed(body)), ElementsAre(Decoded::Damaged));
   }
 }
 
-/// @brief A body of 129 bytes or more is too long, and it is said once, when the frame ends.
+/// @brief A body of 206 bytes or more is too long. This is returned once, when the frame ends.
 /// @verifies FR-42
-TEST(FrameDecoder, FR42_ABodyOfMoreThan128BytesIsTooLong) {
+TEST(FrameDecoder, FR42_ABodyOfMoreThan205BytesIsTooLong) {
+  static_assert(kMaxPayload == 200 && kMaxBody == 205);
   for (const std::size_t payload : {kMaxPayload + 1, kMaxPayload + 2, std::size_t{5000}}) {
     FrameDecoder decoder;
     Bytes line(payload + 6, 1);
@@ -117,11 +118,14 @@ TEST(FrameDecoder, FR42_ABodyOfMoreThan128BytesIsTooLong) {
               ElementsAre(Decoded::TooLong));
 }
 
-/// @brief A whole frame of another version is told from a damaged one.
+/// @brief A whole frame of another version is not damaged, and its type can be read.
 /// @verifies FR-43
-TEST(FrameDecoder, FR43_AFrameOfAnotherVersionIsTold) {
+TEST(FrameDecoder, FR43_AFrameOfAnotherVersionIsNotDamaged) {
   FrameDecoder decoder;
-  EXPECT_THAT(push(decoder, test::lineBytes(1, 0, {}, 2)), ElementsAre(Decoded::UnknownVersion));
+  EXPECT_THAT(push(decoder, test::lineBytes(1, 0, {}, 1)), ElementsAre(Decoded::UnknownVersion));
+  EXPECT_EQ(decoder.frame().type, FrameType::Hello);
+  EXPECT_THAT(push(decoder, test::lineBytes(4, 0, {}, 3)), ElementsAre(Decoded::UnknownVersion));
+  EXPECT_EQ(decoder.frame().type, FrameType::Order);
   EXPECT_THAT(push(decoder, test::lineBytes(1, 0, {}, 0)), ElementsAre(Decoded::UnknownVersion));
 }
 

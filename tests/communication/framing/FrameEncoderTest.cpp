@@ -20,7 +20,7 @@ TEST(FrameEncoder, FR40_MakesAFrameAsTheProtocolSays) {
   FrameEncoder encoder;
   const Bytes payload{0x01};
   EXPECT_THAT(encoder.encode({FrameType::Confirm, 1, payload}),
-              ElementsAreArray(test::fromHex("070102010104bf00")));
+              ElementsAreArray(test::fromHex("0702020101d82400")));
 }
 
 /// @brief The only zero byte of a frame is its last, whatever the payload holds.

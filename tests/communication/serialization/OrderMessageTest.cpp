@@ -5,7 +5,6 @@
 
 #include "communication/serialization/SerialReader.hpp"
 #include "communication/serialization/SerialWriter.hpp"
-#include "support/FakeTimebase.hpp"
 #include "support/orders.hpp"
 
 namespace wr {
@@ -68,14 +67,39 @@ TEST(OrderMessage, FR46_AnUnknownQuantityIsOutOfRange) {
   EXPECT_FALSE(withWheel(3, static_cast<WheelQuantity>(255), 0).inRange());
 }
 
-/// @brief A stop that is neither 0 nor 1 is out of range, and the fields of a stop order count too.
+/// @brief Bit 0 of the commands stops, bit 1 acknowledges. With any other bit the order is out of range.
 /// @verifies FR-46
-TEST(OrderMessage, FR46_StopIsYesOrNo) {
-  test::FakeTimebase clock;
-  SerialReader reader(clock);
-  EXPECT_TRUE(reader.offer(test::orderBytes(1, 0, 0, 0, 1)));
-  EXPECT_FALSE(reader.offer(test::orderBytes(1, 0, 0, 0, 2)));
-  EXPECT_FALSE(reader.offer(test::orderBytes(1, 0, 0, 3001, 1)));
+TEST(OrderMessage, FR46_OnlyTheTwoCommandsAreInRange) {
+  for (int commands = 0; commands < 256; ++commands) {
+    SerialReader reader;
+    const auto bytes = test::orderBytes(1, 0, 0, 0, static_cast<std::uint8_t>(commands));
+    ASSERT_EQ(reader.offer(bytes, Instant()), commands < 4);
+    OrderMessage order;
+    ASSERT_EQ(order.readFrom(reader), true);
+    if (commands < 4) {
+      EXPECT_EQ(order.stop(), commands % 2 == 1);
+      EXPECT_EQ(order.setPoints().acknowledge, commands >= 2);
+    }
+  }
+}
+
+/// @brief The other fields of an order that stops must be in range too.
+/// @verifies FR-46
+TEST(OrderMessage, FR46_TheFieldsOfAStopOrderCount) {
+  SerialReader reader;
+  EXPECT_FALSE(reader.offer(test::orderBytes(1, 0, 0, 3001, 1), Instant()));
+}
+
+/// @brief An order is neutral when the four wheel values are 0.
+/// @verifies FR-241
+TEST(OrderMessage, FR241_NeutralMeansThatEachWheelValueIsZero) {
+  EXPECT_TRUE(OrderMessage().neutral());
+  EXPECT_TRUE(withSteering(3200).neutral());
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    EXPECT_TRUE(withWheel(wheel, WheelQuantity::Current, 0).neutral());
+    EXPECT_FALSE(withWheel(wheel, WheelQuantity::Velocity, 1).neutral());
+    EXPECT_FALSE(withWheel(wheel, WheelQuantity::Tension, -1).neutral());
+  }
 }
 
 /// @brief What is written is what the protocol says, and is read back the same.
@@ -83,6 +107,8 @@ TEST(OrderMessage, FR46_StopIsYesOrNo) {
 TEST(OrderMessage, IsReadAsItWasWritten) {
   SetPoints setPoints;
   setPoints.orderId = 0x1234;
+  setPoints.sentAt = 0x01020304;
+  setPoints.acknowledge = true;
   setPoints.steering = Angle(-7);
   for (auto& wheel : setPoints.wheels) {
     wheel = {WheelQuantity::Current, -9999};
@@ -90,11 +116,11 @@ TEST(OrderMessage, IsReadAsItWasWritten) {
   const OrderMessage order(setPoints, true);
   SerialWriter writer;
   ASSERT_TRUE(order.writeTo(writer));
-  EXPECT_THAT(writer.bytes(), testing::ElementsAreArray(test::orderBytes(0x1234, -7, 2, -9999, 1)));
+  EXPECT_THAT(writer.bytes(),
+              testing::ElementsAreArray(test::orderBytes(0x1234, -7, 2, -9999, 3, 0x01020304)));
 
-  test::FakeTimebase clock;
-  SerialReader reader(clock);
-  ASSERT_TRUE(reader.offer(writer.bytes().first<SerialReader::kOrderLength>()));
+  SerialReader reader;
+  ASSERT_TRUE(reader.offer(writer.bytes().first<SerialReader::kOrderLength>(), Instant()));
   OrderMessage copy;
   ASSERT_TRUE(copy.readFrom(reader));
   EXPECT_EQ(copy.setPoints(), setPoints);
@@ -104,9 +130,8 @@ TEST(OrderMessage, IsReadAsItWasWritten) {
 /// @brief An order of which the source holds only a part is not read.
 /// @verifies FR-45
 TEST(OrderMessage, AnIncompleteOrderIsNotRead) {
-  test::FakeTimebase clock;
-  SerialReader reader(clock);
-  reader.readU8({FieldName::Stop});  // one byte less is left
+  SerialReader reader;
+  reader.readU8({FieldName::Commands});  // one byte less is left
   OrderMessage order;
   EXPECT_FALSE(order.readFrom(reader));
 }

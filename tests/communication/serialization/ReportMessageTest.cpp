@@ -75,11 +75,12 @@ ReportData randomData(std::mt19937& random) {
   data.operationState = static_cast<std::uint8_t>(random() % 4);
   data.readingMode = static_cast<std::uint8_t>(random() % 2);
   data.source = static_cast<std::uint8_t>(random() % 2);
-  data.stop = flip();
+  data.stopSources = number<std::uint8_t>(random);
   data.orderRead = flip();
   data.held = flip();
   data.overran = flip();
   data.setPoints.orderId = number<std::uint16_t>(random);
+  data.setPoints.sentAt = number<std::uint32_t>(random);
   data.setPoints.steering = Angle(number<std::int16_t>(random));
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
     data.setPoints.wheels[wheel] = {static_cast<WheelQuantity>(random() % 3),
@@ -107,14 +108,18 @@ ReportData randomData(std::mt19937& random) {
   data.measurements.steeringState = static_cast<SteeringState>(random() % 4);
   data.measurements.leftEnd = flip();
   data.measurements.rightEnd = flip();
+  data.measurements.protection = {.inhibit = static_cast<Inhibit>(random() % 5),
+                                  .cause = static_cast<StopCause>(random() % 11),
+                                  .wheel = number<std::uint8_t>(random),
+                                  .armed = flip()};
   if (flip()) {
     data.outputs.turn = static_cast<std::int8_t>(static_cast<int>(random() % 3) - 1);
   }
   data.overruns = number<std::uint16_t>(random);
-  for (auto* count :
-       {&data.link.lostBytes, &data.link.damaged, &data.link.tooLong, &data.link.unknownVersion,
-        &data.link.unknownType, &data.link.wrongLength, &data.link.outOfRange,
-        &data.link.unexpected, &data.link.sequenceGaps, &data.link.reportsNotSent}) {
+  for (auto* count : {&data.link.lostBytes, &data.link.damaged, &data.link.tooLong,
+                      &data.link.unknownVersion, &data.link.unknownType, &data.link.wrongLength,
+                      &data.link.outOfRange, &data.link.unexpected, &data.link.sequenceGaps,
+                      &data.link.reportsNotSent, &data.link.staleOrders}) {
     *count = number<std::uint16_t>(random);
   }
   for (auto* cost : {&data.costs.report, &data.costs.awake, &data.costs.start}) {
@@ -137,8 +142,8 @@ TEST(ReportData, DiffersInEachValue) {
   test::expectDifference(
       &ReportData::cycle, 1U, &ReportData::time, Instant(1), &ReportData::operationState,
       std::uint8_t{1}, &ReportData::readingMode, std::uint8_t{1}, &ReportData::source,
-      std::uint8_t{1}, &ReportData::stop, true, &ReportData::orderRead, true, &ReportData::held,
-      true, &ReportData::overran, true, &ReportData::setPoints, setPoints,
+      std::uint8_t{1}, &ReportData::stopSources, std::uint8_t{1}, &ReportData::orderRead, true,
+      &ReportData::held, true, &ReportData::overran, true, &ReportData::setPoints, setPoints,
       &ReportData::measurements, measurements, &ReportData::outputs, outputs, &ReportData::overruns,
       std::uint16_t{1}, &ReportData::link, link, &ReportData::costs, kCosts);
 }
@@ -146,11 +151,11 @@ TEST(ReportData, DiffersInEachValue) {
 /// @brief Two sets of counts are the same only when each count is the same.
 TEST(LinkCounts, DifferInEachCount) {
   constexpr std::uint16_t kOne = 1;
-  test::expectDifference(&LinkCounts::lostBytes, kOne, &LinkCounts::damaged, kOne,
-                         &LinkCounts::tooLong, kOne, &LinkCounts::unknownVersion, kOne,
-                         &LinkCounts::unknownType, kOne, &LinkCounts::wrongLength, kOne,
-                         &LinkCounts::outOfRange, kOne, &LinkCounts::unexpected, kOne,
-                         &LinkCounts::sequenceGaps, kOne, &LinkCounts::reportsNotSent, kOne);
+  test::expectDifference(
+      &LinkCounts::lostBytes, kOne, &LinkCounts::damaged, kOne, &LinkCounts::tooLong, kOne,
+      &LinkCounts::unknownVersion, kOne, &LinkCounts::unknownType, kOne, &LinkCounts::wrongLength,
+      kOne, &LinkCounts::outOfRange, kOne, &LinkCounts::unexpected, kOne, &LinkCounts::sequenceGaps,
+      kOne, &LinkCounts::reportsNotSent, kOne, &LinkCounts::staleOrders, kOne);
 }
 
 /// @brief Two costs are the same only when each count is the same.
@@ -158,13 +163,14 @@ TEST(CycleCosts, DifferInEachCount) {
   test::expectDifference(&CycleCosts::report, 1U, &CycleCosts::awake, 1U, &CycleCosts::start, 1U);
 }
 
-/// @brief A report without content has 120 bytes, and all values are marked as missing.
+/// @brief A report without content has 130 bytes, and all values are marked as missing.
 /// @verifies FR-62
 TEST(ReportMessage, FR62_AnEmptyReportMarksAllValuesAsMissing) {
   const Bytes bytes = written({});
-  ASSERT_EQ(bytes.size(), 120U);
-  Bytes expected(120, 0);
-  expected[10] = 255;
+  ASSERT_EQ(bytes.size(), 130U);
+  Bytes expected(130, 0);
+  expected[10] = 255;   // source: none
+  expected[122] = 255;  // wheel of a protective stop: none
   EXPECT_EQ(bytes, expected);
 }
 
@@ -219,19 +225,43 @@ TEST(ReportMessage, FR62_TheTurnDirectionHasItsBit) {
 /// @verifies FR-4
 /// @verifies FR-175
 TEST(ReportMessage, FR175_EachFlagHasItsBit) {
-  const std::vector<std::pair<bool ReportData::*, int>> flags{{&ReportData::stop, 1},
-                                                              {&ReportData::orderRead, 2},
-                                                              {&ReportData::held, 4},
-                                                              {&ReportData::overran, 8}};
+  const std::vector<std::pair<bool ReportData::*, int>> flags{
+      {&ReportData::orderRead, 2}, {&ReportData::held, 4}, {&ReportData::overran, 8}};
   for (const auto& [flag, bit] : flags) {
     ReportData data;
     data.*flag = true;
     EXPECT_EQ(written(data)[11], bit);
   }
+  EXPECT_EQ(written({.stopSources = 4})[11], 1);
+  ReportData armed;
+  armed.measurements.protection.armed = true;
+  EXPECT_EQ(written(armed)[11], 16);
+}
+
+/// @brief Why the robot does not follow its set-points, the cause of a protective stop, its wheel and
+/// the sources that order stop have one byte each.
+/// @verifies FR-242
+TEST(ReportMessage, FR242_TheReasonWhyTheRobotDoesNotFollowHasItsPlace) {
+  ReportData data;
+  data.measurements.protection = {
+      .inhibit = Inhibit::ProtectiveStop, .cause = StopCause::HallSignals, .wheel = 3};
+  data.stopSources = 0x02;
+  const Bytes bytes = written(data);
+  EXPECT_EQ(Bytes(bytes.begin() + 120, bytes.begin() + 124), (Bytes{4, 9, 3, 2}));
+}
+
+/// @brief The time of the sender's clock of the order in force has its place.
+/// @verifies FR-249
+TEST(ReportMessage, FR249_TheTimeOfTheSenderHasItsPlace) {
+  ReportData data;
+  data.setPoints.sentAt = 0x04030201;
+  const Bytes bytes = written(data);
+  EXPECT_EQ(Bytes(bytes.begin() + 124, bytes.begin() + 128), (Bytes{1, 2, 3, 4}));
 }
 
 /// @brief Each count of the link has its place.
 /// @verifies FR-63
+/// @verifies FR-243
 TEST(ReportMessage, FR63_EachCountHasItsPlace) {
   ReportData data;
   data.overruns = 1;
@@ -244,11 +274,13 @@ TEST(ReportMessage, FR63_EachCountHasItsPlace) {
                .outOfRange = 8,
                .unexpected = 9,
                .sequenceGaps = 10,
-               .reportsNotSent = 11};
+               .reportsNotSent = 11,
+               .staleOrders = 12};
   const Bytes bytes = written(data);
   for (unsigned i = 0; i <= 10; ++i) {
     EXPECT_EQ(u16(bytes, 74 + 2 * i), i + 1);
   }
+  EXPECT_EQ(u16(bytes, 128), 12U);
 }
 
 /// @brief The state of the steering is told by its number.
@@ -316,7 +348,7 @@ TEST(ReportMessage, FR69_EachCountOfRejectedEdgesHasItsPlace) {
 TEST(ReportMessage, FR160_EachCountOfCyclesHasItsPlace) {
   const Bytes bytes =
       written({.costs = {.report = 0x04030201, .awake = 0x08070605, .start = 0x0C0B0A09}});
-  const Bytes costs(bytes.begin() + 108, bytes.end());
+  const Bytes costs(bytes.begin() + 108, bytes.begin() + 120);
   EXPECT_EQ(costs, (Bytes{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
 }
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "communication/serialization/OrderMessage.hpp"
-#include "support/FakeTimebase.hpp"
 #include "support/orders.hpp"
 
 namespace wr {
@@ -18,8 +17,16 @@ struct SerialReaderTest : testing::Test {
     return order;
   }
 
-  test::FakeTimebase clock;
-  SerialReader reader{clock};
+  // Stores an order whose last byte came at the clock pulse of the present cycle.
+  bool offer(const test::OrderBytes& bytes) { return reader.offer(bytes, pulse); }
+
+  void advance(Microseconds duration) {
+    pulse = pulse + duration;
+    reader.beginCycle(pulse);
+  }
+
+  Instant pulse{};
+  SerialReader reader;
 };
 
 /// @brief After start there is neither an order nor a stop.
@@ -32,13 +39,14 @@ TEST_F(SerialReaderTest, FR20_HoldsNothingAfterStart) {
 /// @brief Each field of an order is read as it was sent.
 /// @verifies FR-170
 TEST_F(SerialReaderTest, ReadsWhatWasSent) {
-  auto bytes = orderBytes(0xFFFE, -3200, 0, -3000);
-  bytes[7] = 1;  // wheel 1: tension 24000 mV
-  bytes[8] = 0xC0;
-  bytes[9] = 0x5D;
-  ASSERT_TRUE(reader.offer(bytes));
+  auto bytes = orderBytes(0xFFFE, -3200, 0, -3000, 0, 0xFEDCBA98);
+  bytes[11] = 1;  // wheel 1: tension 24000 mV
+  bytes[12] = 0xC0;
+  bytes[13] = 0x5D;
+  ASSERT_TRUE(offer(bytes));
   const OrderMessage order = read();
   EXPECT_EQ(order.setPoints().orderId, 0xFFFE);
+  EXPECT_EQ(order.setPoints().sentAt, 0xFEDCBA98U);
   EXPECT_EQ(order.setPoints().steering, Angle(-3200));
   EXPECT_EQ(order.setPoints().wheels[0], (WheelSetPoint{WheelQuantity::Velocity, -3000}));
   EXPECT_EQ(order.setPoints().wheels[1], (WheelSetPoint{WheelQuantity::Tension, 24000}));
@@ -48,41 +56,51 @@ TEST_F(SerialReaderTest, ReadsWhatWasSent) {
 /// @brief An order can be read once.
 /// @verifies FR-20
 TEST_F(SerialReaderTest, FR20_AnOrderIsReadOnce) {
-  reader.offer(orderBytes(1, 0, 0, 0));
+  offer(orderBytes(1, 0, 0, 0));
   EXPECT_TRUE(reader.available());
   read();
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief An order can be read until it is 200 ms old, and not later.
+/// @brief An order can be read while the clock pulse of the cycle is at most 200 ms after the last byte of
+/// the order.
 /// @verifies FR-20
 TEST_F(SerialReaderTest, FR20_AnOrderIsReadUntilItIs200MillisecondsOld) {
-  reader.offer(orderBytes(1, 0, 0, 0));
-  clock.advance(milliseconds(200));
+  constexpr Instant kLastByte(12'345);
+  reader.offer(orderBytes(1, 0, 0, 0), kLastByte);
+  reader.beginCycle(kLastByte + milliseconds(200));
   EXPECT_TRUE(reader.available());
-  clock.advance(Microseconds(1));
+  reader.beginCycle(kLastByte + milliseconds(200) + Microseconds(1));
   EXPECT_FALSE(reader.available());
+}
+
+/// @brief An order whose last byte came after the clock pulse of the cycle that reads is young.
+/// @verifies FR-20
+TEST_F(SerialReaderTest, FR20_AnOrderMayComeAfterTheClockPulse) {
+  reader.beginCycle(Instant(100'000));
+  reader.offer(orderBytes(1, 0, 0, 0), Instant(100'300));
+  EXPECT_TRUE(reader.available());
 }
 
 /// @brief A newer order takes the place of one that was not read.
 /// @verifies FR-20
 TEST_F(SerialReaderTest, FR20_OnlyTheNewestOrderIsRead) {
-  reader.offer(orderBytes(1, 0, 0, 0));
-  reader.offer(orderBytes(2, 0, 0, 0));
+  offer(orderBytes(1, 0, 0, 0));
+  offer(orderBytes(2, 0, 0, 0));
   EXPECT_EQ(read().setPoints().orderId, 2);
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief An order out of range is refused. The order before, its age and the stop stay.
+/// @brief An order out of range is refused. The order before and its age stay.
 /// @verifies FR-46
 /// @verifies FR-48
 TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeChangesNothing) {
-  reader.offer(orderBytes(1, 0, 0, 0, 1));
-  clock.advance(milliseconds(150));
-  EXPECT_FALSE(reader.offer(orderBytes(2, 3201, 0, 0, 0)));
+  offer(orderBytes(1, 0, 0, 0, 1));
+  advance(milliseconds(150));
+  EXPECT_FALSE(offer(orderBytes(2, 3201, 0, 0, 0)));
   EXPECT_TRUE(reader.available());
   EXPECT_TRUE(reader.stopOrdered());
-  clock.advance(milliseconds(51));
+  advance(milliseconds(51));
   EXPECT_FALSE(reader.available());
   EXPECT_EQ(read().setPoints().orderId, 1);
 }
@@ -91,22 +109,78 @@ TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeChangesNothing) {
 /// @verifies FR-20
 /// @verifies FR-46
 TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeIsNotAvailable) {
-  reader.offer(orderBytes(1, 0, 0, 0));
+  offer(orderBytes(1, 0, 0, 0));
   read();
-  EXPECT_FALSE(reader.offer(orderBytes(2, 0, 3, 0)));
+  EXPECT_FALSE(offer(orderBytes(2, 0, 3, 0)));
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief A stop stays when its order was read, is old, or was dropped, until an order without stop.
+/// @brief A stop stays when its order was read, is old, or was dropped, until an order releases it.
 /// @verifies FR-21
-TEST_F(SerialReaderTest, FR21_AStopStaysUntilAnOrderWithoutStop) {
-  reader.offer(orderBytes(1, 0, 0, 0, 1));
+TEST_F(SerialReaderTest, FR21_AStopStaysUntilAnOrderReleasesIt) {
+  offer(orderBytes(1, 0, 0, 0, 1));
   EXPECT_TRUE(reader.stopOrdered());
   EXPECT_TRUE(read().stop());
-  clock.advance(milliseconds(10000));
+  advance(milliseconds(10000));
   reader.discard();
   EXPECT_TRUE(reader.stopOrdered());
-  reader.offer(orderBytes(2, 0, 0, 0, 0));
+  offer(orderBytes(2, 0, 0, 0, 0));
+  EXPECT_FALSE(reader.stopOrdered());
+}
+
+/// @brief Only an order without stop whose four wheel values are 0 releases a stop, whatever it sets at the
+/// wheels and wherever it steers.
+/// @verifies FR-241
+TEST_F(SerialReaderTest, FR241_OnlyANeutralOrderReleasesAStop) {
+  offer(orderBytes(1, 0, 0, 0, 1));
+  for (const std::size_t wheel : {8U, 11U, 14U, 17U}) {
+    for (const std::size_t byte : {1U, 2U}) {
+      auto moving = orderBytes(2, 0, 0, 0);
+      moving[wheel + byte] = 1;
+      ASSERT_TRUE(offer(moving));
+      EXPECT_TRUE(reader.stopOrdered());
+      EXPECT_TRUE(reader.available());
+    }
+  }
+  offer(orderBytes(3, 0, 0, 0, 1));
+  EXPECT_TRUE(reader.stopOrdered());
+  offer(orderBytes(4, -3200, 2, 0, 2));
+  EXPECT_FALSE(reader.stopOrdered());
+}
+
+/// @brief An order that moves the wheels does not stop them when no stop is latched.
+/// @verifies FR-241
+TEST_F(SerialReaderTest, FR241_AnOrderThatMovesDoesNotStop) {
+  offer(orderBytes(1, 0, 0, 100));
+  EXPECT_FALSE(reader.stopOrdered());
+}
+
+/// @brief An order that is refused neither stops nor releases; the stop in it is heeded apart.
+/// @verifies FR-240
+/// @verifies FR-241
+TEST_F(SerialReaderTest, FR240_TheStopOfARefusedOrderIsHeeded) {
+  const auto refused = orderBytes(1, 3201, 9, 30000, 0xFF);
+  EXPECT_FALSE(offer(refused));
+  EXPECT_FALSE(reader.stopOrdered());
+  reader.heedStop(orderBytes(1, 3201, 9, 30000, 0xFE));
+  EXPECT_FALSE(reader.stopOrdered());
+  reader.heedStop(refused);
+  EXPECT_TRUE(reader.stopOrdered());
+  EXPECT_FALSE(reader.available());
+  EXPECT_FALSE(offer(orderBytes(2, 3201, 0, 0)));
+  EXPECT_TRUE(reader.stopOrdered());
+}
+
+/// @brief A stop that is latched from elsewhere is released as one that was ordered.
+/// @verifies FR-21
+/// @verifies FR-241
+TEST_F(SerialReaderTest, FR21_ALatchedStopIsReleasedByANeutralOrder) {
+  reader.latchStop();
+  EXPECT_TRUE(reader.stopOrdered());
+  EXPECT_FALSE(reader.available());
+  offer(orderBytes(1, 0, 0, 50));
+  EXPECT_TRUE(reader.stopOrdered());
+  offer(orderBytes(2, 0, 0, 0));
   EXPECT_FALSE(reader.stopOrdered());
 }
 
@@ -114,7 +188,7 @@ TEST_F(SerialReaderTest, FR21_AStopStaysUntilAnOrderWithoutStop) {
 /// @verifies FR-33
 /// @verifies FR-34
 TEST_F(SerialReaderTest, FR33_ADroppedOrderIsNotAvailable) {
-  reader.offer(orderBytes(1, 0, 0, 0));
+  offer(orderBytes(1, 0, 0, 0));
   reader.discard();
   EXPECT_FALSE(reader.available());
 }
@@ -122,11 +196,12 @@ TEST_F(SerialReaderTest, FR33_ADroppedOrderIsNotAvailable) {
 /// @brief Numbers are little-endian; signed ones are in two's complement.
 /// @verifies FR-170
 TEST_F(SerialReaderTest, FR170_NumbersAreLittleEndian) {
-  ASSERT_TRUE(reader.offer(orderBytes(0x8001, -2, 0, 0x0102)));
-  EXPECT_EQ(reader.readI32({FieldName::WheelPosition}), static_cast<std::int32_t>(0xFFFE8001));
-  EXPECT_EQ(reader.readU32({FieldName::Cycle}), 0x00010200U);
+  ASSERT_TRUE(offer(orderBytes(0x8001, -2, 0, 0x0102, 0, 0xFFFE0000)));
+  EXPECT_EQ(reader.readI32({FieldName::WheelPosition}), 0x00008001);
+  EXPECT_EQ(reader.readI32({FieldName::WheelPosition}), static_cast<std::int32_t>(0xFFFEFFFE));
   EXPECT_TRUE(reader.finish());
   EXPECT_EQ(reader.readU16({FieldName::OrderId}), 0x8001);
+  EXPECT_EQ(reader.readU32({FieldName::SentAt}), 0xFFFE0000U);
   EXPECT_EQ(reader.readI16({FieldName::Steering}), -2);
   EXPECT_TRUE(reader.finish());
 }
@@ -134,12 +209,12 @@ TEST_F(SerialReaderTest, FR170_NumbersAreLittleEndian) {
 /// @brief A read beyond the end gives 0, is told at the finish, and does not spoil the next read.
 /// @verifies FR-45
 TEST_F(SerialReaderTest, AReadBeyondTheEndFails) {
-  reader.offer(orderBytes(1, 0, 0, 0, 1));
-  for (int i = 0; i < 4; ++i) {
+  offer(orderBytes(1, 0, 0, 0, 1));
+  for (int i = 0; i < 5; ++i) {
     reader.readU32({FieldName::Cycle});
   }
   EXPECT_EQ(reader.readU16({FieldName::OrderId}), 0);
-  EXPECT_EQ(reader.readU8({FieldName::Stop}), 0);
+  EXPECT_EQ(reader.readU8({FieldName::Commands}), 0);
   EXPECT_FALSE(reader.finish());
   EXPECT_EQ(read().setPoints().orderId, 1);
 }

@@ -12,7 +12,7 @@ using testing::ElementsAre;
 /// @verifies FR-170
 TEST(SerialWriter, FR170_NumbersAreLittleEndian) {
   SerialWriter writer;
-  writer.writeU8({FieldName::Stop}, 0xAB);
+  writer.writeU8({FieldName::Commands}, 0xAB);
   writer.writeU16({FieldName::OrderId}, 0x1234);
   writer.writeI16({FieldName::Steering}, -2);
   writer.writeU32({FieldName::Cycle}, 0x89ABCDEF);
@@ -26,7 +26,7 @@ TEST(SerialWriter, FR170_NumbersAreLittleEndian) {
 /// @verifies FR-170
 TEST(SerialWriter, BeginsAnew) {
   SerialWriter writer;
-  writer.writeU8({FieldName::Stop}, 1);
+  writer.writeU8({FieldName::Commands}, 1);
   writer.clear();
   EXPECT_TRUE(writer.bytes().empty());
   writer.writeU16({FieldName::OrderId}, 0x1234);
@@ -38,7 +38,7 @@ TEST(SerialWriter, BeginsAnew) {
 TEST(SerialWriter, TellsThatAFieldDidNotFit) {
   SerialWriter writer;
   for (std::size_t i = 0; i + 1 < SerialWriter::kCapacity; ++i) {
-    writer.writeU8({FieldName::Stop}, 1);
+    writer.writeU8({FieldName::Commands}, 1);
   }
   EXPECT_TRUE(writer.finish());
   writer.writeU16({FieldName::OrderId}, 0x0202);

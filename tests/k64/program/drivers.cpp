@@ -27,17 +27,18 @@ std::array<AnalogInput*, kWheelCount + 1> analogInputs{
     &platform::wheels[3].current, &platform::steeringAngle};
 std::array<Samples, analogInputs.size()> samples{};
 
-std::array<EdgeInput*, 2 * kWheelCount + 2> edgeInputs{
+constexpr std::size_t kHallCount = 2 * kWheelCount;
+std::array<EdgeInput*, kHallCount + 3> edgeInputs{
     &platform::wheels[0].hallA, &platform::wheels[0].hallB, &platform::wheels[1].hallA,
     &platform::wheels[1].hallB, &platform::wheels[2].hallA, &platform::wheels[2].hallB,
     &platform::wheels[3].hallA, &platform::wheels[3].hallB, &platform::rcVelocityPin,
-    &platform::rcDirectionPin};
+    &platform::rcDirectionPin,  &platform::rcEnablePin};
 std::array<std::uint16_t, edgeInputs.size()> edges{};
 
 std::array<std::uint16_t, 8> runs{};  // numbers of the threads, in the order in which they ran
 std::size_t runCount = 0;
 
-K64Uart secondPort(K64Uart::Port::Uart4);
+K64Uart secondPort(K64Uart::Port::Uart4, platform::timebase);
 
 void note(std::uint16_t thread) {
   runs[runCount % runs.size()] = thread;
@@ -76,10 +77,32 @@ void answer(std::uint16_t number) {
   platform::pcPort.write(bytes);
 }
 
-void countEdges() {
-  for (std::size_t input = 0; input < edgeInputs.size(); ++input) {
+void countEdges(std::size_t begin, std::size_t end) {
+  for (std::size_t input = begin; input < end; ++input) {
     edges[input] =
         static_cast<std::uint16_t>(edges[input] + (edgeInputs[input]->acknowledge() ? 1 : 0));
+  }
+}
+
+struct Pulse {
+  Instant rose;
+  std::uint16_t width;  // [us]
+};
+std::array<Pulse, 3> pulses{};
+
+// Serves an input of the remote control, and computes as long as a product may do that.
+void servePulse(std::size_t input) {
+  constexpr std::uint32_t kRounds = 400;
+  countEdges(kHallCount + input, kHallCount + input + 1);
+  Pulse& pulse = pulses[input];
+  const Instant now = platform::rcEdgeTime.now();
+  if (edgeInputs[kHallCount + input]->level()) {
+    pulse.rose = now;
+  } else {
+    pulse.width = static_cast<std::uint16_t>((now - pulse.rose).count());
+  }
+  for (std::uint32_t round = 0; round < kRounds; ++round) {
+    asm volatile("nop");
   }
 }
 
@@ -115,6 +138,12 @@ void obey(std::uint8_t order, std::uint8_t first, std::uint8_t second, std::uint
       }
       answer(platform::leftEnd.level() ? 1 : 0);
       answer(platform::rightEnd.level() ? 1 : 0);
+      answer(platform::emergencyStopContact.level() ? 1 : 0);
+      break;
+    case 'W':
+      for (const Pulse& pulse : pulses) {
+        answer(pulse.width);
+      }
       break;
     case 'T':
       platform::mainThread.post();
@@ -145,6 +174,7 @@ void echo() {
 void tickTimerInterrupt() {
   wr::platform::tickTimer.acknowledge();
   wr::takeSamples();
+  wr::platform::allowEdges();
   wr::finishStores();
 }
 
@@ -155,12 +185,21 @@ void cycleTimerInterrupt() {
 }
 
 void hallSensorInterrupt() {
-  wr::countEdges();
+  wr::countEdges(0, wr::kHallCount);
   wr::finishStores();
 }
 
 void remoteControlInterrupt() {
-  wr::countEdges();
+  const wr::platform::RcEdges edges = wr::platform::enterRcInterrupt();
+  if (edges.velocity) {
+    wr::servePulse(0);
+  }
+  if (edges.direction) {
+    wr::servePulse(1);
+  }
+  if (edges.enable) {
+    wr::servePulse(2);
+  }
   wr::finishStores();
 }
 

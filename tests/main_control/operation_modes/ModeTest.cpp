@@ -27,7 +27,7 @@ class ModeTest : public ControllerFixture {
   // An order over the line to the connected PC's reader.
   void order(std::uint16_t id, bool stop = false) {
     port.arrive(pc.order({.id = id, .stop = stop}));
-    connection.service();
+    serveLink();
   }
 
   int source() {
@@ -49,8 +49,10 @@ TEST_F(ModeTest, FR20_BasicModeAsksItsReader) {
   order(4);
   EXPECT_TRUE(basicPc.newMessage());
   time.advance(milliseconds(200));
+  serveLink();
   EXPECT_TRUE(basicPc.newMessage());
   time.advance(Microseconds(1));
+  serveLink();
   EXPECT_FALSE(basicPc.newMessage());
 }
 
@@ -143,7 +145,7 @@ TEST_F(ModeTest, FR21_ModePassesTheStopOn) {
   EXPECT_FALSE(mode.stopOrdered());
   order(1, true);
   time.advance(milliseconds(5000));
-  connection.service();
+  serveLink();
   ASSERT_FALSE(connection.connected());
   EXPECT_TRUE(mode.stopOrdered());
   EXPECT_FALSE(rc.stopOrdered());

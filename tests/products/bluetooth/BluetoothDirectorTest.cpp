@@ -2,6 +2,7 @@
 
 #include "products/ProductFixture.hpp"
 #include "services/SystemConstants.hpp"
+#include "support/SignedLine.hpp"
 
 namespace wr::test {
 namespace {
@@ -15,7 +16,17 @@ class BluetoothRobot : public ProductFixture {
  protected:
   BluetoothRobot() {
     begin(director);
+    devicePort.setClock(time);
     connect();
+    connectDevice();
+  }
+
+  void connectDevice() {
+    devicePort.arrive(device.sign(frames.hello()));
+    cycleWithPc();
+    const auto answer = welcomeOf(bodies(SigningDevice::bare(devicePort.takeSent())).at(0));
+    devicePort.arrive(device.sign(frames.confirm(answer.value().session)));
+    cycleWithPc();
   }
 
   void pcOrder(std::uint16_t id, bool stop = false) {
@@ -23,7 +34,7 @@ class BluetoothRobot : public ProductFixture {
   }
 
   void bluetoothOrder(std::uint16_t id, bool stop = false) {
-    devicePort.arrive(device.order({.id = id, .steering = 250, .stop = stop}));
+    devicePort.arrive(device.sign(frames.order({.id = id, .steering = 250, .stop = stop})));
   }
 
   // Cycles without orders until the robot reads in a mode.
@@ -35,8 +46,13 @@ class BluetoothRobot : public ProductFixture {
   }
 
   HostSerialPort devicePort;
-  BluetoothDirector director{poolBuilder, builder, devicePort, time};
-  PcSender device;
+  FixedRandom random{kStartNumber};
+  BluetoothDirector director{
+      poolBuilder,
+      builder,
+      {.port = devicePort, .key = kSharedKey, .random = random, .timebase = time, .start = start}};
+  SigningDevice device;
+  PcSender frames;
 };
 
 /// @brief The mode at start is PC; without orders the two modes follow each other.
@@ -122,19 +138,32 @@ TEST_F(BluetoothRobot, FR151_StopOfTheDeviceActsInItsMode) {
   EXPECT_EQ(spy.calls, kHeld);
 }
 
-/// @brief What the device sends beside orders changes nothing, and the PC goes on. Nothing is answered.
+/// @brief Noise, and orders and stops without a right tag, change nothing, and the PC goes on.
 /// @verifies FR-151
-/// @verifies FR-179
-TEST_F(BluetoothRobot, FR151_NoiseOfTheDeviceChangesNothing) {
+/// @verifies FR-262
+TEST_F(BluetoothRobot, FR262_UnsignedFramesChangeNothing) {
   for (std::uint16_t order = 1; order < 20; ++order) {
     devicePort.arrive(Bytes(1000, static_cast<std::uint8_t>(order * 13)));
-    devicePort.arrive(device.hello());
+    devicePort.arrive(frames.order({.id = 500, .stop = true}));
+    devicePort.arrive(frames.hello());
     pcOrder(order);
     const PcReport report = cycle();
     EXPECT_EQ(report.orderId, order);
     EXPECT_FALSE(report.stop());
   }
-  EXPECT_EQ(devicePort.takeSent(), Bytes{});
+}
+
+/// @brief A recorded order that is sent again is not read.
+/// @verifies FR-262
+TEST_F(BluetoothRobot, FR262_ReplayedOrderIsNotRead) {
+  waitForMode(kBluetooth);
+  const Bytes recorded = device.sign(frames.order({.id = 31}));
+  devicePort.arrive(recorded);
+  EXPECT_EQ(cycleWithPc().orderId, 31);
+  for (int cycles = 0; cycles < kN + 1; ++cycles) {
+    devicePort.arrive(recorded);
+    EXPECT_FALSE(cycleWithPc().orderRead());
+  }
 }
 
 /// @brief The robot is made without a remote control, and all the same runs its cycles.
@@ -142,7 +171,7 @@ TEST_F(BluetoothRobot, FR151_NoiseOfTheDeviceChangesNothing) {
 TEST_F(BluetoothRobot, NFR1_HasNoRemoteControl) {
   EXPECT_DEATH(static_cast<void>(builder.velocityPin()), "assertion 1 failed");
   EXPECT_DEATH(static_cast<void>(builder.directionPin()), "assertion 1 failed");
-  EXPECT_EQ(watchdog.refreshes(), 2U);
+  EXPECT_EQ(watchdog.refreshes(), 4U);
 }
 
 /// @brief A robot is made once.

@@ -1,16 +1,28 @@
 #include "bluetooth/Bluetooth.hpp"
 
+#include "bluetooth/SignedPort.hpp"
 #include "main_control/ControllerFixture.hpp"
 #include "main_control/operation_modes/BasicMode.hpp"
+#include "support/SignedLine.hpp"
 
 namespace wr::test {
 namespace {
 
 class BluetoothTest : public ControllerFixture {
  protected:
-  // An order of the device, taken in.
+  // Lets the device connect.
+  void connectDevice() {
+    devicePort.setClock(time);
+    devicePort.arrive(device.sign(frames.hello()));
+    mode.serve();
+    const auto welcome = welcomeOf(bodies(SigningDevice::bare(devicePort.takeSent())).at(0));
+    devicePort.arrive(device.sign(frames.confirm(welcome.value().session)));
+    mode.serve();
+  }
+
+  // An order of the device, received.
   void order(std::uint16_t id, bool stop = false) {
-    devicePort.arrive(device.order({.id = id, .stop = stop}));
+    devicePort.arrive(device.sign(frames.order({.id = id, .stop = stop})));
     mode.serve();
   }
 
@@ -19,28 +31,50 @@ class BluetoothTest : public ControllerFixture {
   }
 
   HostSerialPort devicePort;
-  SerialReader reader{time};
-  BluetoothLink bluetoothLink{devicePort, reader};
+  FixedRandom random{kStartNumber};
+  SignedPort signedPort{devicePort, kSharedKey, random};
+  SerialReader reader;
+  Handshaking deviceHandshaking{deviceConnected, deviceDisconnected};
+  Disconnected deviceDisconnected{deviceHandshaking};
+  Connected deviceConnected{deviceHandshaking, deviceDisconnected};
+  StartRecord deviceStart;
+  PcConnection deviceConnection{signedPort, reader, deviceDisconnected, deviceStart};
   BasicMode basic{reader};
-  Bluetooth mode{basic, second, bluetoothLink};
-  PcSender device;
+  Bluetooth mode{basic, second, deviceConnection, time};
+  SigningDevice device;
+  PcSender frames;
 };
+
+/// @brief An order counts only while the device is connected.
+/// @verifies FR-260
+TEST_F(BluetoothTest, FR260_OrderWithoutConnectionIsNoMessage) {
+  order(1);
+  EXPECT_FALSE(mode.newMessage());
+  connectDevice();
+  EXPECT_FALSE(mode.newMessage());
+  order(2);
+  EXPECT_TRUE(mode.newMessage());
+}
 
 /// @brief The mode has a message as long as an order of its device is fresh.
 /// @verifies FR-150
 TEST_F(BluetoothTest, FR150_HasAMessageWhileAnOrderIsFresh) {
+  connectDevice();
   EXPECT_FALSE(mode.newMessage());
   order(4);
   EXPECT_TRUE(mode.newMessage());
   time.advance(milliseconds(200));
+  mode.serve();
   EXPECT_TRUE(mode.newMessage());
   time.advance(Microseconds(1));
+  mode.serve();
   EXPECT_FALSE(mode.newMessage());
 }
 
 /// @brief The mode reads an order once, and marks its set-points as given by Bluetooth.
 /// @verifies FR-150
 TEST_F(BluetoothTest, FR150_ReadsAnOrderOnceAndMarksTheSource) {
+  connectDevice();
   order(21);
   mode.read(controller);
   EXPECT_EQ(data.setPoints()->orderId, 21);
@@ -55,13 +89,13 @@ TEST_F(BluetoothTest, FR150_ChangesToTheOtherMode) {
   EXPECT_EQ(&controller.getMode(), &second);
 }
 
-/// @brief Who is served serves the mode that it extends.
+/// @brief The mode serves the mode that it extends.
 /// @verifies FR-151
 TEST_F(BluetoothTest, FR151_ServesTheWrappedMode) {
   FakeMode wrapped(ModeId::None);
   int served = 0;
   wrapped.onServe = [&] { ++served; };
-  Bluetooth extension(wrapped, second, bluetoothLink);
+  Bluetooth extension(wrapped, second, deviceConnection, time);
   extension.serve();
   EXPECT_EQ(served, 1);
 }
@@ -73,6 +107,7 @@ TEST_F(BluetoothTest, FR151_PassesTheStopOn) {
   order(1, true);
   time.advance(milliseconds(5000));
   EXPECT_TRUE(mode.stopOrdered());
+  connectDevice();
   order(2);
   EXPECT_FALSE(mode.stopOrdered());
 }

@@ -34,7 +34,7 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         program = tmp_path / "build/host/sim" / name
         program.write_text(PROGRAM)
         program.chmod(0o755)
-    (tmp_path / "build/k64/weeding_robot.bin").write_bytes(b"image")
+    (tmp_path / "build/k64/weeding_robot_paper.bin").write_bytes(b"image")
     (tmp_path / "sim/scenario/examples/one.scenario").write_text("holds\n")
     monkeypatch.setattr(closed_loop, "build_for_board", lambda *_: None)
     return tmp_path
@@ -61,7 +61,7 @@ def test_it_is_played_again_only_when_something_changed(root: Path) -> None:
     reports.write_text("kept")
     assert closed_loop.play_all(root, sys.stdout) == "1 scenarios (unchanged)"
     assert reports.read_text() == "kept"
-    (root / "build/k64/weeding_robot.bin").write_bytes(b"another")
+    (root / "build/k64/weeding_robot_paper.bin").write_bytes(b"another")
     assert closed_loop.play_all(root, sys.stdout) == "1 scenarios"
     assert reports.read_text() == "host\n"
 

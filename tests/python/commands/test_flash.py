@@ -40,6 +40,20 @@ def add_tool(tools: Path, name: str, end: str = "exit 0") -> None:
     program.chmod(0o755)
 
 
+def add_pyocd(tools: Path, read_back: str = "flashed") -> None:
+    """A pyOCD that notes its words of ``flash``; what it reads back is what it wrote, or a file."""
+    folder = tools.parent
+    program = tools / "pyocd"
+    program.write_text(
+        "#!/bin/sh\n"
+        'for word; do case "$word" in "savemem "*)'
+        f' exec /bin/cp "{folder}/{read_back}" "${{word##* }}";; esac; done\n'
+        f'/bin/cp "$word" "{folder}/flashed"\n'
+        f'printf "%s\\n" pyocd "$@" >"{folder}/called"\n'
+    )
+    program.chmod(0o755)
+
+
 def add_probe(tools: Path, vendor: str = "0d28", product: str = "DAPLink CMSIS-DAP") -> None:
     device = tools.parent / "usb" / "1-2"
     device.mkdir()
@@ -95,7 +109,7 @@ def called(tools: Path) -> list[str]:
 
 
 def test_pyocd_is_the_first_way(tools: Path) -> None:
-    add_tool(tools, "pyocd")
+    add_pyocd(tools)
     add_tool(tools, "openocd")
     add_probe(tools)
     add_drive(tools)
@@ -104,13 +118,42 @@ def test_pyocd_is_the_first_way(tools: Path) -> None:
     assert called(tools)[-1] == str(tools.parent / "image.bin")
 
 
+def test_pyocd_reads_the_flash_back(tools: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """pyOCD itself does not compare what it wrote."""
+    add_pyocd(tools, "other.bin")
+    add_probe(tools)
+    (tools.parent / "other.bin").write_bytes(CODE[:0x420] + b"\1" + CODE[0x421:])
+    assert run(tools) == 1
+    assert "flash at 0x420 holds 0x01, not 0x00" in capsys.readouterr().out
+
+
+def test_a_flash_that_cannot_be_read_back_is_a_failure(
+    tools: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    add_tool(tools, "pyocd")
+    add_probe(tools)
+    assert run(tools) == 1
+    assert "could not be read back" in capsys.readouterr().out
+
+
+def test_a_flash_that_is_read_back_in_part_is_a_failure(
+    tools: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    add_pyocd(tools, "short.bin")
+    add_probe(tools)
+    (tools.parent / "short.bin").write_bytes(CODE[:-4])
+    assert run(tools) == 1
+    assert f"only {len(CODE) - 4} of {len(CODE)} bytes" in capsys.readouterr().out
+
+
 def test_openocd_is_the_second_way(tools: Path) -> None:
     add_tool(tools, "openocd")
     add_probe(tools, vendor="1fc9", product="LPC-LINK2 CMSIS-DAP")
     add_drive(tools)
     assert run(tools) == 0
     assert called(tools)[:4] == ["openocd", "-f", "board/nxp_frdm-k64f.cfg", "-c"]
-    assert called(tools)[4] == f"program {{{tools.parent}/image.bin}} verify reset exit 0x0"
+    script = f"init; kinetis fcf_source write; program {{{tools.parent}/image.bin}}"
+    assert called(tools)[4] == f"{script} verify reset exit 0x0"
 
 
 def test_the_drive_of_the_board_is_the_third_way(
@@ -125,7 +168,7 @@ def test_the_drive_of_the_board_is_the_third_way(
 
 @pytest.mark.parametrize("way", ["pyocd", "openocd"])
 def test_the_way_can_be_chosen(tools: Path, way: str) -> None:
-    add_tool(tools, "pyocd")
+    add_pyocd(tools)
     add_tool(tools, "openocd")
     assert run(tools, "--with", way) == 0
     assert called(tools)[0] == way
@@ -329,7 +372,7 @@ def test_the_image_of_a_product_is_built_and_written(
         image.write_bytes(CODE)
 
     monkeypatch.setattr(flash, "build_k64", build)
-    add_tool(tools, "pyocd")
+    add_pyocd(tools)
     add_probe(tools)
     assert cli.main(["flash", "--product", "weeding_robot_warning"]) == 0
     assert called(tools)[-1] == str(tools.parent / "build/k64/weeding_robot_warning.bin")

@@ -58,7 +58,7 @@ def seeded(folder: Path, changes: tuple[Change, ...]) -> Path:
         words.append(f"-ffile-prefix-map={folder}=src/k64")  # findings name the true place
         subprocess.run(words, check=True, cwd=BUILD, timeout=60)
         link[link.index(original)] = str(compiled)
-    image = folder / "weeding_robot"
+    image = folder / "weeding_robot_paper"
     link[link.index("-o") + 1] = f"{image}.elf"
     subprocess.run(link, check=True, cwd=BUILD, timeout=60)
     words = ["arm-none-eabi-objcopy", "-O", "binary", f"{image}.elf", f"{image}.bin"]
@@ -85,7 +85,7 @@ def compile_command(file: str) -> tuple[str, list[str]]:
 
 def link_command() -> list[str]:
     """The words that link the image; without its map, which belongs to the image of the build."""
-    ninja = ["ninja", "-C", str(BUILD), "-t", "commands", "weeding_robot.elf"]
+    ninja = ["ninja", "-C", str(BUILD), "-t", "commands", "weeding_robot_paper.elf"]
     done = subprocess.run(ninja, check=True, capture_output=True, text=True, timeout=60)
     line = done.stdout.splitlines()[-1].removeprefix(": && ")
     words = shlex.split(line[: line.index(" && ")])

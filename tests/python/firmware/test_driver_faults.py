@@ -132,7 +132,22 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
     ),
     "clock of the converters too fast for their calibration": (
         "register-misuse",
-        (Change("K64Adc.cpp", "adc::CFG1_ADLSMP | adc::CFG1_ADIV_8", "adc::CFG1_ADLSMP"),),
+        (Change("K64Adc.cpp", "adc::CFG1_ADLSMP | adc::CFG1_ADIV_8;", "adc::CFG1_ADLSMP;"),),
+    ),
+    "converters clocked by the alternate clock that older parts do not have": (
+        "unmodelled-register",
+        (Change("K64Adc.cpp", "adc::CFG1_ADICLK_BUS", "adc::CFG1.field(1, 0)"),),
+    ),
+    "converters calibrated at the full clock": (
+        "register-misuse",
+        (
+            Change("start_up/reset.cpp", "  wr::platform::calibrateConverters();\n", ""),
+            Change(
+                "start_up/reset.cpp",
+                "  wr::runRobot();\n",
+                "  wr::platform::calibrateConverters();\n  wr::runRobot();\n",
+            ),
+        ),
     ),
     "inputs b of the converters not chosen": (
         "unmodelled-register",  # the inputs a of these channels
@@ -212,7 +227,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
 @pytest.fixture(scope="module", autouse=True)
 def programs(tmp_path_factory: pytest.TempPathFactory) -> None:
     with (tmp_path_factory.mktemp("build") / "log").open("w") as log:
-        build(ROOT, "k64", log, "weeding_robot")
+        build(ROOT, "k64", log, "weeding_robot_paper")
         build(ROOT, "host", log, "weeding_robot_board")
 
 
@@ -248,14 +263,16 @@ def test_a_fault_of_a_driver_is_found(
 
 
 def test_the_image_itself_has_no_finding(tmp_path: Path) -> None:
-    run = driven(BUILD / "weeding_robot", tmp_path)
+    run = driven(BUILD / "weeding_robot_paper", tmp_path)
     assert (run.code, run.finding) == (0, ""), run.text
 
 
 def test_an_image_that_is_linked_again_is_the_same(tmp_path: Path) -> None:
     """So a finding comes from the change, not from the way in which it was made."""
     image = seeded(tmp_path, ())
-    assert image.with_suffix(".bin").read_bytes() == (BUILD / "weeding_robot.bin").read_bytes()
+    assert (
+        image.with_suffix(".bin").read_bytes() == (BUILD / "weeding_robot_paper.bin").read_bytes()
+    )
 
 
 def test_a_calculation_with_the_fpu_on_has_no_finding(tmp_path: Path) -> None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import pytest
+
 from tests.python.model.small_tree import write_tree
 from traceability.checks.board import check
 from traceability.model.schema import VIRTUAL_K64
@@ -82,3 +84,72 @@ def test_results_of_the_board_are_stale_on_their_own(tmp_path: Path) -> None:
     assert model.results_stale  # those of the host are missing
     assert model.tests["Findings.ClockGate"].passed
     assert model.tests["Findings.Nothing"].gave("failed") == [VIRTUAL_K64]
+
+
+REGISTERS = """\
+namespace wr {
+namespace adc {
+inline constexpr Register<std::uint32_t, 0x4003B008> CFG1;
+}  // namespace adc
+}  // namespace wr
+"""
+BELIEFS = """\
+[[source]]
+id = "header"
+says = "The header."
+outside = true
+
+[[source]]
+id = "memory"
+says = "The manual."
+outside = false
+
+[[belief]]
+register = "adc::CFG1"
+value = "ADICLK = 0"
+says = "The bus clock."
+source = "header"
+model = "sim/k64/Adc.cpp"
+"""
+
+
+def belief_findings(root: Path, beliefs: str) -> list[str]:
+    write_board(root)
+    for name, text in (
+        ("src/k64/registers.hpp", REGISTERS),
+        ("sim/k64/Adc.cpp", "constexpr std::uint32_t kCfg1 = 0x08;\n"),
+        ("design/board_beliefs.toml", beliefs),
+    ):
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text(text, encoding="utf-8")
+    model = build_model(root)
+    assert model.facts is not None
+    return [one.text for one in check(model, model.facts) if one.check == "board-belief"]
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "text"),
+    [
+        ("", "", ""),
+        ("adc::CFG1", "pit::CFG1", "there is no register pit::CFG1 in src/k64/registers.hpp"),
+        ("sim/k64/Adc.cpp", "sim/k64/Pit.cpp", "sim/k64/Pit.cpp does not name CFG1"),
+        ('source = "header"', 'source = "rumour"', "there is no source rumour"),
+        (
+            'source = "header"',
+            'source = "memory"',
+            "adc::CFG1 ADICLK = 0 is not marked as shared by driver and model",
+        ),
+        (
+            'source = "header"',
+            'source = "header"\nshared = true',
+            "adc::CFG1 ADICLK = 0 has an outside source and is marked as shared by driver and"
+            " model",
+        ),
+        ('source = "header"', 'source = "memory"\nshared = true', ""),
+    ],
+)
+def test_a_belief_has_a_register_a_model_and_a_source(
+    tmp_path: Path, before: str, after: str, text: str
+) -> None:
+    found = belief_findings(tmp_path, BELIEFS.replace(before, after) if before else BELIEFS)
+    assert found == ([text] if text else [])

@@ -46,7 +46,7 @@ class Maker {
 namespace wr {
 namespace {
 struct Row { FieldName name; };
-constexpr Row kRow{.name = FieldName::Stop};
+constexpr Row kRow{.name = FieldName::Commands};
 void writeStop(Writer& writer, const Order& order) {
   writer.writeU8({.name = kRow.name}, order.stop);
 }
@@ -66,7 +66,7 @@ namespace wr {
 class User {
  public:
   int use(const Order& order, Reader& reader) {
-    return order.stop + order.speed.count + reader.readU8({.name = FieldName::Stop});
+    return order.stop + order.speed.count + reader.readU8({.name = FieldName::Commands});
   }
 };
 }  // namespace wr

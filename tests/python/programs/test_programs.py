@@ -10,7 +10,7 @@ import pytest
 
 ROOT = Path(__file__).parents[3]
 PROGRAMS = ROOT / "build" / "host" / "sim"
-IMAGE = ROOT / "build" / "k64" / "weeding_robot.bin"
+IMAGE = ROOT / "build" / "k64" / "weeding_robot_paper.bin"
 ELF = IMAGE.with_suffix(".elf")
 EXAMPLES = sorted((ROOT / "sim" / "scenario" / "examples").glob("*.scenario"))
 CYCLE_TIMER_VECTOR = 4 * (16 + 48)
@@ -32,12 +32,12 @@ def build(preset: str, *targets: str) -> None:
 @pytest.fixture(scope="module", autouse=True)
 def built() -> None:
     build("host", "weeding_robot_host", "weeding_robot_board")
-    build("k64", "weeding_robot")
+    build("k64", "weeding_robot_paper")
 
 
 def command(binding: str, image: Path = IMAGE) -> Words:
     program = PROGRAMS / f"weeding_robot_{binding}"
-    return [program, "--image", image, "--elf", ELF] if binding == "board" else [program]
+    return [program, "--image", image, "--elf", ELF] if binding == "board" else [program, "--paper"]
 
 
 def run(words: Words, timeout: int = 120) -> subprocess.CompletedProcess[str]:

@@ -28,7 +28,7 @@ PAGES = [
     "architecture", "modules/RC", "modules/MainController", "patterns/index",
     "patterns/reading-modes", "requirements/index", "requirements/FR-15", "checks/index",
     "checks/tree-static", "changes", "changes/reading-modes", "secrets", "inheritances",
-    "concordance", "virtual_k64", "closed_loop", "products", "source/index",
+    "concordance", "virtual_k64", "beliefs", "closed_loop", "products", "source/index",
     f"source/src/{MODES}/RC.cpp", "docs/tour",
 ]  # fmt: skip
 

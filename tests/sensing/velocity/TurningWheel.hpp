@@ -53,7 +53,9 @@ struct TurningWheel {
   /// @brief Shows levels to the sensors and serves the interrupt.
   void show(unsigned levels) {
     a.set((levels & 1U) != 0);
-    b.set((levels & 2U) != 0);
+    if (!deadB) {
+      b.set((levels & 2U) != 0);
+    }
     active.serve();
   }
 
@@ -81,6 +83,7 @@ struct TurningWheel {
   Pipe<Velocity> pipe;
   VelSensor velocity{collector, function, time, pipe};
 
+  bool deadB = false;       // the second sensor keeps its level
   double misplacement = 0;  // of every second edge, as a share of the distance between two
   long passed = 0;          // edges forwards less edges backwards
 

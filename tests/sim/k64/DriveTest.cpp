@@ -178,7 +178,7 @@ TEST(ConverterOfBoard, CalibrationTakesItsTime) {
 
 /// @brief A calibration that fails is told.
 TEST(ConverterOfBoard, FailedCalibrationIsFlagged) {
-  VirtualBoard board(Guest("convertsInputs").image(), {.calibrates = false});
+  VirtualBoard board(Guest("convertsInputs").image(), {.calibrates = {false, false}});
   EXPECT_FALSE(board.runUntil(100ms));
   EXPECT_EQ(told(board, 0), 2U);
   ASSERT_TRUE(board.finding());

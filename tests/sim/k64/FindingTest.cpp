@@ -96,10 +96,13 @@ const std::array kMistakes{
     Mistake{"triggersConverterByHardware", "unmodelled-register", "ADC0_SC2"},
     Mistake{"usesSecondControlOfConverter", "unmodelled-register", "ADC0_SC1B"},
     Mistake{"convertsForEver", "unmodelled-register", "ADCO"},
-    Mistake{"clocksConverterByItself", "unmodelled-register", "ADC0_CFG1"},
+    Mistake{"clocksConverterByItself", "unmodelled-register", "ADC0_CFG1 with ADICLK 3"},
+    Mistake{"clocksConverterByAlternateClock", "unmodelled-register", "ADC0_CFG1 with ADICLK 1"},
     Mistake{"usesHoleOfConverter", "unmodelled-register", "ADC0 + 0x50"},
     Mistake{"fillsSmallBuffer", "register-misuse", "UART4_D written while the transmit buffer"},
     Mistake{"filtersPins", "unmodelled-register", "digital filter"},
+    Mistake{"filtersPinsByLowPowerOscillator", "unmodelled-register", "digital filter"},
+    Mistake{"changesFilterThatIsOn", "register-misuse", "while one is on"},
     Mistake{"asksForDmaAtEdges", "unmodelled-register", "DMA request"},
 };
 

@@ -55,7 +55,7 @@ TEST_F(ReportsOfRobotOnHost, FR64_ReportWithoutRoomIsDroppedWholeAndCounted) {
   robot.keepAlive();
   robot.cycle();
   EXPECT_EQ(robot.report().cycle, before + 10);
-  EXPECT_EQ(robot.report().reportsNotSent, 5);
+  EXPECT_EQ(robot.report().reportsNotSent, 6);
   EXPECT_EQ(robot.system.cycle, before + 10);
 }
 

@@ -31,6 +31,7 @@ class OneWheelLine final : public RobotLine {
   template <class... More>
   explicit OneWheelLine(More&... more)
       : pins(scheduler_), physics_(kSeed), binding_(pins, physics_), design_(devices(), more...) {
+    port.setClock(time);
     binding_.measure();
     cycleTimer_.connect([this] { design_.cycleTimerExpired(); });
     tickTimer_.connect([this] { design_.tickTimerExpired(); });

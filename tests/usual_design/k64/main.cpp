@@ -41,6 +41,7 @@ void cycleTimerInterrupt() {
 
 void tickTimerInterrupt() {
   wr::design.tickTimerExpired();
+  wr::platform::allowEdges();
   wr::finishStores();
 }
 

@@ -21,11 +21,15 @@ constexpr std::uint8_t kWaiting = 1;
 constexpr std::uint8_t kWaitingN = 2;
 constexpr std::uint8_t kReconnecting = 3;
 
-constexpr std::size_t kOrderLength = 17;
-constexpr std::size_t kReportLength = 120;
-constexpr std::size_t kWelcomeLength = 23;
+constexpr std::size_t kOrderLength = 21;
+constexpr std::size_t kCommandsAt = 20;
+constexpr std::uint32_t kStopCommand = 1;
+constexpr std::uint32_t kCommands = 3;
+constexpr std::size_t kReportLength = 130;
+constexpr std::size_t kWelcomeLength = 29;
 constexpr std::size_t kChunk = 64;
-constexpr std::size_t kMostChunks = 64;
+constexpr std::size_t kMostBytes = 4096;
+constexpr std::uint32_t kMostAhead = 127;
 
 // Widths [us] and periods of the pulses of the remote control.
 constexpr Microseconds kShortestPeriod = milliseconds(15);
@@ -44,9 +48,10 @@ constexpr std::array<std::array<std::int8_t, 4>, 4> kDirections = {{
     {0, -1, 1, 0},
 }};
 constexpr std::int32_t kTurnPerMicrosecond = 600'000'000;  // [0.1 rpm]
-constexpr std::int32_t kGreatestVelocity = 4500;           // [0.1 rpm]
-constexpr Microseconds kLeastGap(kTurnPerMicrosecond /
-                                 (std::int64_t{kGreatestVelocity} * kConstants.hallEdgesPerTurn()));
+constexpr std::int32_t kGreatestVelocity = 6000;           // [0.1 rpm]
+constexpr Microseconds kLeastReversal = milliseconds(25);
+constexpr Velocity kMoving(300);
+constexpr std::uint32_t kMostImplausible = 3;
 constexpr Microseconds kStandstill = milliseconds(500);
 
 // Current sensor: 33000 mA over 4096 steps.
@@ -64,15 +69,20 @@ constexpr std::int64_t kThousand = 1000;
 constexpr std::int64_t kDecay = 637;
 constexpr std::int64_t kMean = 806;
 constexpr PiGains kVelocityGains{.proportional = 4650, .integral = 2094};
-constexpr std::int32_t kWinding = 1500;
+constexpr std::int32_t kWinding = kConstants.winding();
 constexpr PiGains kCurrentGains{.proportional = 0, .integral = kWinding / 2};
 constexpr Tension kSlight(100);
 constexpr std::uint8_t kSlowCycles = 2;
 constexpr Tension kRise(12000);
 constexpr Tension kFall(2400);
-constexpr Tension kMuch(6000);
-constexpr std::uint8_t kBlindCycles = 10;
+constexpr Tension kLeastEffort(1500);
+constexpr std::int32_t kMostEffort = 45000;
 constexpr std::int32_t kJitter = 1;
+constexpr Tension kReversal(500);
+constexpr std::uint8_t kMostWaiting = 20;
+constexpr std::int32_t kDoubt = 400;
+constexpr std::int32_t kDoubtShare = 3;
+constexpr std::uint8_t kMostDoubts = 5;
 constexpr std::int32_t kWholeDuty = 10000;
 
 void count(std::uint16_t& counter) {
@@ -86,7 +96,7 @@ bool within(std::int32_t value, std::int32_t limit) {
 }
 
 bool isSlow(Velocity velocity) {
-  return velocity < kConstants.standstill() && velocity > -kConstants.standstill();
+  return velocity < kConstants.slow() && velocity > -kConstants.slow();
 }
 
 std::uint32_t get16(std::span<const std::uint8_t> bytes, std::size_t at) {
@@ -204,7 +214,7 @@ void UsualDesign::readOrder() {
 
 bool UsualDesign::pcOrderIsNew() const {
   return link_ == Link::Connected && pcOrderUnread_ &&
-         devices_.timebase.now() - pcOrderAt_ <= kConstants.orderLifetime();
+         clockPulse_ - pcOrderAt_ <= kConstants.orderLifetime();
 }
 
 bool UsualDesign::isNew(const std::optional<Stamped<std::int32_t>>& value,
@@ -232,7 +242,9 @@ void UsualDesign::control() {
   measureCurrent();
   WheelMeasurements& wheel = measurements_.wheels[0];
   wheel.position = HallCount(hall.count);
-  wheel.rejectedEdges = hall.rejected;
+  constexpr std::uint32_t kMostEdges = std::numeric_limits<std::uint16_t>::max();
+  wheel.rejectedEdges =
+      static_cast<std::uint16_t>(std::min(hall.unclear + hall.reversals, kMostEdges));
   wheel.velocity.reset();
   if (velocityAt_ && now - *velocityAt_ <= kConstants.measurementLifetime()) {
     wheel.velocity = velocity_;
@@ -242,25 +254,31 @@ void UsualDesign::control() {
     wheel.current = meanCurrent_;
   }
   held_ = stop_ || countNoMsg_ > kN || !setPoints_;
-  if (held_) {
-    blind_ = false;
-    stillCycles_ = 0;
-    lower();
-    if (cutOff_.load()) {
-      driverOff();
-      if (wheel.velocity && isSlow(*wheel.velocity)) {
-        cutOff_.store(false);
-      }
-    }
-  } else {
-    if (cutOff_.load()) {
-      driverOff();
-    } else {
-      followSetPoint(setPoints_->wheels[0], HallCount(hall.count), wheel);
-    }
+  if (!held_ && setPoints_->acknowledge) {
+    held_ = true;
+    release(wheel);
   }
-  wheel.cutOff = cutOff_.load();
+  if (trip_.load() != Trip::None) {
+    driverOff();
+  } else if (held_) {
+    waitingCycles_ = 0;
+    lower();
+  } else {
+    followSetPoint(setPoints_->wheels[0], HallCount(hall.count), wheel);
+  }
+  wheel.cutOff = trip_.load() != Trip::None;
   wheel.blind = blind_;
+  wheel.reversalLate = reversalLate_;
+}
+
+void UsualDesign::release(const WheelMeasurements& wheel) {
+  blind_ = false;
+  effort_ = 0;
+  reversalLate_ = false;
+  waitingCycles_ = 0;
+  if (wheel.velocity && isSlow(*wheel.velocity)) {
+    trip_.store(Trip::None);
+  }
 }
 
 void UsualDesign::sendReport() {
@@ -337,6 +355,18 @@ void UsualDesign::sendReport() {
   payload.put32(costs_.report);
   payload.put32(costs_.awake);
   payload.put32(costs_.start);
+  std::uint32_t inhibit = 0;
+  if (stop_) {
+    inhibit = static_cast<std::uint32_t>(Inhibit::Stop);
+  } else if (held_) {
+    inhibit = static_cast<std::uint32_t>(Inhibit::NoOrder);
+  }
+  payload.put8(inhibit);
+  payload.put8(0);  // no protective stop
+  payload.put8(Protection::kNoWheel);
+  payload.put8(stop_ ? 1U << static_cast<std::uint32_t>(Mode::Pc) : 0U);
+  payload.put32(setPoints.sentAt);
+  payload.put16(counts_.staleOrders);
   if (!send(FrameType::Report, bytes)) {
     count(counts_.reportsNotSent);
   }
@@ -346,9 +376,11 @@ void UsualDesign::sendReport() {
 
 void UsualDesign::servePc() {
   std::array<std::uint8_t, kChunk> chunk{};
+  std::size_t left = kMostBytes;
   std::size_t received = chunk.size();
-  for (std::size_t i = 0; i < kMostChunks && received == chunk.size(); ++i) {
-    received = devices_.pcPort.read(chunk);
+  while (left != 0 && received != 0) {
+    received = devices_.pcPort.read(std::span(chunk).first(std::min(left, chunk.size())));
+    left -= received;
     for (const std::uint8_t byte : std::span(chunk).first(received)) {
       switch (decoder_.push(byte)) {
         case Decoded::Nothing:
@@ -363,26 +395,38 @@ void UsualDesign::servePc() {
           count(counts_.tooLong);
           break;
         case Decoded::UnknownVersion:
-          count(counts_.unknownVersion);
+          if (decoder_.frame().type == FrameType::Hello) {
+            receive(decoder_.frame());
+          } else {
+            count(counts_.unknownVersion);
+          }
           break;
       }
     }
   }
   counts_.lostBytes = devices_.pcPort.lostBytes();
-  const Microseconds silence = devices_.timebase.now() - lastAccepted_;
+  checkSilence(clockPulse_);
+  if (welcomeDue_) {
+    sendWelcome();
+  }
+}
+
+void UsualDesign::checkSilence(Instant at) {
   if (link_ == Link::Connected) {
-    if (silence >= kConstants.linkTimeout()) {
+    if (at - lastAccepted_ >= kConstants.linkTimeout()) {
       pcOrderUnread_ = false;
       link_ = Link::Disconnected;
     }
-  } else if (link_ == Link::Handshaking) {
-    if (silence >= kConstants.handshakeTimeout()) {
+  } else if (link_ == Link::Handshaking && !welcomeDue_) {
+    if (at - welcomed_ > kConstants.handshakeTimeout()) {
       link_ = Link::Disconnected;
     }
   }
 }
 
 void UsualDesign::receive(const Frame& frame) {
+  receivedAt_ = devices_.pcPort.receivedAt();
+  checkSilence(receivedAt_);
   std::size_t length = 0;
   switch (frame.type) {
     case FrameType::Hello:
@@ -398,17 +442,25 @@ void UsualDesign::receive(const Frame& frame) {
       count(counts_.unknownType);
       return;
   }
-  if (frame.payload.size() != length) {
+  if (frame.payload.size() < length) {
     count(counts_.wrongLength);
     return;
   }
   if (accept(frame)) {
-    if (frame.type != FrameType::Hello && frame.sequence != nextReceived_) {
+    const bool hello = frame.type == FrameType::Hello;
+    if (!hello && frame.sequence != static_cast<std::uint8_t>(newestReceived_ + 1)) {
       count(counts_.sequenceGaps);
     }
-    nextReceived_ = static_cast<std::uint8_t>(frame.sequence + 1);
-    lastAccepted_ = devices_.timebase.now();
+    if (hello || isNewer(frame.sequence)) {
+      newestReceived_ = frame.sequence;
+    }
+    lastAccepted_ = receivedAt_;
   }
+}
+
+bool UsualDesign::isNewer(std::uint8_t sequence) const {
+  const auto ahead = static_cast<std::uint8_t>(sequence - newestReceived_);
+  return ahead != 0 && ahead <= kMostAhead;
 }
 
 bool UsualDesign::accept(const Frame& frame) {
@@ -416,25 +468,35 @@ bool UsualDesign::accept(const Frame& frame) {
     if (link_ == Link::Connected) {
       pcOrderUnread_ = false;
     }
-    sendWelcome();
+    welcomeDue_ = true;
+    offered_ = false;
     link_ = Link::Handshaking;
     return true;
   }
   if (frame.type == FrameType::Confirm) {
-    if (link_ == Link::Handshaking && frame.payload.front() == session_ &&
-        devices_.timebase.now() - lastAccepted_ <= kConstants.handshakeTimeout()) {
+    if (link_ == Link::Handshaking && offered_ && frame.payload.front() == session_) {
       link_ = Link::Connected;
       return true;
     }
-  } else if (link_ == Link::Connected) {
-    if (frame.type == FrameType::KeepAlive) {
-      return true;
+  } else {
+    const bool order = frame.type == FrameType::Order;
+    if (order && (frame.payload[kCommandsAt] & kStopCommand) != 0) {
+      stop_ = true;
     }
-    if (takeOrder(frame.payload)) {
-      return true;
+    if (link_ == Link::Connected) {
+      if (!order) {
+        return true;
+      }
+      if (!isNewer(frame.sequence)) {
+        count(counts_.staleOrders);
+        return false;
+      }
+      if (takeOrder(frame.payload)) {
+        return true;
+      }
+      count(counts_.outOfRange);
+      return false;
     }
-    count(counts_.outOfRange);
-    return false;
   }
   count(counts_.unexpected);
   return false;
@@ -443,15 +505,19 @@ bool UsualDesign::accept(const Frame& frame) {
 bool UsualDesign::takeOrder(std::span<const std::uint8_t> payload) {
   SetPoints order;
   order.orderId = static_cast<std::uint16_t>(get16(payload, 0));
-  order.steering = Angle(getSigned16(payload, 2));
+  order.sentAt = static_cast<std::uint32_t>(get16(payload, 2)) |
+                 static_cast<std::uint32_t>(get16(payload, 4)) << 16U;
+  order.steering = Angle(getSigned16(payload, 6));
   if (!within(order.steering.count(), kConstants.steeringLimit().count())) {
     return false;
   }
-  std::size_t at = 4;
+  bool neutral = true;
+  std::size_t at = 8;
   for (WheelSetPoint& wheel : order.wheels) {
     wheel.quantity = static_cast<WheelQuantity>(payload[at]);
     wheel.value = getSigned16(payload, at + 1);
     at += 3;
+    neutral = neutral && wheel.value == 0;
     std::int32_t limit = -1;
     switch (wheel.quantity) {
       case WheelQuantity::Velocity:
@@ -468,23 +534,26 @@ bool UsualDesign::takeOrder(std::span<const std::uint8_t> payload) {
       return false;
     }
   }
-  if (payload[at] > 1) {
+  const std::uint32_t commands = payload[kCommandsAt];
+  if (commands > kCommands) {
     return false;
   }
-  stop_ = payload[at] == 1;
+  order.acknowledge = (commands & ~kStopCommand) != 0;
+  stop_ = (commands & kStopCommand) != 0 || (stop_ && !neutral);
   pcOrder_ = order;
-  pcOrderAt_ = devices_.timebase.now();
+  pcOrderAt_ = receivedAt_;
   pcOrderUnread_ = true;
   return true;
 }
 
 void UsualDesign::sendWelcome() {
-  session_ = session_ == std::numeric_limits<std::uint8_t>::max()
-                 ? std::uint8_t{1}
-                 : static_cast<std::uint8_t>(session_ + 1);
+  const std::uint8_t session = session_ == std::numeric_limits<std::uint8_t>::max()
+                                   ? std::uint8_t{1}
+                                   : static_cast<std::uint8_t>(session_ + 1);
+  welcomeDue_ = false;
   std::array<std::uint8_t, kWelcomeLength> bytes{};
   Payload payload(bytes.data());
-  payload.put8(session_);
+  payload.put8(session);
   payload.put8(firmwareIdentity.major);
   payload.put8(firmwareIdentity.minor);
   payload.put8(firmwareIdentity.patch);
@@ -497,12 +566,28 @@ void UsualDesign::sendWelcome() {
   payload.put8(static_cast<std::uint8_t>(devices_.start.fault));
   payload.put16(devices_.start.number);
   payload.put32(devices_.start.address);
-  send(FrameType::Welcome, bytes);
+  payload.put8(kLowestVersion);
+  payload.put8(kHighestVersion);
+  payload.put32(kSchemaHash);
+  if (send(FrameType::Welcome, bytes)) {
+    session_ = session;
+    offered_ = true;
+    welcomed_ = clockPulse_;
+  }
 }
 
 bool UsualDesign::send(FrameType type, std::span<const std::uint8_t> payload) {
   const Frame frame{.type = type, .sequence = nextSent_, .payload = payload};
-  if (!devices_.pcPort.write(encoder_.encode(frame))) {
+  const std::span<const std::uint8_t> coded = encoder_.encode(frame);
+  if (!sentFirst_) {
+    if (devices_.pcPort.free() <= coded.size()) {
+      return false;
+    }
+    constexpr std::array<std::uint8_t, 1> kEnd{0};
+    devices_.pcPort.write(kEnd);
+    sentFirst_ = true;
+  }
+  if (!devices_.pcPort.write(coded)) {
     return false;
   }
   ++nextSent_;
@@ -566,13 +651,16 @@ void UsualDesign::takeHallPhase() {
   }
   const std::int8_t direction = kDirections[*phase_][phase];
   phase_ = phase;
-  if (direction != 0 && (direction != direction_ || now - lastEdge_ >= kLeastGap)) {
+  if (direction != 0) {
+    if (direction + direction_ == 0 && now - lastEdge_ < kLeastReversal) {
+      ++hall_.reversals;
+    }
     direction_ = direction;
     lastEdge_ = now;
     hall_.last = now;
     hall_.count += direction;
   } else {
-    count(hall_.rejected);
+    ++hall_.unclear;
   }
   hallRecord_.write(hall_, now);
 }
@@ -606,7 +694,11 @@ void UsualDesign::takeCurrentSample(std::int32_t raw) {
       ++tooHigh_;
     }
     if (tooHigh_ == kTooManyInARow) {
-      cutOff_.store(true);
+      if (trip_.load() == Trip::None) {
+        trip_.store(Trip::Tripped);
+      } else if (trip_.load() == Trip::Braking) {
+        trip_.store(Trip::Off);
+      }
       devices_.enable.set(false);
     }
   }
@@ -641,10 +733,17 @@ void UsualDesign::measureVelocity(const HallRecord& record, Instant now) {
     measured = standing_ ? Velocity(0) : bounded(velocity_, 0, now - *seenEdge_);
   }
   measuredAt_ = now;
-  if (measured) {
+  if (measured && plausible(record)) {
     velocity_ = *measured;
     velocityAt_ = now;
   }
+  seenHall_ = record;
+}
+
+bool UsualDesign::plausible(const HallRecord& record) const {
+  const bool moving = velocity_ >= kMoving || velocity_ <= -kMoving;
+  const std::uint32_t reversals = moving ? record.reversals - seenHall_.reversals : 0;
+  return record.unclear - seenHall_.unclear + reversals <= kMostImplausible;
 }
 
 // A wheel that is faster than this would have given one edge more.
@@ -681,16 +780,8 @@ void UsualDesign::measureCurrent() {
 
 void UsualDesign::followSetPoint(const WheelSetPoint& setPoint, HallCount position,
                                  WheelMeasurements& wheel) {
-  const std::int32_t turned = position.count() - stillPosition_.count();
-  if (std::abs(applied_.value_or(Tension()).count()) <= kMuch.count() ||
-      std::abs(turned) > kJitter) {
-    stillPosition_ = position;
-    stillCycles_ = 0;
-  } else {
-    ++stillCycles_;
-    blind_ = blind_ || stillCycles_ >= kBlindCycles;
-  }
-  if (!wheel.velocity || !wheel.current || blind_) {
+  watchMotion(setPoint, position);
+  if (!wheel.velocity || !wheel.current || blind_ || reversalLate_) {
     lower();
     return;
   }
@@ -704,8 +795,9 @@ void UsualDesign::followSetPoint(const WheelSetPoint& setPoint, HallCount positi
   switch (quantity_) {
     case WheelQuantity::Velocity:
       velocityRegulator_.missed(calculated - *applied_);
+      velocityApplied_ = *applied_;
       if (*applied_ != calculated) {
-        model_ = wheel.velocity->count() * kThousand;
+        model_ = usedVelocity_.count() * kThousand;
       }
       break;
     case WheelQuantity::Current:
@@ -714,12 +806,32 @@ void UsualDesign::followSetPoint(const WheelSetPoint& setPoint, HallCount positi
     case WheelQuantity::Tension:
       break;
   }
+  watchReversal(calculated);
+}
+
+void UsualDesign::watchMotion(const WheelSetPoint& setPoint, HallCount position) {
+  const std::int32_t tension = std::abs(applied_.value_or(Tension()).count());
+  if (std::abs(position.count() - stillPosition_.count()) > kJitter) {
+    stillPosition_ = position;
+    effort_ = 0;
+  } else if (tension <= kLeastEffort.count() || setPoint == WheelSetPoint{}) {
+    effort_ = std::max(effort_ - kLeastEffort.count(), std::int32_t{0});
+  } else {
+    effort_ += tension;
+  }
+  blind_ = blind_ || effort_ >= kMostEffort;
+}
+
+void UsualDesign::watchReversal(Tension demand) {
+  const bool waits = std::abs(demand.count()) >= kReversal.count() && applied_ == Tension();
+  waitingCycles_ = waits ? static_cast<std::uint8_t>(waitingCycles_ + 1) : std::uint8_t{0};
+  reversalLate_ = reversalLate_ || waitingCycles_ > kMostWaiting;
 }
 
 Tension UsualDesign::calculate(const WheelSetPoint& setPoint, Velocity velocity, Current current) {
   switch (setPoint.quantity) {
     case WheelQuantity::Velocity:
-      return velocityTension(setPoint.value, velocity);
+      return velocityTension(setPoint.value, velocity, current);
     case WheelQuantity::Current:
       return currentTension(setPoint.value, velocity, current);
     case WheelQuantity::Tension:
@@ -728,7 +840,7 @@ Tension UsualDesign::calculate(const WheelSetPoint& setPoint, Velocity velocity,
   return Tension(setPoint.value);
 }
 
-Tension UsualDesign::velocityTension(std::int16_t setPoint, Velocity velocity) {
+Tension UsualDesign::velocityTension(std::int16_t setPoint, Velocity velocity, Current current) {
   std::int64_t expected = velocity.count() * kThousand;
   if (model_) {
     const std::int64_t goal = velocitySetPoint_ * kThousand;
@@ -741,9 +853,33 @@ Tension UsualDesign::velocityTension(std::int16_t setPoint, Velocity velocity) {
   velocitySetPoint_ = setPoint;
   const std::int64_t unloaded =
       std::int64_t{kConstants.motorConstant().count()} * setPoint / kThousand;
-  const std::int64_t error = expected / kThousand - velocity.count();
+  usedVelocity_ = doubtful(velocity, current)
+                      ? Velocity(static_cast<std::int32_t>(expected / kThousand))
+                      : velocity;
+  const std::int64_t error = expected / kThousand - usedVelocity_.count();
   return Tension(static_cast<std::int32_t>(unloaded)) +
          velocityRegulator_.regulate(static_cast<std::int32_t>(error));
+}
+
+bool UsualDesign::doubtful(Velocity velocity, Current current) {
+  if (!velocityApplied_) {
+    return false;
+  }
+  constexpr auto kPerMille = static_cast<std::int32_t>(kThousand);
+  const std::int32_t turning = kConstants.motorConstant().count() * velocity.count() / kPerMille;
+  const std::int32_t winding = kWinding * current.count() / kPerMille;
+  const std::int32_t made = velocityApplied_->count() - winding;
+  const std::int32_t missing = made > 0 ? made - turning : turning - made;
+  const std::int32_t greatest = std::max(std::abs(velocityApplied_->count()), std::abs(winding));
+  if (missing <= kDoubt + greatest / kDoubtShare) {
+    doubts_ = 0;
+    return false;
+  }
+  if (doubts_ == kMostDoubts) {
+    return false;
+  }
+  ++doubts_;
+  return true;
 }
 
 Tension UsualDesign::currentTension(std::int16_t setPoint, Velocity velocity, Current current) {
@@ -796,8 +932,14 @@ void UsualDesign::lower() {
 }
 
 void UsualDesign::driverOff() {
-  setTension(Tension());
-  stillCycles_ = 0;
+  devices_.pwm.set(DutyCycle());
+  if (trip_.load() == Trip::Tripped) {
+    trip_.store(Trip::Decaying);
+  } else if (trip_.load() == Trip::Decaying) {
+    trip_.store(Trip::Braking);
+    enableDriver(Trip::Braking);
+  }
+  waitingCycles_ = 0;
   resetAlgorithms();
   applied_.reset();
 }
@@ -805,22 +947,27 @@ void UsualDesign::driverOff() {
 void UsualDesign::resetAlgorithms() {
   velocityRegulator_.reset();
   model_.reset();
+  velocityApplied_.reset();
+  doubts_ = 0;
   currentRegulator_.reset();
   velocityBefore_.reset();
 }
 
 void UsualDesign::setTension(Tension tension) {
+  if (trip_.load() != Trip::None) {
+    return;
+  }
   const std::int32_t supply = kConstants.supply().count();
   const std::int32_t magnitude = std::min(std::abs(tension.count()), supply);
   devices_.pwm.set(DutyCycle((magnitude * kWholeDuty + supply / 2) / supply));
-  enableDriver();
+  enableDriver(Trip::None);
 }
 
-void UsualDesign::enableDriver() {
-  if (!cutOff_.load()) {
+void UsualDesign::enableDriver(Trip permitted) {
+  if (trip_.load() == permitted) {
     devices_.enable.set(true);
   }
-  if (cutOff_.load()) {  // the interrupt may have come before the driver was switched on
+  if (trip_.load() != permitted) {  // the interrupt may have come before the driver was switched on
     devices_.enable.set(false);
   }
 }

@@ -53,8 +53,10 @@ class UsualDesign {
   struct HallRecord {
     std::optional<Instant> last;
     std::int32_t count = 0;
-    std::uint16_t rejected = 0;
+    std::uint32_t unclear = 0;
+    std::uint32_t reversals = 0;
   };
+  enum class Trip : std::uint8_t { None, Tripped, Decaying, Braking, Off };
   struct CurrentRecord {
     std::uint32_t sum = 0;
     std::uint32_t number = 0;
@@ -79,7 +81,9 @@ class UsualDesign {
 
   // Link to the PC.
   void servePc();
+  void checkSilence(Instant at);
   void receive(const Frame& frame);
+  [[nodiscard]] bool isNewer(std::uint8_t sequence) const;
   [[nodiscard]] bool accept(const Frame& frame);
   [[nodiscard]] bool takeOrder(std::span<const std::uint8_t> payload);
   void sendWelcome();
@@ -98,14 +102,20 @@ class UsualDesign {
   void followSetPoint(const WheelSetPoint& setPoint, HallCount position, WheelMeasurements& wheel);
   [[nodiscard]] Tension calculate(const WheelSetPoint& setPoint, Velocity velocity,
                                   Current current);
-  [[nodiscard]] Tension velocityTension(std::int16_t setPoint, Velocity velocity);
+  [[nodiscard]] Tension velocityTension(std::int16_t setPoint, Velocity velocity,
+                                        Current current);
   [[nodiscard]] Tension currentTension(std::int16_t setPoint, Velocity velocity, Current current);
   void apply(Tension demand, Velocity velocity);
   void lower();
+  [[nodiscard]] bool plausible(const HallRecord& record) const;
+  void release(const WheelMeasurements& wheel);
+  void watchMotion(const WheelSetPoint& setPoint, HallCount position);
+  void watchReversal(Tension demand);
+  [[nodiscard]] bool doubtful(Velocity velocity, Current current);
   void driverOff();
   void resetAlgorithms();
   void setTension(Tension tension);
-  void enableDriver();
+  void enableDriver(Trip permitted);
 
   Devices devices_;
 
@@ -134,9 +144,14 @@ class UsualDesign {
   FrameDecoder decoder_;
   FrameEncoder encoder_;
   LinkCounts counts_{};
+  Instant receivedAt_{};
   Instant lastAccepted_{};
+  Instant welcomed_{};
+  bool welcomeDue_ = false;
+  bool offered_ = false;
+  bool sentFirst_ = false;
   std::uint8_t session_ = 0;
-  std::uint8_t nextReceived_ = 0;
+  std::uint8_t newestReceived_ = 0;
   std::uint8_t nextSent_ = 0;
   SetPoints pcOrder_{};
   Instant pcOrderAt_{};
@@ -169,6 +184,7 @@ class UsualDesign {
   Instant measuredAt_{};
   std::optional<Instant> seenEdge_;
   std::int32_t seenCount_ = 0;
+  HallRecord seenHall_;
   Velocity velocity_{};
   std::optional<Instant> velocityAt_;
   CurrentRecord seenCurrent_;
@@ -187,9 +203,14 @@ class UsualDesign {
   bool backwards_ = false;
   std::uint8_t slowCycles_ = 0;
   HallCount stillPosition_{};
-  std::uint8_t stillCycles_ = 0;
+  std::int32_t effort_ = 0;
+  std::uint8_t waitingCycles_ = 0;
   bool blind_ = false;
-  std::atomic<bool> cutOff_{false};
+  bool reversalLate_ = false;
+  Velocity usedVelocity_{};
+  std::optional<Tension> velocityApplied_;
+  std::uint8_t doubts_ = 0;
+  std::atomic<Trip> trip_{Trip::None};
 
   Measurements measurements_{};
 };

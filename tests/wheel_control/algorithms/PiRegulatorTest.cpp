@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+
 namespace wr::test {
 namespace {
 
@@ -54,6 +56,32 @@ TEST_F(PiRegulatorTest, FR86_ExplainedErrorIsNotKept) {
   EXPECT_EQ(regulator.regulate(100), Tension(300 + 500));
   regulator.missed(Tension());
   EXPECT_EQ(regulator.regulate(-100), Tension(-300 + 450));
+}
+
+/// @brief A missing tension below 0.1 V explains nothing: the integral can raise a demand that waits for
+/// a change of orientation.
+/// @verifies FR-86
+TEST_F(PiRegulatorTest, FR86_SlightShortfallExplainsNothing) {
+  regulator.missed(Tension(99));
+  EXPECT_EQ(regulator.regulate(100), Tension(300 + 50));
+  regulator.missed(Tension(100));
+  EXPECT_EQ(regulator.regulate(100), Tension(300 + 50));
+  regulator.missed(Tension(-99));
+  EXPECT_EQ(regulator.regulate(-100), Tension(-300));
+  regulator.missed(Tension(-100));
+  EXPECT_EQ(regulator.regulate(-100), Tension(-300));
+}
+
+/// @brief One bit that changes in the memory of the integral changes nothing.
+/// @verifies FR-224
+TEST(PiRegulatorMemory, FR224_OneBitIsCorrected) {
+  PiRegulator regulator({.proportional = 0, .integral = 1000});
+  regulator.regulate(3000);
+  auto* const bytes = reinterpret_cast<unsigned char*>(&regulator);
+  for (std::size_t bit = sizeof(PiGains) * 8; bit < sizeof(PiGains) * 8 + 3 * 32; ++bit) {
+    bytes[bit / 8] ^= static_cast<unsigned char>(1U << bit % 8);
+    EXPECT_EQ(regulator.regulate(0), Tension(3000)) << bit;
+  }
 }
 
 /// @brief After a reset neither errors nor missing tension are known.

@@ -7,8 +7,9 @@ namespace {
 
 class VelocityAlgorithmTest : public testing::Test {
  protected:
-  Tension calculate(std::int16_t setPoint, int velocity) {
-    return algorithm.calculate(setPoint, {.velocity = Velocity(velocity), .current = Current()});
+  Tension calculate(std::int16_t setPoint, int velocity, int current = 0) {
+    return algorithm.calculate(setPoint,
+                               {.velocity = Velocity(velocity), .current = Current(current)});
   }
 
   VelocityAlgorithm algorithm;
@@ -59,10 +60,36 @@ TEST_F(VelocityAlgorithmTest, FR86_ModelGoesOnFromTheMeasuredVelocity) {
   calculate(3000, 0);
   algorithm.applied(Tension(12000));
   // From 0 the model has turned at 582.0 on the mean of this cycle: 58.2 rpm.
-  const Tension explained = calculate(3000, 400);
+  const Tension explained = calculate(3000, 400, 6600);
   EXPECT_EQ(explained, Tension(15708 + 4650 * 182 / 1000));
   algorithm.applied(explained);
-  EXPECT_GT(calculate(3000, 400), explained);
+  EXPECT_GT(calculate(3000, 400, 9600), explained);
+}
+
+/// @brief A wheel at 100 rpm with 7 V and 1.1 A: a measured velocity of 10 rpm cannot be. For 5 cycles the
+/// tension stays; then it is believed.
+/// @verifies FR-224
+TEST_F(VelocityAlgorithmTest, FR224_DoubtfulVelocityIsNotRegulated) {
+  Tension steady;
+  for (int cycle = 0; cycle < 30; ++cycle) {
+    steady = calculate(1000, cycle < 6 ? 900 : 1000, 1100);
+    algorithm.applied(steady);
+  }
+  ASSERT_GT(steady, Tension(5600));
+  for (int cycle = 0; cycle < 5; ++cycle) {
+    const Tension tension = calculate(1000, 100, 1100);
+    EXPECT_NEAR(tension.count(), steady.count(), 10) << cycle;
+    algorithm.applied(tension);
+  }
+  EXPECT_GT(calculate(1000, 100, 1100), steady + Tension(4000));
+}
+
+/// @brief A wheel that a load slows down takes more current, and its velocity is believed at once.
+/// @verifies FR-224
+TEST_F(VelocityAlgorithmTest, FR224_LoadIsNoDoubt) {
+  algorithm.applied(calculate(1000, 1000, 0));
+  const Tension loaded = calculate(1000, 500, 1700);  // 5.2 V less 1.7 A at 1.5 ohm
+  EXPECT_GT(loaded, Tension(5236 + 2000));
 }
 
 /// @brief The set-point of the cycle that ends counts for its error, not the new one.

@@ -8,8 +8,8 @@ namespace {
 class WheelOrderTest : public testing::Test, protected SensedWheel {
  protected:
   void measureAll() {
-    registerPosition.execute(work);
     readVelocity.execute(work);
+    registerPosition.execute(work);
     readCurrent.execute(work);
   }
 
@@ -21,6 +21,7 @@ class WheelOrderTest : public testing::Test, protected SensedWheel {
 TEST_F(WheelOrderTest, FR93_RegistersThePosition) {
   pass(true, kMiddle);
   edges.collect(0, time.now());  // both levels changed
+  readVelocity.execute(work);
   registerPosition.execute(work);
   EXPECT_EQ(work.measured.position, HallCount(10));
   EXPECT_EQ(work.measured.rejectedEdges, 1);
@@ -69,11 +70,11 @@ TEST_F(WheelOrderTest, FR80_FR94_AppliesAndTells) {
   EXPECT_FALSE(work.measured.blind);
 }
 
-/// @brief Without a position the wheel counts as one that does not turn, and is told to be blind.
+/// @brief Without a position the wheel counts as one that does not turn.
 /// @verifies FR-91
 /// @verifies FR-94
-TEST_F(WheelOrderTest, FR91_MissingPositionIsNoTurn) {
-  for (int cycle = 0; cycle < 12; ++cycle) {
+TEST_F(WheelOrderTest, FR91_MissingPositionIsNoMotion) {
+  for (int cycle = 0; cycle < 9; ++cycle) {
     pass(true, kMiddle);
     measureAll();
     work.setPoint = tensionOf(7000);
@@ -83,10 +84,12 @@ TEST_F(WheelOrderTest, FR91_MissingPositionIsNoTurn) {
   EXPECT_TRUE(work.measured.blind);
 }
 
-/// @brief Too much current switches the driver off in the interrupt; control leaves it off and says so.
+/// @brief Too much current switches the driver off in the interrupt. It is on again, without tension, in
+/// the second control cycle, and so it stays: the wheel brakes.
 /// @verifies FR-89
 /// @verifies FR-94
-TEST_F(WheelOrderTest, FR89_FR94_ControlLeavesTheDriverOff) {
+/// @verifies FR-221
+TEST_F(WheelOrderTest, FR89_FR94_FR221_TrippedWheelBrakes) {
   pass(true, kMiddle);
   measureAll();
   work.setPoint = tensionOf(5000);
@@ -94,33 +97,61 @@ TEST_F(WheelOrderTest, FR89_FR94_ControlLeavesTheDriverOff) {
   EXPECT_TRUE(enable.isOn());
   pass(true, kTooMuch);
   EXPECT_FALSE(enable.isOn());
-  for (int cycle = 0; cycle < 3; ++cycle) {
+  for (int cycle = 0; cycle < 4; ++cycle) {
     pass(false, kMiddle);
     measureAll();
     applyControl.execute(work);
-    EXPECT_FALSE(enable.isOn());
+    EXPECT_EQ(enable.isOn(), cycle >= 1);
     EXPECT_TRUE(work.measured.cutOff);
     EXPECT_EQ(work.applied, std::nullopt);
     EXPECT_EQ(pwm.dutyCycle(), DutyCycle(0));
   }
 }
 
-/// @brief A halt of a wheel that turns leaves its driver off; one of a wheel that stands releases it.
-/// @verifies FR-89
-TEST_F(WheelOrderTest, FR89_HaltAtRestReleases) {
+/// @brief A halt brakes in the same way: on a slope the robot does not roll.
+/// @verifies FR-221
+TEST_F(WheelOrderTest, FR221_HaltBrakesATrippedWheel) {
   pass(true, kMiddle);
   measureAll();
+  work.setPoint = tensionOf(9000);
+  applyControl.execute(work);
   pass(true, kTooMuch);
-  pass(true, kMiddle);
-  measureAll();
-  haltWheel.execute(work);
-  EXPECT_TRUE(work.measured.cutOff);
-  EXPECT_EQ(work.applied, std::nullopt);
-  for (int cycle = 0; cycle < 5; ++cycle) {
-    pass(false, kMiddle);
+  for (int cycle = 0; cycle < 4; ++cycle) {
+    pass(true, kMiddle);
+    measureAll();
+    haltWheel.execute(work);
+    EXPECT_EQ(enable.isOn(), cycle >= 1);
+    EXPECT_EQ(pwm.dutyCycle(), DutyCycle(0));
+  }
+}
+
+/// @brief A sensor at the end of its range trips again at once while the wheel brakes: the driver is off.
+/// @verifies FR-221
+TEST_F(WheelOrderTest, FR221_CurrentThatStaysTooHighKeepsTheDriverOff) {
+  pass(true, kTooMuch);
+  for (int cycle = 0; cycle < 6; ++cycle) {
+    pass(true, kTooMuch);
     measureAll();
     haltWheel.execute(work);
   }
+  pass(true, kMiddle);
+  measureAll();
+  haltWheel.execute(work);
+  EXPECT_FALSE(enable.isOn());
+}
+
+/// @brief A halt releases nothing, however long the wheel is at rest; the order to release does.
+/// @verifies FR-89
+TEST_F(WheelOrderTest, FR89_OnlyAnAcknowledgementReleases) {
+  pass(true, kTooMuch);
+  for (int cycle = 0; cycle < 20; ++cycle) {
+    pass(false, kMiddle);
+    measureAll();
+    haltWheel.execute(work);
+    EXPECT_TRUE(work.measured.cutOff);
+  }
+  work.release = true;
+  haltWheel.execute(work);
   EXPECT_FALSE(work.measured.cutOff);
   EXPECT_EQ(work.applied, Tension(0));
   EXPECT_TRUE(enable.isOn());
@@ -129,18 +160,42 @@ TEST_F(WheelOrderTest, FR89_HaltAtRestReleases) {
   EXPECT_EQ(work.applied, Tension(3000));
 }
 
-/// @brief While the velocity is missing a halt releases nothing; nor does it while the wheel rolls back.
+/// @brief An acknowledgement releases no trip while the velocity is missing, and none from 40 rpm on.
 /// @verifies FR-89
-TEST_F(WheelOrderTest, FR89_HaltWithoutVelocityReleasesNothing) {
+TEST_F(WheelOrderTest, FR89_AcknowledgementNeedsASlowWheel) {
   wheel.cutOff().execute();
+  work.release = true;
   haltWheel.execute(work);
   EXPECT_TRUE(work.measured.cutOff);
-  ControlledWheel::measure(Velocity(-50), Current());
+  ControlledWheel::measure(Velocity(-400), Current());
   haltWheel.execute(work);
   EXPECT_TRUE(work.measured.cutOff);
-  ControlledWheel::measure(Velocity(-49), Current());
+  ControlledWheel::measure(Velocity(-399), Current());
   haltWheel.execute(work);
   EXPECT_FALSE(work.measured.cutOff);
+}
+
+/// @brief No motion and a late reversal stay through a halt, and end with the order to release.
+/// @verifies FR-91
+/// @verifies FR-222
+TEST_F(WheelOrderTest, FR91_FR222_OnlyAnAcknowledgementReleasesTheFaults) {
+  for (int cycle = 0; cycle < 9; ++cycle) {
+    pass(false, kMiddle);
+    measureAll();
+    work.setPoint = tensionOf(7000);
+    applyControl.execute(work);
+  }
+  for (int cycle = 0; cycle < 30; ++cycle) {
+    ControlledWheel::measure(Velocity(600), Current());
+    controller.control(tensionOf(-5000), position);
+  }
+  EXPECT_TRUE(work.measured.blind);
+  haltWheel.execute(work);
+  EXPECT_TRUE(work.measured.blind);
+  work.release = true;
+  haltWheel.execute(work);
+  EXPECT_FALSE(work.measured.blind);
+  EXPECT_FALSE(work.measured.reversalLate);
 }
 
 /// @brief A halt stops the wheel step by step.

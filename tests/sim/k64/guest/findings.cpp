@@ -467,6 +467,13 @@ PROGRAM clocksConverterByItself() {
   sleepForever();
 }
 
+PROGRAM clocksConverterByAlternateClock() {
+  stopWatchdog();
+  openConverter();
+  wordAt(0x4003B008) = 0x65;
+  sleepForever();
+}
+
 PROGRAM usesHoleOfConverter() {
   stopWatchdog();
   openConverter();
@@ -488,7 +495,22 @@ PROGRAM fillsSmallBuffer() {
 PROGRAM filtersPins() {
   stopWatchdog();
   openPorts();
+  wordAt(0x4004A0C0) = 1;
+  sleepForever();
+}
+
+PROGRAM filtersPinsByLowPowerOscillator() {
+  stopWatchdog();
+  openPorts();
+  wordAt(0x4004C0C4) = 1;
+  sleepForever();
+}
+
+PROGRAM changesFilterThatIsOn() {
+  stopWatchdog();
+  openPorts();
   wordAt(0x4004C0C0) = 1;
+  wordAt(0x4004C0C8) = 31;
   sleepForever();
 }
 

@@ -1,11 +1,12 @@
-// The composition of the weeding robot that only the PC commands.
+// The composition of the weeding robot with safety functions that only the PC commands.
 
 #include "construction/MainControllerBuilder.hpp"
-#include "construction/RobotDirector.hpp"
 #include "k64/core.hpp"
 #include "k64/start_up/control_systems.hpp"
 #include "k64/start_up/handlers.hpp"
 #include "k64/start_up/platform.hpp"
+#include "safety/SafetyPcDirector.hpp"
+#include "safety/k64/stop_memory.hpp"
 
 namespace wr {
 
@@ -17,7 +18,7 @@ MainControllerBuilder controllerBuilder({.thread = platform::mainThread,
                                          .pcPort = platform::pcPort,
                                          .watchdog = platform::watchdog,
                                          .start = platform::startRecord});
-RobotDirector director(platform::poolBuilder, controllerBuilder);
+SafetyPcDirector director(platform::poolBuilder, controllerBuilder, platform::stopMemory);
 
 }  // namespace
 
@@ -34,7 +35,8 @@ namespace wr {
 
 void runRobot() {
   platform::startDevices();
-  director.constructForPc();
+  platform::stopMemory.begin(platform::startRecord.cause);
+  director.construct();
   platform::enableInterrupts();
   director.start();
   platform::sleepForever();

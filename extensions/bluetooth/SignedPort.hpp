@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "bluetooth/RandomSource.hpp"
+#include "bluetooth/SipHash.hpp"
+#include "communication/framing/Frame.hpp"
+#include "communication/framing/FrameEncoder.hpp"
+#include "devices/SerialPort.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief A serial port whose frames are authenticated.
+///
+/// @function Extends a serial port. Each frame on the line has a counter and a tag between its coded
+/// bytes and the zero that ends it. Received frames with a wrong tag, or with a counter that is not
+/// greater than the one before, are dropped; the others are given without counter and tag. Frames
+/// to send get both. A wrong frame is answered with a challenge, which tells an honest sender what
+/// its tags must contain.
+///
+/// @secret How counter and tag are put on the line, and what the tag covers: a number that the robot draws
+/// at start, the direction, the counter and the coded frame.
+class SignedPort final : public SerialPort {
+ public:
+  /// @brief Type of the frame that challenges the sender: a random number (u64) and the last counter (u32).
+  static constexpr FrameType kChallenge{0x83};
+  /// @brief Characters between a coded frame and its zero: 8 hexadecimal digits of the counter, then 16 of
+  /// the tag.
+  static constexpr std::size_t kTrailer = 24;
+
+  /// @brief Binds the port to its line and its key. Without a random number it receives and sends nothing.
+  /// @param port the line
+  /// @param key secret key; a key whose bytes are all 0xFF is no key: nothing is received or sent
+  /// @param random draws the number of this start
+  SignedPort(SerialPort& port, const SipHash::Key& key, RandomSource& random);
+
+  /// @brief Gives the bytes of at most one frame whose tag is right and whose counter is new.
+  /// @param bytes where the bytes are put
+  /// @return how many bytes were put there; 0 when there is no such frame
+  /// @isr{no}
+  /// @satisfies FR-262
+  std::size_t read(std::span<std::uint8_t> bytes) override;
+
+  /// @brief Returns when the last byte of the frame that read() gave came.
+  /// @isr{no}
+  [[nodiscard]] Instant receivedAt() const override;
+
+  /// @brief Returns the room for bytes to send, less the room for counter and tag.
+  /// @isr{no}
+  [[nodiscard]] std::size_t free() const override;
+
+  /// @brief Sends one coded frame with counter and tag, or nothing.
+  /// @param bytes a coded frame with the zero that ends it
+  /// @return false when there is no room, no key or no random number: nothing is sent
+  /// @isr{no}
+  /// @satisfies FR-263
+  bool write(std::span<const std::uint8_t> bytes) override;
+
+  [[nodiscard]] std::uint16_t lostBytes() const override;
+
+ private:
+  using Coded = std::array<std::uint8_t, kMaxCoded + kTrailer>;
+
+  [[nodiscard]] bool works() const;
+  void collect(std::uint8_t byte);
+  [[nodiscard]] bool accept();
+  void challenge();
+  [[nodiscard]] std::uint64_t tagOf(std::uint8_t direction, std::uint32_t counter,
+                                    std::span<const std::uint8_t> coded) const;
+
+  SerialPort& port_;
+  SipHash::Key key_;
+  std::optional<std::uint64_t> nonce_;
+  FrameEncoder encoder_;
+  Coded received_{};
+  std::size_t count_ = 0;           // bytes of the frame that is received; more than fit: too long
+  std::size_t ready_ = 0;           // bytes of the accepted frame that wait to be read
+  std::size_t given_ = 0;           // of these, given already
+  std::uint32_t lastReceived_ = 0;  // counter of the last accepted frame
+  std::uint32_t lastSent_ = 0;      // counter of the last sent frame
+};
+
+}  // namespace wr

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace wr {
+
+/// @brief A keyed check value of 64 bits: SipHash-2-4.
+///
+/// @function Computes a tag over bytes with a secret key. Who does not know the key cannot compute the tag
+/// of other bytes.
+///
+/// @secret The algorithm of the tag. Source: J.-P. Aumasson and D. J. Bernstein, SipHash: a fast
+/// short-input PRF, 2012.
+class SipHash final {
+ public:
+  /// @brief A key of 128 bits.
+  using Key = std::array<std::uint8_t, 16>;
+
+  /// @brief Begins a tag.
+  /// @param key secret key
+  explicit SipHash(const Key& key);
+
+  /// @brief Adds bytes to the tag.
+  /// @param bytes bytes in the sequence in which the other side adds them
+  /// @isr{no}
+  /// @satisfies FR-261
+  void add(std::span<const std::uint8_t> bytes);
+
+  /// @brief Computes the tag of all bytes that were added.
+  /// @return the tag; a second call returns another value
+  /// @isr{no}
+  /// @satisfies FR-261
+  [[nodiscard]] std::uint64_t tag();
+
+ private:
+  void round();
+  void compress(std::uint64_t word);
+
+  std::array<std::uint64_t, 4> v_{};
+  std::uint64_t word_ = 0;   // bytes that do not fill a word yet, the first one lowest
+  std::uint64_t count_ = 0;  // bytes that were added
+};
+
+}  // namespace wr

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+
+#include "safety/OrderStageDecorator.hpp"
+
+namespace wr {
+
+/// @brief Lets orders move the robot only after neutral orders.
+///
+/// @function Holds the robot until the set-points of all wheels were 0 for 0.5 s, then passes set-points
+/// on. Every hold and every acknowledgement ends that permission.
+///
+/// @secret Which set-points are neutral, and for how long a source has to order them.
+class Arming final : public OrderStageDecorator {
+ public:
+  /// @brief Binds the permission to the robot.
+  /// @param wrapped control system that set-points move
+  explicit Arming(OrderStage& wrapped);
+
+  /// @brief Adds the measurements and outputs of the robot, and whether orders may move it.
+  /// @param measurements receives the measurements
+  /// @param outputs receives the outputs
+  /// @satisfies FR-281
+  /// @isr{no}
+  void collect(Measurements& measurements, Outputs& outputs) const override;
+
+  /// @brief Passes set-points on; holds until they were neutral for long enough.
+  /// @param setPoints set-points of the cycle
+  /// @param cycle number of the cycle
+  /// @satisfies FR-280
+  /// @isr{no}
+  void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
+
+  /// @brief Holds, and ends the permission.
+  /// @param cycle number of the cycle
+  /// @satisfies FR-280
+  /// @isr{no}
+  void stand(std::uint32_t cycle) override;
+
+  /// @brief Acknowledges, and ends the permission.
+  /// @param cycle number of the cycle
+  /// @satisfies FR-280
+  /// @isr{no}
+  void recover(std::uint32_t cycle) override;
+
+ private:
+  void disarm();
+  [[nodiscard]] bool armed() const;
+
+  std::uint8_t neutralCycles_ = 0;  // in a row
+};
+
+}  // namespace wr

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+
+#include "remote_control/RcBuffer.hpp"
+#include "services/Pipe.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief Receives the pulses of the enable switch.
+///
+/// @function Stores the width of each pulse of the third channel of the remote control with its time.
+///
+/// @secret Where the position of the enable switch is stored.
+///
+/// @role{rc-buffers, Concrete Class}
+class EnableBuffer final : public RcBuffer {
+ public:
+  /// @brief Binds the buffer to its parts.
+  /// @param instants measures each pulse
+  /// @param function computes the deflection of a pulse
+  /// @param width receives the width of each pulse
+  EnableBuffer(InstantCollector& instants, const Function& function, Pipe<Microseconds>& width);
+
+ private:
+  [[nodiscard]] std::int32_t fullDeflection() const override;
+
+  /// @brief Stores the width of a pulse.
+  /// @param value deflection from the middle [us]
+  /// @param at end of the pulse
+  /// @satisfies FR-285
+  void keep(std::int32_t value, Instant at) override;
+
+  Pipe<Microseconds>& pipe_;
+};
+
+}  // namespace wr

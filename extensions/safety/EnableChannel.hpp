@@ -1,0 +1,42 @@
+#pragma once
+
+#include "devices/EdgeInput.hpp"
+#include "devices/Timebase.hpp"
+#include "remote_control/RcPin.hpp"
+#include "remote_control/ReadRcPin.hpp"
+#include "safety/EnableBuffer.hpp"
+#include "safety/PulsePosition.hpp"
+#include "sensing/instants/BasicCollector.hpp"
+#include "sensing/instants/PeriodCollector.hpp"
+#include "sensing/instants/WidthCollector.hpp"
+#include "services/Pipe.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief The third channel of the remote control, from its pin to the width of its pulses.
+/// @datatype
+struct EnableChannel {
+  /// @brief Makes the channel; its pin interrupts from now on.
+  /// @param input pin of the channel
+  /// @param timebase gives the time of its edges
+  EnableChannel(EdgeInput& input, const Timebase& timebase)
+      : period(instants),
+        collector(period),
+        buffer(collector, function, width),
+        pin(input, readPin),
+        readPin(buffer, pin, timebase) {
+    pin.start();
+  }
+
+  Pipe<Microseconds> width;  ///< width of its pulses
+  BasicCollector instants;   ///< instants of its edges
+  PeriodCollector period;    ///< period of its pulses
+  WidthCollector collector;  ///< width of a pulse
+  PulsePosition function;    ///< position that a pulse means
+  EnableBuffer buffer;       ///< stores the position
+  RcPin pin;                 ///< its pin
+  ReadRcPin readPin;         ///< command of its edges
+};
+
+}  // namespace wr

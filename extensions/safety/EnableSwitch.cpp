@@ -1,0 +1,119 @@
+#include "safety/EnableSwitch.hpp"
+
+#include <optional>
+
+#include "main_control/MainController.hpp"
+#include "services/SystemConstants.hpp"
+
+namespace wr {
+
+namespace {
+
+// Widths of the pulses of the enable switch. Between the bands the position stays.
+constexpr Microseconds kLeastNoStop(1250);
+constexpr Microseconds kLeastPc(1350);
+constexpr Microseconds kMostPc(1650);
+constexpr Microseconds kLeastDrive(1750);
+
+constexpr Microseconds kLifetime = milliseconds(200);  // of a pulse
+
+constexpr std::uint8_t kAcknowledgements = 3;  // orders that acknowledge
+
+constexpr std::int32_t kFullDeflection = 500;  // [us] of a stick
+
+bool fresh(Instant at, Instant now) {
+  return now - at <= kLifetime;
+}
+
+}  // namespace
+
+EnableSwitch::EnableSwitch(Mode& wrapped, const Signals& signals)
+    : ModeDecorator(ModeId::None, wrapped), signals_(signals) {}
+
+void EnableSwitch::serve() {
+  const Instant now = signals_.timebase.now();
+  takePosition(now);
+  advanceSequence();
+  if (position_ == Position::Stop || unattended(now)) {
+    stopped_ = true;
+  } else if (!deflected(now)) {
+    stopped_ = false;
+  }
+  ModeDecorator::serve();
+}
+
+bool EnableSwitch::newMessage() const {
+  return position_ != Position::Pc && ModeDecorator::newMessage();
+}
+
+void EnableSwitch::read(MainController& mCtrl) {
+  ModeDecorator::read(mCtrl);
+  const std::optional<SetPoints>& read = mCtrl.getData().setPoints();
+  if (read && acknowledgements_ > 0 && !stopped_) {
+    SetPoints acknowledging = *read;
+    acknowledging.acknowledge = true;
+    mCtrl.getData().saveSetPoints(acknowledging);
+    --acknowledgements_;
+  }
+}
+
+void EnableSwitch::changeMode(MainController& /*mCtrl*/) {}
+
+bool EnableSwitch::stopOrdered() const {
+  return stopped_ || ModeDecorator::stopOrdered();
+}
+
+EnableSwitch::Position EnableSwitch::positionOf(Microseconds width, Position before) {
+  if (width < kLeastNoStop) {
+    return Position::Stop;
+  }
+  if (width >= kLeastDrive) {
+    return Position::Drive;
+  }
+  return width >= kLeastPc && width <= kMostPc ? Position::Pc : before;
+}
+
+void EnableSwitch::takePosition(Instant now) {
+  const std::optional<Stamped<Microseconds>> pulse = signals_.enable.read();
+  if (pulse && fresh(pulse->at, now)) {
+    position_ = positionOf(pulse->value, position_);
+  } else {
+    position_ = Position::Stop;
+  }
+}
+
+// A receiver whose radio link returns goes from stop to drive at once. Only an operator stays at
+// PC.
+void EnableSwitch::advanceSequence() {
+  if (position_ == Position::Stop) {
+    sequence_ = Sequence::Stopped;
+    acknowledgements_ = 0;
+  } else if (position_ == Position::Pc) {
+    sequence_ = sequence_ == Sequence::None ? Sequence::None : Sequence::Passed;
+  } else {
+    acknowledgements_ = sequence_ == Sequence::Passed ? kAcknowledgements : acknowledgements_;
+    sequence_ = Sequence::None;
+  }
+}
+
+bool EnableSwitch::deflected(Instant now) {
+  const std::optional<Stamped<Velocity>> velocity = signals_.velocity.read();
+  return velocity && fresh(velocity->at, now) && velocity->value != Velocity();
+}
+
+bool EnableSwitch::unattended(Instant now) {
+  const std::int32_t velocity =
+      signals_.velocity.read().value_or(Stamped<Velocity>()).value.count();
+  const std::int32_t direction = signals_.direction.read().value_or(Stamped<Angle>()).value.count();
+  const std::int64_t enable =
+      signals_.enable.read().value_or(Stamped<Microseconds>()).value.count();
+  const SystemConstants& constants = SystemConstants::instance();
+  const RcVigilance::Deflections deflections{
+      velocity * kFullDeflection / constants.velocityLimit().count(),
+      direction * kFullDeflection / constants.steeringLimit().count(),
+      static_cast<std::int32_t>(enable)};
+  const bool moving = position_ == Position::Drive && !stopped_ && deflected(now);
+  return vigilance_.expired(deflections, moving, now);
+}
+
+}  // namespace wr

@@ -1,0 +1,77 @@
+#include "safety/ProtectiveStop.hpp"
+
+#include <cstddef>
+
+namespace wr {
+
+ProtectiveStop::ProtectiveStop(OrderStage& wrapped, const EdgeInput& emergencyStop)
+    : OrderStageDecorator(wrapped), emergencyStop_(emergencyStop) {}
+
+void ProtectiveStop::collect(Measurements& measurements, Outputs& outputs) const {
+  OrderStageDecorator::collect(measurements, outputs);
+  if (latched()) {
+    measurements.protection.inhibit = Inhibit::ProtectiveStop;
+    measurements.protection.cause = cause_;
+    measurements.protection.wheel = wheel_;
+  }
+}
+
+void ProtectiveStop::follow(const SetPoints& setPoints, std::uint32_t cycle) {
+  if (latched()) {
+    wrapped().stand(cycle);
+    return;
+  }
+  wrapped().follow(setPoints, cycle);
+  examine(&setPoints);
+  if (latched()) {
+    wrapped().stand(cycle);
+  }
+}
+
+void ProtectiveStop::stand(std::uint32_t cycle) {
+  wrapped().stand(cycle);
+  examine(nullptr);
+}
+
+void ProtectiveStop::recover(std::uint32_t cycle) {
+  cause_ = StopCause::None;
+  wheel_ = Protection::kNoWheel;
+  for (WheelSupervision& wheel : wheels_) {
+    wheel.reset();
+  }
+  wrapped().recover(cycle);
+  if (emergencyStop_.level()) {
+    latch(StopCause::EmergencyStop, Protection::kNoWheel);
+  }
+}
+
+void ProtectiveStop::examine(const SetPoints* followed) {
+  if (emergencyStop_.level()) {
+    latch(StopCause::EmergencyStop, Protection::kNoWheel);
+  }
+  Measurements measurements;
+  Outputs outputs;
+  OrderStageDecorator::collect(measurements, outputs);
+  if (measurements.steeringState == SteeringState::Fault) {
+    latch(StopCause::SteeringFault, Protection::kNoWheel);
+  }
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    const StopCause cause =
+        wheels_[wheel].examine(measurements.wheels[wheel], outputs.tensions[wheel],
+                               followed == nullptr ? nullptr : &followed->wheels[wheel]);
+    latch(cause, static_cast<std::uint8_t>(wheel));
+  }
+}
+
+void ProtectiveStop::latch(StopCause cause, std::uint8_t wheel) {
+  if (!latched() && cause != StopCause::None) {
+    cause_ = cause;
+    wheel_ = wheel;
+  }
+}
+
+bool ProtectiveStop::latched() const {
+  return cause_ != StopCause::None;
+}
+
+}  // namespace wr

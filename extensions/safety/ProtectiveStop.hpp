@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "devices/EdgeInput.hpp"
+#include "safety/OrderStageDecorator.hpp"
+#include "safety/WheelSupervision.hpp"
+#include "units/Measurements.hpp"
+
+namespace wr {
+
+/// @brief Stops the whole robot when one of its parts fails.
+///
+/// @function Checks the contact of the emergency-stop circuit, the steering and every wheel after each
+/// order. When one of them fails, all control systems hold in the same cycle and in every cycle
+/// that follows, until an order acknowledges.
+///
+/// @secret Which parts are supervised, and how long a protective stop lasts.
+class ProtectiveStop final : public OrderStageDecorator {
+ public:
+  /// @brief Binds the protective stop to the robot.
+  /// @param wrapped all control systems of the robot
+  /// @param emergencyStop contact of the emergency-stop circuit; a high level means that it is active
+  ProtectiveStop(OrderStage& wrapped, const EdgeInput& emergencyStop);
+
+  /// @brief Adds the measurements and outputs of the robot, and the state of the protective stop.
+  /// @param measurements receives the measurements
+  /// @param outputs receives the outputs
+  /// @satisfies FR-281
+  /// @isr{no}
+  void collect(Measurements& measurements, Outputs& outputs) const override;
+
+  /// @brief Passes set-points on; holds while a protective stop is latched.
+  /// @param setPoints set-points of the cycle
+  /// @param cycle number of the cycle
+  /// @satisfies FR-270
+  /// @isr{no}
+  void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
+
+  /// @brief Holds, and checks the robot.
+  /// @param cycle number of the cycle
+  /// @satisfies FR-270
+  /// @isr{no}
+  void stand(std::uint32_t cycle) override;
+
+  /// @brief Releases the protective stop.
+  /// @param cycle number of the cycle
+  /// @satisfies FR-291
+  /// @isr{no}
+  void recover(std::uint32_t cycle) override;
+
+ private:
+  /// @brief Checks all parts, and latches the first cause.
+  /// @param followed set-points that the robot follows; nullptr while it is held
+  /// @satisfies FR-271
+  /// @satisfies FR-272
+  /// @satisfies FR-273
+  void examine(const SetPoints* followed);
+  void latch(StopCause cause, std::uint8_t wheel);
+  [[nodiscard]] bool latched() const;
+
+  const EdgeInput& emergencyStop_;
+  std::array<WheelSupervision, kWheelCount> wheels_;
+  StopCause cause_ = StopCause::None;
+  std::uint8_t wheel_ = Protection::kNoWheel;
+};
+
+}  // namespace wr

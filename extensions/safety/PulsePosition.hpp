@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "functions/Function.hpp"
+
+namespace wr {
+
+/// @brief The position of a switch that a pulse of the remote control means.
+///
+/// @function Computes the deflection of the pulse from its middle. It has no neutral range.
+///
+/// @secret Which width of a pulse means which position of a switch.
+///
+/// @role{functions, Concrete Strategy}
+class PulsePosition final : public Function {
+ public:
+  /// @brief Begins without state.
+  PulsePosition() = default;
+
+  /// @brief Computes the deflection.
+  /// @param arguments Raw [width, us] and Offset [middle, us]; Lowest and Highest bound the width [us]
+  /// @return deflection [us]; nothing when an argument is missing or the width is out of bounds.
+  /// @isr{yes}
+  /// @satisfies FR-285
+  [[nodiscard]] std::optional<std::int32_t> calculate(const Arguments& arguments) const override;
+};
+
+}  // namespace wr

@@ -1,0 +1,26 @@
+#include "safety/RcVigilance.hpp"
+
+#include <cstdlib>
+
+namespace wr {
+
+namespace {
+
+constexpr std::int32_t kChange = 8;  // [us] more than the jitter of a receiver
+constexpr Microseconds kLongest = milliseconds(2000);
+
+}  // namespace
+
+bool RcVigilance::expired(const Deflections& deflections, bool moving, Instant now) {
+  bool changed = !moving;
+  for (std::size_t channel = 0; channel < kChannels; ++channel) {
+    changed = changed || std::abs(deflections[channel] - reference_[channel]) > kChange;
+  }
+  if (changed) {
+    reference_ = deflections;
+    changedAt_ = now;
+  }
+  return now - changedAt_ > kLongest;
+}
+
+}  // namespace wr

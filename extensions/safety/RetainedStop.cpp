@@ -1,0 +1,30 @@
+#include "safety/RetainedStop.hpp"
+
+namespace wr {
+
+namespace {
+
+// More than half of the bits differ, and neither is what erased or empty memory holds.
+constexpr std::uint32_t kStopped = 0x5AC3'3C69;
+constexpr std::uint32_t kReleased = 0xA53C'C396;
+
+}  // namespace
+
+RetainedStop::RetainedStop(Cells& cells) : cells_(cells) {}
+
+void RetainedStop::begin(ResetCause cause) {
+  if (cause == ResetCause::PowerOn) {
+    save(false);
+  }
+}
+
+bool RetainedStop::stopped() const {
+  return cells_.value != kReleased || cells_.check != ~kReleased;
+}
+
+void RetainedStop::save(bool stopped) {
+  cells_.value = stopped ? kStopped : kReleased;
+  cells_.check = ~cells_.value;
+}
+
+}  // namespace wr

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "main_control/control_systems/ControlSystem.hpp"
+#include "safety/OrderStage.hpp"
+
+namespace wr {
+
+/// @brief The last stage of an order: all control systems of the robot.
+///
+/// @function Passes each order on to every control system of the robot, so that the stages before it need not know how many there are.
+///
+/// @secret How many control systems receive an order.
+class RobotStage final : public OrderStage {
+ public:
+  /// @brief Number of control systems that have room.
+  static constexpr std::size_t kCapacity = 8;
+
+  /// @brief Begins without control systems.
+  RobotStage() = default;
+
+  /// @brief Adds a control system.
+  /// @param system control system of the robot; it lives as long as this object
+  /// @errors Beyond the capacity the program ends with the assertion PoolFull.
+  /// @satisfies FR-293
+  /// @isr{no}
+  void add(ControlSystem& system);
+
+  /// @brief Checks whether every control system of the robot has carried out the orders of a cycle.
+  /// @param cycle number of the cycle
+  /// @return true if all have.
+  /// @satisfies FR-293
+  /// @isr{no}
+  [[nodiscard]] bool completed(std::uint32_t cycle) const override;
+
+  /// @brief Adds the measurements and outputs of every control system of the robot.
+  /// @param measurements receives the measurements
+  /// @param outputs receives the outputs
+  /// @satisfies FR-293
+  /// @isr{no}
+  void collect(Measurements& measurements, Outputs& outputs) const override;
+
+  /// @brief Lets every control system follow set-points.
+  /// @param setPoints set-points of the cycle
+  /// @param cycle number of the cycle
+  /// @satisfies FR-293
+  /// @isr{no}
+  void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
+
+  /// @brief Lets every control system hold.
+  /// @param cycle number of the cycle
+  /// @satisfies FR-293
+  /// @isr{no}
+  void stand(std::uint32_t cycle) override;
+
+  /// @brief Lets every control system acknowledge.
+  /// @param cycle number of the cycle
+  /// @satisfies FR-293
+  /// @isr{no}
+  void recover(std::uint32_t cycle) override;
+
+ private:
+  [[nodiscard]] std::span<ControlSystem* const> systems() const;
+
+  std::array<ControlSystem*, kCapacity> systems_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace wr

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+
+#include "main_control/control_systems/ControlSystem.hpp"
+#include "safety/OrderStage.hpp"
+#include "units/SetPoints.hpp"
+
+namespace wr {
+
+/// @brief The robot with its safety functions as one control system.
+///
+/// @function Records the order of a cycle while it is given in parts, and passes it on to the first
+/// safety function as one call: follow set-points, hold, or acknowledge.
+///
+/// @secret How the parts of an order become one call.
+///
+/// @role{control-system-orders, Concrete Class}
+class SafeSystem final : public ControlSystem {
+ public:
+  /// @brief Binds the system to the first stage of its orders.
+  /// @param first first safety function
+  explicit SafeSystem(OrderStage& first);
+
+  /// @brief Checks whether every control system of the robot has carried out the orders of a cycle.
+  /// @param cycle number of the cycle
+  /// @return true if all have.
+  /// @satisfies FR-293
+  /// @isr{no}
+  [[nodiscard]] bool completed(std::uint32_t cycle) const override;
+
+  /// @brief Adds the measurements and outputs of the robot, and the state of its safety functions.
+  /// @param measurements receives the measurements
+  /// @param outputs receives the outputs
+  /// @satisfies FR-281
+  /// @satisfies FR-293
+  /// @isr{no}
+  void collect(Measurements& measurements, Outputs& outputs) const override;
+
+ private:
+  enum class Order : std::uint8_t { Follow, Hold, Acknowledge };
+
+  void measure() override;
+  void apply(const SetPoints& setPoints) override;
+  void halt() override;
+  void release() override;
+  /// @brief Passes the recorded order on.
+  /// @param cycle number of the cycle
+  /// @satisfies FR-293
+  void activate(std::uint32_t cycle) override;
+
+  OrderStage& first_;
+  SetPoints setPoints_{};
+  Order order_ = Order::Hold;
+};
+
+}  // namespace wr

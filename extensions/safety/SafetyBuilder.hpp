@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "construction/ControlSystemBuilder.hpp"
+#include "construction/WheelSystemBuilder.hpp"
+#include "devices/EdgeInput.hpp"
+#include "safety/Arming.hpp"
+#include "safety/LimitedAlgorithms.hpp"
+#include "safety/ProtectiveStop.hpp"
+#include "safety/RobotStage.hpp"
+#include "safety/SafeSystem.hpp"
+#include "safety/SetPointRamp.hpp"
+#include "services/Command.hpp"
+#include "units/SetPoints.hpp"
+
+namespace wr {
+
+/// @brief Builds the robot with its safety functions as one control system.
+///
+/// @function Calls each step of the builders of the robot's control systems, wraps what they built in the
+/// safety functions of the control cycle, and passes ticks on to them.
+///
+/// @secret Which safety functions wrap the robot, and in which sequence.
+///
+/// @role{wheel-system-construction, Concrete Builder}
+/// @role{steering-system-construction, Concrete Builder}
+class SafetyBuilder final : public ControlSystemBuilder {
+ public:
+  /// @brief Builders of the robot and the input of the emergency stop. Each lives as long as this builder.
+  /// @datatype
+  struct Parts {
+    std::span<WheelSystemBuilder> wheels;            ///< builders of the wheels
+    std::span<ControlSystemBuilder* const> systems;  ///< builders of all control systems
+    EdgeInput& emergencyStop;  ///< contact of the emergency-stop circuit; high: active
+  };
+
+  /// @brief Binds the builder to the builders of the robot.
+  /// @param parts builders of the robot
+  explicit SafetyBuilder(const Parts& parts);
+
+  void buildActuator() override;
+  void buildSensors() override;
+  /// @brief Builds every controller; those of the wheels get algorithms that end at the speed limit.
+  /// @satisfies FR-283
+  /// @isr{no}
+  void buildController() override;
+  /// @brief Builds every control system, and wraps all of them in the safety functions.
+  /// @satisfies FR-293
+  /// @isr{no}
+  void buildSystem() override;
+  void start() override;
+  [[nodiscard]] ControlSystem& system() override;
+  [[nodiscard]] Command& tickCommand() override;
+
+ private:
+  struct Chain {
+    Chain(OrderStage& robot, const EdgeInput& emergencyStop);
+    ProtectiveStop protectiveStop;
+    SetPointRamp ramp;
+    Arming arming;
+    SafeSystem system;
+  };
+
+  /// @brief Executes the tick command of every control system.
+  class Ticks final : public Command {
+   public:
+    /// @brief Adds a command.
+    /// @param command executed at each tick
+    void add(Command& command);
+    void execute() override;
+
+   private:
+    std::array<Command*, RobotStage::kCapacity> commands_{};
+    std::size_t count_ = 0;
+  };
+
+  Parts parts_;
+  std::array<LimitedAlgorithms, kWheelCount> algorithms_;
+  RobotStage robot_;
+  Ticks ticks_;
+  std::optional<Chain> chain_;
+};
+
+}  // namespace wr

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "safety/OrderStageDecorator.hpp"
+#include "units/SetPoints.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief Limits the acceleration of the robot.
+///
+/// @function Leads the set-points of velocity to the ordered ones by at most 0.5 m/s^2. The wheels share one
+/// factor, so that the ratio of their changes stays as ordered. Other set-points pass unchanged.
+///
+/// @secret How far a set-point of velocity changes in a cycle.
+class SetPointRamp final : public OrderStageDecorator {
+ public:
+  /// @brief Binds the ramp to the robot.
+  /// @param wrapped control system that follows the limited set-points
+  explicit SetPointRamp(OrderStage& wrapped);
+
+  /// @brief Passes set-points on, those of velocity limited.
+  /// @param setPoints set-points of the cycle
+  /// @param cycle number of the cycle
+  /// @satisfies FR-282
+  /// @isr{no}
+  void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
+
+  /// @brief Holds; the next ramp begins at 0.
+  /// @param cycle number of the cycle
+  /// @satisfies FR-282
+  /// @isr{no}
+  void stand(std::uint32_t cycle) override;
+
+  /// @brief Acknowledges; the next ramp begins at 0.
+  /// @param cycle number of the cycle
+  /// @satisfies FR-282
+  /// @isr{no}
+  void recover(std::uint32_t cycle) override;
+
+ private:
+  void followMeasured(const SetPoints& setPoints);
+  [[nodiscard]] std::int32_t greatestChange(const SetPoints& setPoints) const;
+
+  std::array<std::int32_t, kWheelCount> ramped_{};  // [0.1 rpm] set-point of each wheel
+};
+
+}  // namespace wr

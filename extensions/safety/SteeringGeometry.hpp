@@ -1,0 +1,42 @@
+#pragma once
+
+#include "main_control/operation_modes/ModeDecorator.hpp"
+#include "units/SetPoints.hpp"
+
+namespace wr {
+
+/// @brief Gives each wheel the velocity of its own circle.
+///
+/// @function Changes the set-points of a source that orders one velocity for all wheels: each wheel gets
+/// the share that its circle has of the circle of the fastest wheel, at the ordered steering angle.
+///
+/// @secret The geometry of the steering: wheelbase, track, and which wheel turns on which circle.
+///
+/// @role{mode-extensions, Concrete Decorator}
+class SteeringGeometry final : public ModeDecorator {
+ public:
+  /// @brief Binds the geometry to the mode that it extends.
+  /// @param wrapped mode whose orders have one velocity for all wheels
+  explicit SteeringGeometry(Mode& wrapped);
+
+  /// @brief Reads the order, and gives each wheel its velocity.
+  /// @param mCtrl controller whose data receive the set-points
+  /// @satisfies FR-284
+  /// @isr{no}
+  void read(MainController& mCtrl) override;
+
+  /// @brief Has no effect: the mode that wraps this one changes the mode.
+  /// @param mCtrl controller whose mode stays
+  /// @isr{no}
+  void changeMode(MainController& mCtrl) override;
+
+  /// @brief Computes the velocities of the wheels.
+  /// @param order order with one velocity for all wheels
+  /// @return the order with the velocity of each wheel; an order that is not alike for all wheels, or sets
+  /// no velocity, stays as it is.
+  /// @satisfies FR-284
+  /// @isr{no}
+  [[nodiscard]] static SetPoints distributed(const SetPoints& order);
+};
+
+}  // namespace wr

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "units/Measurements.hpp"
+#include "units/SetPoints.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief Plausibility checks of one wheel.
+///
+/// @function Compares the measurements of a wheel with its voltage, its set-point and the model of its
+/// motor once per cycle, and returns the cause of a protective stop when one of them cannot be
+/// right.
+///
+/// @secret Which measurements of a wheel are implausible, and for how long they may be.
+class WheelSupervision final {
+ public:
+  /// @brief Begins without measurements.
+  WheelSupervision() = default;
+  WheelSupervision(const WheelSupervision&) = delete;
+  WheelSupervision& operator=(const WheelSupervision&) = delete;
+
+  /// @brief Checks the measurements of a cycle.
+  /// @param measured measurements of the cycle that ends
+  /// @param applied voltage that the wheel has from now on [mV]; nothing while its driver is off
+  /// @param followed set-point that the wheel follows from now on; nullptr while it is halted
+  /// @return cause of a protective stop; StopCause::None if the wheel is plausible.
+  /// @satisfies FR-273
+  /// @satisfies FR-274
+  /// @satisfies FR-275
+  /// @satisfies FR-276
+  /// @satisfies FR-277
+  /// @satisfies FR-278
+  /// @satisfies FR-279
+  /// @isr{no}
+  [[nodiscard]] StopCause examine(const WheelMeasurements& measured, std::optional<Tension> applied,
+                                  const WheelSetPoint* followed);
+
+  /// @brief Clears everything that was recorded of earlier cycles.
+  /// @satisfies FR-291
+  /// @isr{no}
+  void reset();
+
+ private:
+  static constexpr std::size_t kReferences = 4;  // cycles of a delayed set-point
+
+  [[nodiscard]] bool opposes(Velocity velocity);
+  [[nodiscard]] bool exceedsReference(Velocity velocity) const;
+  [[nodiscard]] bool deviates(const WheelMeasurements& measured) const;
+  [[nodiscard]] bool rejectsEdges(std::uint16_t rejected);
+  void record(std::optional<Tension> applied, const WheelSetPoint* followed);
+
+  std::optional<Tension> tension_;         // voltage during the cycle that ends
+  std::optional<std::uint16_t> rejected_;  // implausible Hall edges until the cycle before
+  Velocity velocity_{};                    // of the cycle before
+  std::array<std::optional<Velocity>, kReferences> references_{};  // magnitudes of set-points
+  bool following_ = false;
+  std::uint8_t opposing_ = 0;  // cycles in a row
+  std::uint8_t tooFast_ = 0;
+  std::uint8_t deviating_ = 0;
+  std::uint8_t missing_ = 0;
+  std::uint8_t rejecting_ = 0;
+};
+
+}  // namespace wr

@@ -1,0 +1,32 @@
+// The pool of control systems of a product with safety functions.
+
+#include <array>
+
+#include "k64/core.hpp"
+#include "k64/start_up/control_systems.hpp"
+#include "k64/start_up/handlers.hpp"
+#include "k64/start_up/platform.hpp"
+#include "safety/SafetyBuilder.hpp"
+
+namespace wr::platform {
+
+namespace {
+
+SafetyBuilder safetyBuilder({.wheels = wheelBuilders,
+                             .systems = systemBuilders,
+                             .emergencyStop = emergencyStopContact});
+constexpr std::array<ControlSystemBuilder*, 1> kBuilders{&safetyBuilder};
+
+}  // namespace
+
+ControlSystemPoolBuilder poolBuilder(tickTimer, kBuilders);
+
+}  // namespace wr::platform
+
+// The handler ends when its stores have ended: see those of the devices.
+
+void tickTimerInterrupt() {
+  wr::platform::poolBuilder.timer().expired();
+  wr::platform::allowEdges();
+  wr::finishStores();
+}

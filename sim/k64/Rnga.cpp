@@ -1,0 +1,71 @@
+#include "sim/k64/Rnga.hpp"
+
+namespace wr::k64 {
+
+namespace {
+
+// Offsets from 0x40029000: K64P144M120SF5RM, RNGA memory map.
+constexpr std::uint32_t kControl = 0x0;
+constexpr std::uint32_t kStatus = 0x4;
+constexpr std::uint32_t kEntropy = 0x8;
+constexpr std::uint32_t kOutput = 0xC;
+
+constexpr std::uint32_t kGo = 1;
+constexpr std::uint32_t kWritable = 0x17;  // GO, HA, INTM, SLP; CLRI reads as 0
+constexpr std::uint32_t kUnderflow = 4;    // SR.ORU
+constexpr std::uint32_t kOneWord = 0x100;  // SR.OREG_LVL
+constexpr std::uint32_t kSize = 0x10000;   // SR.OREG_SIZE: one word
+constexpr std::uint64_t kClocksOfAWord = 256;
+
+}  // namespace
+
+void Rnga::reset(Reset /*cause*/) {
+  control_ = 0;
+  underflow_ = false;
+}
+
+bool Rnga::wordIsReady() const {
+  return (control_ & kGo) != 0 && board_.busClock().count(board_.time()) - since_ >= kClocksOfAWord;
+}
+
+std::uint32_t Rnga::read(std::uint32_t offset, unsigned size) {
+  if (!hasSize("RNG", offset, size, 4)) {
+    return 0;
+  }
+  switch (offset) {
+    case kControl:
+      return control_;
+    case kStatus:
+      return kSize | (wordIsReady() ? kOneWord : 0) | (underflow_ ? kUnderflow : 0);
+    case kEntropy:
+      return 0;
+    case kOutput:
+      if (!wordIsReady()) {
+        underflow_ = true;
+        return 0;
+      }
+      since_ = board_.busClock().count(board_.time());
+      return static_cast<std::uint32_t>(generator_());
+    default:
+      unmodelled("RNG", offset);
+      return 0;
+  }
+}
+
+void Rnga::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
+  if (!hasSize("RNG", offset, size, 4)) {
+    return;
+  }
+  if (offset == kControl) {
+    if ((value & kGo) != 0 && (control_ & kGo) == 0) {
+      since_ = board_.busClock().count(board_.time());
+    }
+    control_ = value & kWritable;
+  } else if (offset == kStatus || offset == kOutput) {
+    misuse("store to a register of the RNG that is only read");
+  } else if (offset != kEntropy) {
+    unmodelled("RNG", offset);
+  }
+}
+
+}  // namespace wr::k64

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wr {
+
+/// @brief An error in the text of a scenario. In an error of a whole text, file and line come first.
+class ScenarioError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// @brief The words of one line of a scenario, taken one after the other. A word that does not fit
+/// throws ScenarioError.
+class Words {
+ public:
+  /// @brief Splits a line; '#' begins a comment.
+  /// @param line the line
+  explicit Words(const std::string& line);
+
+  /// @brief Checks whether all words are taken.
+  [[nodiscard]] bool done() const { return next_ == words_.size(); }
+
+  /// @brief Checks whether the next word is a certain word.
+  [[nodiscard]] bool nextIs(std::string_view word) const {
+    return !done() && words_[next_] == word;
+  }
+
+  /// @brief Checks whether the next word is a whole number.
+  [[nodiscard]] bool nextIsNumber() const;
+
+  /// @brief The next word, which stays; empty when there is none.
+  [[nodiscard]] std::string next() const { return done() ? "" : words_[next_]; }
+
+  /// @brief Takes a word.
+  /// @param what name of the word in an error
+  std::string take(const std::string& what);
+
+  /// @brief Takes a certain word.
+  void skip(const std::string& word);
+
+  /// @brief Takes a certain word if it is the next one.
+  /// @return true if it was
+  bool takeIf(std::string_view word);
+
+  /// @brief Takes a time in ms, at least 0.
+  std::chrono::milliseconds time();
+
+  /// @brief Takes a number of 16 bits.
+  std::int16_t value();
+
+  /// @brief Takes a number.
+  /// @param what name of the number in an error
+  double number(const std::string& what);
+
+  /// @brief Takes the number of a wheel, 0 to 3.
+  std::size_t wheel();
+
+  /// @brief Takes a number of 32 bits, at least 0.
+  /// @param what name of the number in an error
+  std::uint32_t natural(const std::string& what);
+
+  /// @brief Takes a byte of two hexadecimal digits.
+  std::uint8_t byte();
+
+ private:
+  std::vector<std::string> words_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace wr

@@ -1,0 +1,20 @@
+// The pool of control systems of a product without safety functions.
+
+#include "k64/core.hpp"
+#include "k64/start_up/control_systems.hpp"
+#include "k64/start_up/handlers.hpp"
+#include "k64/start_up/platform.hpp"
+
+namespace wr::platform {
+
+ControlSystemPoolBuilder poolBuilder(tickTimer, systemBuilders);
+
+}  // namespace wr::platform
+
+// The handler ends when its stores have ended: see those of the devices.
+
+void tickTimerInterrupt() {
+  wr::platform::poolBuilder.timer().expired();
+  wr::platform::allowEdges();
+  wr::finishStores();
+}

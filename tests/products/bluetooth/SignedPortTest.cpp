@@ -1,0 +1,162 @@
+#include "bluetooth/SignedPort.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+#include "sim/host/HostSerialPort.hpp"
+#include "sim/scenario/PcFrames.hpp"
+#include "support/SignedLine.hpp"
+
+namespace wr::test {
+namespace {
+
+constexpr std::uint8_t kChallengeType = 0x83;
+
+SipHash::Key erased() {
+  SipHash::Key key{};
+  key.fill(0xFF);
+  return key;
+}
+
+class SignedPortTest : public testing::Test {
+ protected:
+  // The frames that the port gives now.
+  std::vector<Bytes> given(SignedPort& from) {
+    std::vector<Bytes> frames;
+    std::array<std::uint8_t, 64> bytes{};
+    Bytes frame;
+    for (std::size_t count = from.read(bytes); count > 0; count = from.read(bytes)) {
+      frame.insert(frame.end(), bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(count));
+      if (frame.back() == 0) {
+        frames.push_back(std::exchange(frame, {}));
+      }
+    }
+    return frames;
+  }
+  std::vector<Bytes> given() { return given(signedPort); }
+
+  HostSerialPort line;
+  FixedRandom random{kStartNumber};
+  SignedPort signedPort{line, kSharedKey, random};
+  SigningDevice device;
+  PcSender frames;
+};
+
+/// @brief A frame with a right tag and a new counter is given, without counter and tag.
+/// @verifies FR-262
+TEST_F(SignedPortTest, FR262_RightFrameIsGiven) {
+  const Bytes hello = frames.hello();
+  line.arrive(device.sign(hello));
+  EXPECT_EQ(given(), std::vector<Bytes>{hello});
+  const Bytes order = frames.order({.id = 3});
+  line.arrive(device.sign(order));
+  EXPECT_EQ(given(), std::vector<Bytes>{order});
+}
+
+/// @brief Each single wrong bit of a frame, of its counter or of its tag has it dropped.
+/// @verifies FR-262
+TEST_F(SignedPortTest, FR262_EachWrongBitHasTheFrameDropped) {
+  const Bytes right = device.sign(frames.order({.id = 3}));
+  for (std::size_t bit = 0; bit < 8 * (right.size() - 1); ++bit) {
+    Bytes wrong = right;
+    wrong[bit / 8] ^= static_cast<std::uint8_t>(1U << (bit % 8));
+    line.arrive(wrong);
+    EXPECT_TRUE(given().empty()) << "bit " << bit;
+    static_cast<void>(line.takeSent());
+  }
+  line.arrive(right);
+  EXPECT_EQ(given().size(), 1U);
+}
+
+/// @brief A frame that is sent again is dropped, and so is one with an older counter.
+/// @verifies FR-262
+TEST_F(SignedPortTest, FR262_ReplayedFrameIsDropped) {
+  const Bytes order = frames.order({.id = 3});
+  line.arrive(device.signWith(5, order));
+  EXPECT_EQ(given().size(), 1U);
+  line.arrive(device.signWith(5, order));
+  line.arrive(device.signWith(4, order));
+  EXPECT_TRUE(given().empty());
+  line.arrive(device.signWith(6, order));
+  EXPECT_EQ(given().size(), 1U);
+}
+
+/// @brief Frames that were recorded before a start are worth nothing after it: the number of the start is
+/// another one.
+/// @verifies FR-264
+TEST_F(SignedPortTest, FR264_FrameOfAnEarlierStartIsDropped) {
+  FixedRandom other(kStartNumber + 1);
+  SignedPort restarted(line, kSharedKey, other);
+  line.arrive(device.sign(frames.hello()));
+  EXPECT_TRUE(given(restarted).empty());
+}
+
+/// @brief A frame that the robot sent is not accepted when it comes back.
+/// @verifies FR-262
+TEST_F(SignedPortTest, FR262_OwnFrameIsNotAccepted) {
+  ASSERT_TRUE(signedPort.write(frames.hello()));
+  line.arrive(line.takeSent());
+  EXPECT_TRUE(given().empty());
+}
+
+/// @brief A frame without counter and tag is dropped and answered with a challenge: the number of the start
+/// and the last counter. A device that heard it can sign.
+/// @verifies FR-262
+TEST_F(SignedPortTest, FR262_WrongFrameIsAnsweredWithAChallenge) {
+  line.arrive(device.signWith(9, frames.hello()));
+  EXPECT_EQ(given().size(), 1U);
+  line.arrive(frames.hello());
+  EXPECT_TRUE(given().empty());
+  const std::vector<Bytes> sent = bodies(line.takeSent());
+  ASSERT_EQ(sent.size(), 1U);
+  EXPECT_EQ(sent[0].at(1), kChallengeType);
+  const Bytes payload(sent[0].begin() + 3, sent[0].begin() + 15);
+  EXPECT_EQ(payload, (Bytes{0xef, 0xcd, 0xab, 0x89, 0x67, 0x45, 0x23, 0x01, 9, 0, 0, 0}));
+}
+
+/// @brief Sent frames have counters from 1 and right tags.
+/// @verifies FR-263
+TEST_F(SignedPortTest, FR263_SentFramesAreSigned) {
+  const Bytes hello = frames.hello();
+  for (std::uint32_t counter = 1; counter <= 3; ++counter) {
+    ASSERT_TRUE(signedPort.write(hello));
+    const Bytes sent = line.takeSent();
+    EXPECT_TRUE(device.verifies(counter, sent));
+    EXPECT_EQ(Bytes(sent.begin(), sent.end() - 25), Bytes(hello.begin(), hello.end() - 1));
+  }
+}
+
+/// @brief Without a key, or without a random number, nothing is received or sent, not even a challenge.
+/// @verifies FR-265
+TEST_F(SignedPortTest, FR265_WithoutKeyNothingIsReceivedOrSent) {
+  FixedRandom broken(std::nullopt);
+  SignedPort keyless(line, erased(), random);
+  SignedPort numberless(line, kSharedKey, broken);
+  SigningDevice finder(erased(), kStartNumber);
+  for (SignedPort* port : {&keyless, &numberless}) {
+    line.arrive(finder.sign(frames.hello()));
+    line.arrive(device.sign(frames.hello()));
+    EXPECT_TRUE(given(*port).empty());
+    EXPECT_FALSE(port->write(frames.hello()));
+    EXPECT_TRUE(line.takeSent().empty());
+  }
+}
+
+/// @brief A frame that is longer than any, and what follows the counter in place of digits, is dropped; the
+/// next right frame is given.
+/// @verifies FR-262
+TEST_F(SignedPortTest, FR262_StrangeBytesAreDropped) {
+  line.arrive(Bytes(1000, 1));
+  line.arrive(Bytes{0, 0, 3, 0});
+  Bytes upperCase = device.sign(frames.hello());
+  upperCase[upperCase.size() - 2] = 'G';
+  line.arrive(upperCase);
+  EXPECT_TRUE(given().empty());
+  line.arrive(device.sign(frames.hello()));
+  EXPECT_EQ(given().size(), 1U);
+}
+
+}  // namespace
+}  // namespace wr::test

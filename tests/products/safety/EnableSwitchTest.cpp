@@ -1,0 +1,292 @@
+#include "safety/EnableSwitch.hpp"
+
+#include "main_control/ControllerFixture.hpp"
+#include "products/safety/SourceMode.hpp"
+#include "safety/EnableBuffer.hpp"
+#include "safety/PulsePosition.hpp"
+#include "sensing/instants/BasicCollector.hpp"
+#include "sensing/instants/PeriodCollector.hpp"
+#include "sensing/instants/WidthCollector.hpp"
+
+namespace wr::test {
+namespace {
+
+constexpr int kStop = 1100;
+constexpr int kPc = 1500;
+constexpr int kDrive = 1900;
+
+/// The enable switch of a remote control whose signals a test sets.
+class EnableSwitchTest : public ControllerFixture {
+ protected:
+  EnableSwitchTest() { time.advance(milliseconds(1000)); }
+
+  /// Signals of the remote control, 100 ms after the last ones.
+  void signals(int width, int velocityNow = 0, int directionNow = 0) {
+    time.advance(milliseconds(100));
+    enable.write(Microseconds(width), time.now());
+    velocity.write(Velocity(velocityNow), time.now());
+    direction.write(Angle(directionNow), time.now());
+    mode.serve();
+  }
+
+  bool acknowledges() {
+    mode.read(controller);
+    return data.setPoints()->acknowledge;
+  }
+
+  Pipe<Velocity> velocity;
+  Pipe<Angle> direction;
+  Pipe<Microseconds> enable;
+  SourceMode source;
+  EnableSwitch mode{
+      source, {.velocity = velocity, .direction = direction, .enable = enable, .timebase = time}};
+};
+
+/// @brief Without a pulse since power-on the remote control orders a stop.
+/// @verifies FR-285
+TEST_F(EnableSwitchTest, FR285_BeginsWithAStop) {
+  EXPECT_TRUE(mode.stopOrdered());
+  mode.serve();
+  EXPECT_TRUE(mode.stopOrdered());
+}
+
+/// @brief Pulses below 1250 us order a stop; those of the bands "PC" and "drive" do not.
+/// @verifies FR-285
+TEST_F(EnableSwitchTest, FR285_ShortPulsesStop) {
+  for (const int width : {1350, 1650, 1750, 2100}) {
+    signals(kPc);
+    signals(width);
+    EXPECT_FALSE(mode.stopOrdered()) << width;
+    signals(1249);
+    EXPECT_TRUE(mode.stopOrdered()) << width;
+  }
+  signals(kPc);
+  signals(1250);
+  EXPECT_FALSE(mode.stopOrdered());
+}
+
+/// @brief A pulse counts for 200 ms. Afterwards the remote control orders a stop.
+/// @verifies FR-285
+TEST_F(EnableSwitchTest, FR285_SilenceStops) {
+  signals(kDrive);
+  time.advance(milliseconds(200));
+  mode.serve();
+  EXPECT_FALSE(mode.stopOrdered());
+  time.advance(Microseconds(1));
+  mode.serve();
+  EXPECT_TRUE(mode.stopOrdered());
+}
+
+/// @brief The stop of the wrapped mode is a stop as well, and the wrapped mode is served.
+/// @verifies FR-285
+TEST_F(EnableSwitchTest, FR285_TheWrappedModeCanStop) {
+  signals(kDrive);
+  EXPECT_EQ(source.served, 1);
+  source.stop = true;
+  EXPECT_TRUE(mode.stopOrdered());
+}
+
+/// @brief Between the bands the position before stays.
+/// @verifies FR-285
+TEST_F(EnableSwitchTest, FR285_BetweenTheBandsThePositionStays) {
+  signals(1300);
+  EXPECT_TRUE(mode.stopOrdered());
+  signals(kPc);
+  signals(1349);
+  EXPECT_FALSE(mode.newMessage());
+  signals(1651);
+  EXPECT_FALSE(mode.newMessage());
+  signals(1749);
+  EXPECT_FALSE(mode.newMessage());
+  signals(1750);
+  EXPECT_TRUE(mode.newMessage());
+  signals(1651);
+  EXPECT_TRUE(mode.newMessage());
+  signals(1650);
+  EXPECT_FALSE(mode.newMessage());
+}
+
+/// @brief A stop lasts until the switch has left "stop" and the velocity stick is centred.
+/// @verifies FR-286
+TEST_F(EnableSwitchTest, FR286_TheStopLastsUntilTheStickIsCentred) {
+  signals(kStop);
+  for (int cycles = 0; cycles < 50; ++cycles) {
+    signals(kDrive, 1);
+    EXPECT_TRUE(mode.stopOrdered());
+    signals(kPc, -1);
+    EXPECT_TRUE(mode.stopOrdered());
+  }
+  signals(kDrive, 0);
+  EXPECT_FALSE(mode.stopOrdered());
+  signals(kDrive, 3000);
+  EXPECT_FALSE(mode.stopOrdered());
+}
+
+/// @brief Without pulses of the velocity stick the switch alone releases: the stick can order nothing.
+/// @verifies FR-286
+TEST_F(EnableSwitchTest, FR286_ASilentStickIsNotDeflected) {
+  signals(kStop, 3000);
+  time.advance(milliseconds(150));
+  enable.write(Microseconds(kPc), time.now());
+  mode.serve();
+  EXPECT_TRUE(mode.stopOrdered());
+  time.advance(milliseconds(51));
+  enable.write(Microseconds(kPc), time.now());
+  mode.serve();
+  EXPECT_FALSE(mode.stopOrdered());
+}
+
+/// @brief In the position "PC" the remote control has no order; in the others it has.
+/// @verifies FR-287
+TEST_F(EnableSwitchTest, FR287_NoOrdersInThePositionPc) {
+  signals(kDrive);
+  EXPECT_TRUE(mode.newMessage());
+  source.message = false;
+  EXPECT_FALSE(mode.newMessage());
+  source.message = true;
+  signals(kPc);
+  EXPECT_FALSE(mode.newMessage());
+  signals(kStop);
+  EXPECT_TRUE(mode.newMessage());
+}
+
+/// @brief The sequence stop, PC, drive acknowledges with the first three orders.
+/// @verifies FR-288
+TEST_F(EnableSwitchTest, FR288_TheSequenceOfTheSwitchAcknowledges) {
+  source.order.orderId = 9;
+  signals(kStop);
+  signals(kPc);
+  signals(kDrive);
+  for (int order = 0; order < 3; ++order) {
+    EXPECT_TRUE(acknowledges());
+    EXPECT_EQ(data.setPoints()->orderId, 9);
+  }
+  EXPECT_FALSE(acknowledges());
+}
+
+/// @brief With a deflected stick nothing is acknowledged until it is centred.
+/// @verifies FR-288
+TEST_F(EnableSwitchTest, FR288_ADeflectedStickDoesNotAcknowledge) {
+  signals(kStop);
+  signals(kPc, 100);
+  signals(kDrive, 100);
+  EXPECT_FALSE(acknowledges());
+  signals(kDrive, 0);
+  EXPECT_TRUE(acknowledges());
+}
+
+/// @brief Pulses that come back after a gap acknowledge nothing: no operator moved the switch.
+/// @verifies FR-288
+TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
+  signals(kPc);
+  signals(kDrive);
+  while (acknowledges()) {
+  }
+  time.advance(milliseconds(5000));
+  mode.serve();
+  EXPECT_TRUE(mode.stopOrdered());
+  signals(kDrive);
+  EXPECT_FALSE(acknowledges());
+  signals(kStop);  // a receiver with a preset fail-safe
+  signals(kDrive);
+  EXPECT_FALSE(acknowledges());
+  signals(kPc);
+  signals(kDrive);
+  EXPECT_FALSE(acknowledges());
+}
+
+/// @brief Moving pulses that stay within 8 us stop the robot after 2 s, and not before.
+/// @verifies FR-289
+TEST_F(EnableSwitchTest, FR289_PulsesThatDoNotChangeStop) {
+  signals(kDrive, 0);
+  for (int cycles = 0; cycles <= 20; ++cycles) {
+    signals(kDrive, cycles % 2 == 0 ? 1500 : 1548);  // 8 us
+    EXPECT_FALSE(mode.stopOrdered()) << cycles;
+  }
+  signals(kDrive, 1500);
+  EXPECT_TRUE(mode.stopOrdered());
+  for (int cycles = 0; cycles < 50; ++cycles) {
+    signals(kDrive, 1500);
+    EXPECT_TRUE(mode.stopOrdered());
+  }
+  signals(kDrive, 0);
+  EXPECT_FALSE(mode.stopOrdered());
+}
+
+/// @brief A change of more than 8 us of any channel begins the 2 s again.
+/// @verifies FR-289
+TEST_F(EnableSwitchTest, FR289_AChangeOfAnyChannelIsEnough) {
+  signals(kDrive, 0);
+  for (int cycles = 0; cycles < 200; ++cycles) {
+    const bool changed = cycles / 20 % 2 == 1;
+    switch (cycles / 60 % 3) {
+      case 0:
+        signals(kDrive, changed ? 1554 : 1500);  // 9 us
+        break;
+      case 1:
+        signals(kDrive, 1500, changed ? 60 : 0);  // 9 us
+        break;
+      default:
+        signals(changed ? kDrive + 9 : kDrive, 1500);
+        break;
+    }
+    EXPECT_FALSE(mode.stopOrdered()) << cycles;
+  }
+}
+
+/// @brief A robot that the remote control does not move needs no change of its pulses.
+/// @verifies FR-289
+TEST_F(EnableSwitchTest, FR289_ACentredStickNeedsNoChange) {
+  for (int cycles = 0; cycles < 200; ++cycles) {
+    signals(kDrive, 0);
+    EXPECT_FALSE(mode.stopOrdered());
+  }
+}
+
+/// The pulses of the enable switch.
+class EnableBufferTest : public testing::Test {
+ protected:
+  std::optional<std::int64_t> pulse(int width, int period = 20000) {
+    buffer.signal(true, time.now());
+    time.advance(Microseconds(width));
+    buffer.signal(false, time.now());
+    time.advance(Microseconds(period - width));
+    const auto newest = pipe.read();
+    const bool present = newest && time.now() - newest->at == Microseconds(period - width);
+    return present ? std::optional(newest->value.count()) : std::nullopt;
+  }
+
+  FakeTimebase time;
+  BasicCollector basic;
+  PeriodCollector periods{basic};
+  WidthCollector widths{periods};
+  PulsePosition function;
+  Pipe<Microseconds> pipe;
+  EnableBuffer buffer{widths, function, pipe};
+};
+
+/// @brief The width of each pulse is stored with its time.
+/// @verifies FR-285
+TEST_F(EnableBufferTest, FR285_TheWidthOfAPulseIsStored) {
+  pulse(1500);
+  EXPECT_EQ(pulse(1000), 1000);
+  EXPECT_EQ(pulse(1249), 1249);
+  EXPECT_EQ(pulse(1500), 1500);
+  EXPECT_EQ(pulse(1999), 1999);
+}
+
+/// @brief Pulses from 900 to 2100 us count; others, and those with another period than 15 to 30 ms, count as
+/// missing.
+/// @verifies FR-285
+TEST_F(EnableBufferTest, FR285_PulsesOutOfRangeAreMissing) {
+  pulse(1500);
+  EXPECT_TRUE(pulse(900).has_value());
+  EXPECT_TRUE(pulse(2100).has_value());
+  EXPECT_FALSE(pulse(899).has_value());
+  EXPECT_FALSE(pulse(2101).has_value());
+  pulse(1500, 14000);
+  EXPECT_FALSE(pulse(1500).has_value());
+}
+
+}  // namespace
+}  // namespace wr::test

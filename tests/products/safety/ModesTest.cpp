@@ -1,0 +1,180 @@
+#include <cmath>
+#include <numbers>
+
+#include "main_control/ControllerFixture.hpp"
+#include "products/safety/SourceMode.hpp"
+#include "safety/PersistentStop.hpp"
+#include "safety/RetainedStop.hpp"
+#include "safety/SteeringGeometry.hpp"
+
+namespace wr::test {
+namespace {
+
+SetPoints alike(std::int16_t value, int steering) {
+  SetPoints order;
+  order.steering = Angle(steering);
+  order.wheels.fill({.quantity = WheelQuantity::Velocity, .value = value});
+  return order;
+}
+
+class SteeringGeometryTest : public ControllerFixture {
+ protected:
+  SetPoints read(const SetPoints& order) {
+    source.order = order;
+    mode.read(controller);
+    return *data.setPoints();
+  }
+
+  SourceMode source;
+  SteeringGeometry mode{source};
+};
+
+/// @brief Straight on all wheels get the ordered velocity.
+/// @verifies FR-284
+TEST_F(SteeringGeometryTest, FR284_StraightOnAllWheelsAreAlike) {
+  EXPECT_EQ(read(alike(1234, 0)), alike(1234, 0));
+}
+
+/// @brief At each angle every wheel has the velocity of its circle about the common centre, within 0.5 %;
+/// no wheel is faster than ordered.
+/// @verifies FR-284
+TEST_F(SteeringGeometryTest, FR284_EachWheelTurnsOnItsCircle) {
+  constexpr double kWheelbase = 1.582;
+  constexpr double kTrack = 1.054;
+  for (int steering = -3200; steering <= 3200; steering += 50) {
+    if (steering == 0) {
+      continue;
+    }
+    const double angle = steering / 100.0 * std::numbers::pi / 180;
+    const double centre = kWheelbase / std::tan(angle);  // to the left of the rear axle
+    const SetPoints order = read(alike(-3000, steering));
+    std::array<double, 4> circles{};
+    for (std::size_t wheel = 0; wheel < 4; ++wheel) {
+      const double across = (wheel % 2 == 0 ? 1 : -1) * kTrack / 2;
+      const double along = wheel < 2 ? kWheelbase : 0;
+      circles.at(wheel) = std::hypot(centre - across, along);
+    }
+    const double greatest = *std::ranges::max_element(circles);
+    for (std::size_t wheel = 0; wheel < 4; ++wheel) {
+      const double expected = -3000 * circles.at(wheel) / greatest;
+      EXPECT_NEAR(order.wheels.at(wheel).value, expected, 15) << steering << " wheel " << wheel;
+      EXPECT_GE(order.wheels.at(wheel).value, -3000);
+    }
+    EXPECT_EQ(order.steering, Angle(steering));
+  }
+}
+
+/// @brief At 32 degrees to the left the inner rear wheel has 58 % of the outer front one: the robot turns on a
+/// circle of 2.5 m.
+/// @verifies FR-284
+TEST_F(SteeringGeometryTest, FR284_FullLock) {
+  const SetPoints order = read(alike(1000, 3200));
+  EXPECT_EQ(order.wheels[1].value, 1000);
+  EXPECT_NEAR(order.wheels[2].value, 582, 3);
+  EXPECT_EQ(read(alike(1000, 4000)).wheels[2].value, order.wheels[2].value);
+}
+
+/// @brief An order whose wheels differ, or that sets no velocity, stays as it is.
+/// @verifies FR-284
+TEST_F(SteeringGeometryTest, FR284_OtherOrdersStay) {
+  SetPoints different = alike(1000, 2000);
+  different.wheels[3].value = 999;
+  EXPECT_EQ(read(different), different);
+  SetPoints voltage = alike(1000, 2000);
+  for (WheelSetPoint& wheel : voltage.wheels) {
+    wheel.quantity = WheelQuantity::Tension;
+  }
+  EXPECT_EQ(read(voltage), voltage);
+}
+
+class PersistentStopTest : public ControllerFixture {
+ protected:
+  PersistentStopTest() { memory.begin(ResetCause::PowerOn); }
+
+  RetainedStop::Cells cells{};
+  RetainedStop memory{cells};
+  SourceMode source;
+};
+
+/// @brief The stop of the source is stored, and released with it.
+/// @verifies FR-290
+TEST_F(PersistentStopTest, FR290_TheStopIsStored) {
+  PersistentStop mode(source, memory);
+  mode.serve();
+  EXPECT_EQ(source.served, 1);
+  EXPECT_FALSE(mode.stopOrdered());
+  source.stop = true;
+  mode.serve();
+  EXPECT_TRUE(memory.stopped());
+  source.stop = false;
+  mode.serve();
+  EXPECT_FALSE(memory.stopped());
+}
+
+/// @brief A stop from before a reset lasts until a neutral order without a stop is read.
+/// @verifies FR-290
+TEST_F(PersistentStopTest, FR290_AStopOutlivesAReset) {
+  memory.save(true);
+  memory.begin(ResetCause::Watchdog);
+  PersistentStop mode(source, memory);
+  mode.serve();
+  EXPECT_TRUE(mode.stopOrdered());
+  source.order = alike(1, 0);
+  mode.read(controller);
+  EXPECT_TRUE(mode.stopOrdered());
+  source.order = alike(0, 0);
+  source.stop = true;
+  mode.read(controller);
+  source.stop = false;
+  EXPECT_TRUE(mode.stopOrdered());
+  mode.serve();
+  EXPECT_TRUE(memory.stopped());
+  mode.read(controller);
+  EXPECT_FALSE(mode.stopOrdered());
+  mode.serve();
+  EXPECT_FALSE(memory.stopped());
+}
+
+/// @brief Power-on begins without a stop, whatever the memory holds.
+/// @verifies FR-290
+TEST_F(PersistentStopTest, FR290_PowerOnBeginsWithoutAStop) {
+  cells = {.value = 0x12345678, .check = 0x9ABCDEF0};
+  memory.begin(ResetCause::PowerOn);
+  EXPECT_FALSE(memory.stopped());
+}
+
+/// @brief After every other reset a stored stop is still there, and a release too.
+/// @verifies FR-290
+TEST_F(PersistentStopTest, FR290_OtherResetsKeepTheMemory) {
+  for (const ResetCause cause :
+       {ResetCause::Unknown, ResetCause::LowVoltage, ResetCause::Pin, ResetCause::Watchdog,
+        ResetCause::ClockLost, ResetCause::Lockup, ResetCause::Software, ResetCause::Debugger}) {
+    for (const bool stopped : {false, true}) {
+      memory.save(stopped);
+      memory.begin(cause);
+      EXPECT_EQ(memory.stopped(), stopped);
+    }
+  }
+}
+
+/// @brief Each damaged bit of the memory counts as a stop; so does empty and erased memory.
+/// @verifies FR-290
+TEST_F(PersistentStopTest, FR290_DamagedMemoryIsAStop) {
+  memory.save(false);
+  const RetainedStop::Cells whole = cells;
+  for (int bit = 0; bit < 32; ++bit) {
+    cells = whole;
+    cells.value ^= 1U << bit;
+    EXPECT_TRUE(memory.stopped()) << bit;
+    cells = whole;
+    cells.check ^= 1U << bit;
+    EXPECT_TRUE(memory.stopped()) << bit;
+  }
+  for (const std::uint32_t word : {0U, 0xFFFFFFFFU}) {
+    cells = {.value = word, .check = ~word};
+    EXPECT_TRUE(memory.stopped());
+  }
+}
+
+}  // namespace
+}  // namespace wr::test

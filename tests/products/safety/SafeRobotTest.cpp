@@ -1,0 +1,238 @@
+#include "products/safety/SafeRobot.hpp"
+
+#include <vector>
+
+namespace wr::test {
+namespace {
+
+constexpr std::uint8_t kTension = 1;
+constexpr std::uint8_t kCurrent = 2;
+
+/// @brief Nothing moves at power-on with a deflected stick, however long it lasts.
+/// @verifies FR-280
+/// @verifies FR-286
+TEST_F(SafeRobot, FR280_ADeflectedStickAtPowerOnMovesNothing) {
+  enable = kDrive;
+  sticks(0.5);
+  cycles(50);
+  EXPECT_DOUBLE_EQ(fastest, 0.0);
+  EXPECT_FALSE(voltage());
+}
+
+/// @brief Orders of the PC move nothing until neutral ones armed the robot.
+/// @verifies FR-280
+TEST_F(SafeRobot, FR280_OrdersOfThePcMoveNothingUnarmed) {
+  enable = kPc;
+  cycles(2);
+  connect();
+  order(30, 1000);
+  EXPECT_EQ(report.source, 1);
+  EXPECT_TRUE(report.held() || protection().inhibit == Inhibit::NotArmed);
+  EXPECT_DOUBLE_EQ(fastest, 0.0);
+  order(5, 0);
+  EXPECT_TRUE(protection().armed);
+  order(30, 1000);
+  EXPECT_NEAR(rpm(), 100, 3);
+}
+
+/// @brief Speeds and reversals in each quantity, and stops between them, are no cause of a protective stop, and no
+/// wheel is faster than 330 rpm.
+/// @verifies FR-270
+/// @verifies FR-274
+/// @verifies FR-283
+TEST_F(SafeRobot, FR270_OrdersWithinTheLimitsAreNoCause) {
+  armByPc();
+  for (const int velocity : {1500, 3000, 0, -3000, 3000, 50, -50, 0}) {
+    order(40, velocity);
+    EXPECT_EQ(protection().cause, StopCause::None) << velocity;
+  }
+  for (const int tension : {24000, 0, -24000, 24000, 3000, 0}) {
+    order(30, tension, kTension);
+    EXPECT_EQ(protection().cause, StopCause::None) << tension;
+  }
+  for (const int current : {10000, -10000, 0}) {
+    order(30, current, kCurrent);
+    EXPECT_EQ(protection().cause, StopCause::None) << current;
+  }
+  EXPECT_LT(fastest, 330);
+  EXPECT_GT(fastest, 290);
+}
+
+/// @brief Orders of 24 V and of 10 A end at the speed limit of 300 rpm, in both directions.
+/// @verifies FR-283
+TEST_F(SafeRobot, FR283_OrdersOfVoltageAndCurrentEndAtTheSpeedLimit) {
+  armByPc();
+  for (const int sign : {1, -1}) {
+    order(50, sign * 24000, kTension);
+    EXPECT_NEAR(rpm(), sign * 300, 6);
+    order(30, 0);
+    order(50, sign * 10000, kCurrent);
+    EXPECT_NEAR(rpm(), sign * 300, 6);
+    order(40, 0);
+  }
+  EXPECT_LE(fastest, 315);
+}
+
+/// @brief An order of 6 V, which does not reach the speed limit, gets its voltage.
+/// @verifies FR-283
+TEST_F(SafeRobot, FR283_OrdersBelowTheSpeedLimitAreNotChanged) {
+  armByPc();
+  order(20, 6000, kTension);
+  for (const std::int16_t tension : report.tension) {
+    EXPECT_EQ(tension, 6000);
+  }
+}
+
+/// @brief From rest to 300 rpm the robot accelerates by at most 0.6 m/s^2, measured over 0.5 s.
+/// @verifies FR-282
+TEST_F(SafeRobot, FR282_TheRobotAcceleratesGently) {
+  armByPc();
+  std::vector<double> speeds;
+  for (int number = 0; number < 40; ++number) {
+    order(1, 3000);
+    speeds.push_back(line.robot().groundSpeed());
+  }
+  for (std::size_t i = 5; i < speeds.size(); ++i) {
+    EXPECT_LE((speeds[i] - speeds[i - 5]) / 0.5, 0.6) << i;
+  }
+  EXPECT_GT(speeds.back(), 0.8);
+}
+
+/// @brief The emergency stop brakes all wheels in the next cycle. After it is released the robot stays at rest until
+/// the remote control acknowledges.
+/// @verifies FR-271
+/// @verifies FR-288
+/// @verifies FR-291
+TEST_F(SafeRobot, FR271_TheEmergencyStopHoldsUntilItIsAcknowledged) {
+  armByRc();
+  sticks(0.5);
+  cycles(20);
+  EXPECT_GT(rpm(), 100);
+  line.world.robot.pins().emergencyStop.drive(true);
+  cycle();
+  EXPECT_EQ(protection().cause, StopCause::EmergencyStop);
+  cycles(15);
+  EXPECT_FALSE(voltage());
+  EXPECT_NEAR(rpm(), 0, 1);
+  line.world.robot.pins().emergencyStop.drive(false);
+  sticks(0);
+  cycles(30);
+  sticks(0.5);
+  cycles(10);
+  EXPECT_EQ(protection().cause, StopCause::EmergencyStop);
+  EXPECT_NEAR(rpm(), 0, 1);
+  sticks(0);
+  for (const int position : {kStop, kPc, kDrive}) {
+    enable = position;
+    cycles(4);
+  }
+  cycles(8);
+  EXPECT_EQ(protection().cause, StopCause::None);
+  EXPECT_TRUE(protection().armed);
+  sticks(0.5);
+  cycles(20);
+  EXPECT_GT(rpm(), 100);
+}
+
+/// @brief A fault of the steering brakes all wheels, also when the fault is gone afterwards.
+/// @verifies FR-272
+TEST_F(SafeRobot, FR272_AFaultOfTheSteeringStopsTheRobot) {
+  armByPc();
+  order(20, 1500);
+  line.robot().setFault(sim::Fault::Angle, 0, true);
+  order(10, 1500);
+  EXPECT_EQ(protection().cause, StopCause::SteeringFault);
+  line.robot().setFault(sim::Fault::Angle, 0, false);
+  order(20, 1500);
+  EXPECT_NEAR(rpm(), 0, 1);
+  EXPECT_FALSE(voltage());
+}
+
+/// @brief Dead Hall sensors of one wheel stop the whole robot, before it drives 1.5 m without their signals.
+/// @verifies FR-273
+/// @verifies FR-277
+TEST_F(SafeRobot, FR277_DeadHallSensorsStopTheRobot) {
+  armByPc();
+  order(20, 1500);
+  const double before = line.robot().distance();
+  line.robot().setFault(sim::Fault::Hall, 1, true);
+  order(30, 1500);
+  EXPECT_NE(protection().cause, StopCause::None);
+  EXPECT_EQ(protection().wheel, 1);
+  EXPECT_LT(line.robot().distance() - before, 1.5);
+  EXPECT_NEAR(rpm(), 0, 1);
+}
+
+/// @brief A broken current sensor stops the whole robot.
+/// @verifies FR-278
+TEST_F(SafeRobot, FR278_ABrokenCurrentSensorStopsTheRobot) {
+  armByPc();
+  order(20, 1500);
+  line.robot().setFault(sim::Fault::Current, 2, true);
+  order(20, 1500);
+  EXPECT_EQ(protection().inhibit, Inhibit::ProtectiveStop);
+  EXPECT_EQ(protection().wheel, 2);
+  EXPECT_NEAR(rpm(), 0, 1);
+}
+
+/// @brief The enable switch stops the robot in the next cycle but one while the PC drives, and the stop lasts while the
+/// PC goes on to order.
+/// @verifies FR-285
+/// @verifies FR-286
+TEST_F(SafeRobot, FR285_TheRemoteControlStopsARobotThatThePcDrives) {
+  armByPc();
+  order(20, 2000);
+  EXPECT_EQ(report.source, 1);
+  enable = kStop;
+  order(2, 2000);
+  EXPECT_TRUE(report.stop());
+  EXPECT_TRUE(report.held());
+  order(20, 2000);
+  EXPECT_TRUE(report.stop());
+  EXPECT_NEAR(rpm(), 0, 1);
+  enable = kPc;
+  order(20, 2000);
+  EXPECT_FALSE(report.stop());
+  EXPECT_NEAR(rpm(), 0, 1);
+  order(6, 0);
+  order(20, 1000);
+  EXPECT_NEAR(rpm(), 100, 5);
+}
+
+/// @brief Without pulses of the enable switch the robot stops while the PC drives.
+/// @verifies FR-285
+TEST_F(SafeRobot, FR285_ASilentEnableSwitchStops) {
+  armByPc();
+  order(20, 2000);
+  enable.reset();
+  order(4, 2000);
+  EXPECT_TRUE(report.stop());
+  order(20, 2000);
+  EXPECT_NEAR(rpm(), 0, 1);
+}
+
+/// @brief Pulses that no longer change stop a driving robot.
+/// @verifies FR-289
+TEST_F(SafeRobot, FR289_HeldPulsesStopTheRobot) {
+  armByRc();
+  sticks(0.4);
+  cycles(15);
+  EXPECT_GT(rpm(), 80);
+  cycles(25);
+  EXPECT_NEAR(rpm(), 0, 1);
+  EXPECT_FALSE(voltage());
+}
+
+/// @brief In a curve the remote control gives each wheel its velocity.
+/// @verifies FR-284
+TEST_F(SafeRobot, FR284_TheWheelsOfACurveDiffer) {
+  armByRc();
+  sticks(0.3, 1.0);
+  cycles(10);
+  const auto& wheels = line.world.robot.controller().getData().setPoints()->wheels;
+  EXPECT_NEAR(wheels[1].value, 900, 12);
+  EXPECT_NEAR(wheels[2].value, 0.582 * wheels[1].value, 5);
+}
+
+}  // namespace
+}  // namespace wr::test

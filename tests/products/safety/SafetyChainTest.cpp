@@ -1,0 +1,367 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "main_control/SpySystem.hpp"
+#include "safety/Arming.hpp"
+#include "safety/ProtectiveStop.hpp"
+#include "safety/RobotStage.hpp"
+#include "safety/SafeSystem.hpp"
+#include "safety/SetPointRamp.hpp"
+#include "sensing/FakeEdgeInput.hpp"
+
+namespace wr::test {
+namespace {
+
+const std::vector<std::string> kAcknowledged{"measure", "release", "halt", "activate"};
+
+/// One control system that records its orders, behind a decorator.
+class SafetyChain : public testing::Test {
+ protected:
+  SafetyChain() {
+    robot.add(spy);
+    for (WheelMeasurements& wheel : spy.measured.wheels) {
+      wheel.velocity = Velocity();
+      wheel.current = Current();
+    }
+  }
+
+  static SetPoints alike(std::int16_t value, WheelQuantity quantity = WheelQuantity::Velocity) {
+    SetPoints setPoints;
+    setPoints.wheels.fill({.quantity = quantity, .value = value});
+    return setPoints;
+  }
+
+  void order(OrderStage& system, const SetPoints& setPoints) {
+    spy.calls.clear();
+    system.follow(setPoints, ++number);
+  }
+
+  void hold(OrderStage& system) {
+    spy.calls.clear();
+    system.stand(++number);
+  }
+
+  void acknowledge(OrderStage& system) {
+    spy.calls.clear();
+    system.recover(++number);
+  }
+
+  static Protection protection(const OrderStage& system) {
+    Measurements measurements;
+    Outputs outputs;
+    system.collect(measurements, outputs);
+    return measurements.protection;
+  }
+
+  std::uint32_t number = 0;
+  SpySystem spy;
+  RobotStage robot;
+};
+
+class RobotOfPool : public SafetyChain {
+ protected:
+  RobotOfPool() { robot.add(second); }
+
+  SpySystem second;
+};
+
+/// @brief The robot as one control system passes each order on to every control system, with the number of
+/// the cycle, and is complete when all are.
+/// @verifies FR-293
+TEST_F(RobotOfPool, FR293_EachOrderReachesEveryControlSystem) {
+  order(robot, alike(123));
+  EXPECT_EQ(spy.calls, kControlled);
+  EXPECT_EQ(second.calls, kControlled);
+  EXPECT_EQ(second.applied, alike(123));
+  EXPECT_EQ(second.cycle, number);
+  EXPECT_TRUE(robot.completed(number));
+  second.completes = false;
+  EXPECT_FALSE(robot.completed(number));
+  second.calls.clear();
+  hold(robot);
+  EXPECT_EQ(second.calls, kHeld);
+  second.calls.clear();
+  acknowledge(robot);
+  EXPECT_EQ(second.calls, kAcknowledged);
+}
+
+/// @brief The robot with safety functions is one control system: each of its orders reaches the first stage.
+/// @verifies FR-293
+TEST_F(RobotOfPool, FR293_TheRobotIsOneControlSystem) {
+  SafeSystem whole(robot);
+  whole.control(alike(7), 1);
+  EXPECT_EQ(second.calls, kControlled);
+  EXPECT_EQ(second.applied, alike(7));
+  EXPECT_TRUE(whole.completed(1));
+  second.calls.clear();
+  whole.hold(2);
+  EXPECT_EQ(second.calls, kHeld);
+  second.calls.clear();
+  whole.acknowledge(3);
+  EXPECT_EQ(second.calls, kAcknowledged);
+  spy.measured.steering = Angle(55);
+  Measurements measurements;
+  Outputs outputs;
+  whole.collect(measurements, outputs);
+  EXPECT_EQ(measurements.steering, Angle(55));
+}
+
+class ProtectiveStopTest : public SafetyChain {
+ protected:
+  FakeEdgeInput contact;
+  ProtectiveStop stop{robot, contact};
+
+  ProtectiveStopTest() { contact.set(false); }
+
+  /// Checks that the robot is held in this cycle and in all that follow, whatever is ordered.
+  void expectLatched(StopCause cause, std::uint8_t wheel) {
+    for (int cycles = 0; cycles < 20; ++cycles) {
+      order(stop, alike(100));
+      EXPECT_EQ(spy.calls, kHeld);
+      EXPECT_EQ(protection(stop).inhibit, Inhibit::ProtectiveStop);
+      EXPECT_EQ(protection(stop).cause, cause);
+      EXPECT_EQ(protection(stop).wheel, wheel);
+    }
+  }
+};
+
+/// @brief Without a fault set-points pass, and the report names no cause.
+/// @verifies FR-270
+/// @verifies FR-281
+TEST_F(ProtectiveStopTest, FR270_SetPointsPassWithoutAFault) {
+  for (int cycles = 0; cycles < 20; ++cycles) {
+    order(stop, alike(0));
+    EXPECT_EQ(spy.calls, kControlled);
+  }
+  EXPECT_EQ(protection(stop), Protection{});
+}
+
+/// @brief A fault of one wheel holds all control systems in the same cycle, and in every later one, also
+/// after the fault is gone and after a hold.
+/// @verifies FR-270
+/// @verifies FR-281
+TEST_F(ProtectiveStopTest, FR270_AFaultHoldsInItsCycleAndAfterwards) {
+  order(stop, alike(100));
+  spy.measured.wheels[2].cutOff = true;
+  order(stop, alike(100));
+  EXPECT_EQ(spy.calls, (std::vector<std::string>{"measure", "apply", "activate", "measure", "halt",
+                                                 "activate"}));
+  expectLatched(StopCause::Overcurrent, 2);
+  spy.measured.wheels[2].cutOff = false;
+  hold(stop);
+  expectLatched(StopCause::Overcurrent, 2);
+}
+
+/// @brief The contact of the emergency-stop circuit is a cause while it is open, also of a held robot.
+/// @verifies FR-271
+TEST_F(ProtectiveStopTest, FR271_TheEmergencyStopIsACause) {
+  contact.set(true);
+  hold(stop);
+  contact.set(false);
+  expectLatched(StopCause::EmergencyStop, Protection::kNoWheel);
+}
+
+/// @brief An acknowledgement does not release the protective stop while the contact is open.
+/// @verifies FR-271
+/// @verifies FR-291
+TEST_F(ProtectiveStopTest, FR271_AnOpenContactCannotBeAcknowledged) {
+  contact.set(true);
+  hold(stop);
+  acknowledge(stop);
+  EXPECT_EQ(spy.calls, kAcknowledged);
+  expectLatched(StopCause::EmergencyStop, Protection::kNoWheel);
+  contact.set(false);
+  acknowledge(stop);
+  order(stop, alike(0));
+  EXPECT_EQ(spy.calls, kControlled);
+}
+
+/// @brief A fault of the steering is a cause.
+/// @verifies FR-272
+TEST_F(ProtectiveStopTest, FR272_AFaultOfTheSteeringIsACause) {
+  order(stop, alike(0));
+  spy.measured.steeringState = SteeringState::Fault;
+  order(stop, alike(0));
+  spy.measured.steeringState = SteeringState::Holding;
+  expectLatched(StopCause::SteeringFault, Protection::kNoWheel);
+}
+
+/// @brief Only an acknowledgement releases a protective stop; it reaches the control systems. A fault that
+/// lasts begins the next one.
+/// @verifies FR-291
+TEST_F(ProtectiveStopTest, FR291_AnAcknowledgementReleases) {
+  spy.measured.wheels[1].blind = true;
+  order(stop, alike(0));
+  acknowledge(stop);
+  EXPECT_EQ(spy.calls, kAcknowledged);
+  EXPECT_EQ(protection(stop), Protection{});
+  order(stop, alike(0));
+  expectLatched(StopCause::NoMotion, 1);
+  spy.measured.wheels[1].blind = false;
+  acknowledge(stop);
+  order(stop, alike(50));
+  EXPECT_EQ(spy.calls, kControlled);
+  EXPECT_EQ(protection(stop), Protection{});
+}
+
+class ArmingTest : public SafetyChain {
+ protected:
+  Arming arming{robot};
+
+  void neutral(int cycles) {
+    for (int i = 0; i < cycles; ++i) {
+      order(arming, alike(0));
+      EXPECT_EQ(spy.calls, kHeld);
+    }
+  }
+};
+
+/// @brief Orders that are not neutral move nothing after start.
+/// @verifies FR-280
+TEST_F(ArmingTest, FR280_NothingMovesUnarmed) {
+  for (int cycles = 0; cycles < 50; ++cycles) {
+    order(arming, alike(1));
+    EXPECT_EQ(spy.calls, kHeld);
+    EXPECT_FALSE(protection(arming).armed);
+    EXPECT_EQ(protection(arming).inhibit, Inhibit::NotArmed);
+  }
+}
+
+/// @brief Orders pass after five cycles of 100 ms with neutral ones, and not after four.
+/// @verifies FR-280
+/// @verifies FR-281
+TEST_F(ArmingTest, FR280_NeutralOrdersOfHalfASecondArm) {
+  neutral(4);
+  order(arming, alike(1));
+  EXPECT_EQ(spy.calls, kHeld);
+  neutral(5);
+  EXPECT_TRUE(protection(arming).armed);
+  EXPECT_EQ(protection(arming).inhibit, Inhibit::None);
+  order(arming, alike(1));
+  EXPECT_EQ(spy.calls, kControlled);
+}
+
+/// @brief One wheel that is not at 0 is not neutral, in any quantity.
+/// @verifies FR-280
+TEST_F(ArmingTest, FR280_EveryWheelHasToBeNeutral) {
+  for (const WheelQuantity quantity :
+       {WheelQuantity::Velocity, WheelQuantity::Tension, WheelQuantity::Current}) {
+    neutral(4);
+    SetPoints one = alike(0);
+    one.wheels[3] = {.quantity = quantity, .value = -1};
+    order(arming, one);
+    EXPECT_EQ(spy.calls, kHeld);
+    EXPECT_FALSE(protection(arming).armed);
+  }
+}
+
+/// @brief A hold and an acknowledgement end the permission.
+/// @verifies FR-280
+TEST_F(ArmingTest, FR280_AHoldAndAnAcknowledgementDisarm) {
+  neutral(5);
+  hold(arming);
+  EXPECT_EQ(spy.calls, kHeld);
+  order(arming, alike(1));
+  EXPECT_EQ(spy.calls, kHeld);
+  neutral(5);
+  acknowledge(arming);
+  EXPECT_EQ(spy.calls, kAcknowledged);
+  order(arming, alike(1));
+  EXPECT_EQ(spy.calls, kHeld);
+}
+
+/// @brief While a protective stop is latched the robot is not armed, and the report keeps the cause.
+/// @verifies FR-281
+TEST_F(ArmingTest, FR281_AProtectiveStopIsReportedFirst) {
+  FakeEdgeInput contact;
+  contact.set(true);
+  ProtectiveStop stop(robot, contact);
+  Arming outer(stop);
+  for (int cycles = 0; cycles < 10; ++cycles) {
+    order(outer, alike(0));
+    EXPECT_EQ(protection(outer).inhibit, Inhibit::ProtectiveStop);
+    EXPECT_FALSE(protection(outer).armed);
+  }
+}
+
+class SetPointRampTest : public SafetyChain {
+ protected:
+  SetPointRamp ramp{robot};
+
+  int first() const { return spy.applied.wheels[0].value; }
+};
+
+/// @brief From 0 to 300 rpm, which are 0.85 m/s, the set-point takes at least 1.7 s, then it is the ordered
+/// one; the way back is as slow.
+/// @verifies FR-282
+TEST_F(SetPointRampTest, FR282_AccelerationIsAtMostHalfAMetrePerSecondSquared) {
+  constexpr double kMetresPerSecond = 0.85 / 3000;
+  int before = 0;
+  int cycles = 0;
+  for (const int target : {3000, -3000, 0}) {
+    do {
+      order(ramp, alike(static_cast<std::int16_t>(target)));
+      const double change = std::abs(first() - before) * kMetresPerSecond;
+      EXPECT_LE(change, 0.5 * 0.1);
+      before = first();
+      ++cycles;
+    } while (first() != target && cycles < 1000);
+  }
+  EXPECT_EQ(cycles, 18 + 35 + 18);
+}
+
+/// @brief A change of up to 17.6 rpm passes in one cycle; one of 17.7 rpm does not.
+/// @verifies FR-282
+TEST_F(SetPointRampTest, FR282_SmallChangesPass) {
+  order(ramp, alike(176));
+  EXPECT_EQ(first(), 176);
+  order(ramp, alike(353));
+  EXPECT_EQ(first(), 352);
+}
+
+/// @brief The wheels keep the ratio of their changes.
+/// @verifies FR-282
+TEST_F(SetPointRampTest, FR282_OneFactorForAllWheels) {
+  SetPoints curve = alike(1000);
+  curve.wheels[0].value = 500;
+  curve.wheels[2].value = -250;
+  order(ramp, curve);
+  EXPECT_EQ(spy.applied.wheels[1].value, 176);
+  EXPECT_EQ(spy.applied.wheels[0].value, 88);
+  EXPECT_EQ(spy.applied.wheels[2].value, -44);
+}
+
+/// @brief Set-points of voltage and current pass unchanged; velocity then begins at the measured one.
+/// @verifies FR-282
+TEST_F(SetPointRampTest, FR282_OtherQuantitiesPass) {
+  order(ramp, alike(24000, WheelQuantity::Tension));
+  EXPECT_EQ(first(), 24000);
+  order(ramp, alike(-10000, WheelQuantity::Current));
+  EXPECT_EQ(first(), -10000);
+  for (WheelMeasurements& wheel : spy.measured.wheels) {
+    wheel.velocity = Velocity(900);
+  }
+  order(ramp, alike(-10000, WheelQuantity::Current));
+  order(ramp, alike(2000));
+  EXPECT_EQ(first(), 900 + 176);
+}
+
+/// @brief After a hold and after an acknowledgement the ramp begins at 0.
+/// @verifies FR-282
+TEST_F(SetPointRampTest, FR282_AHoldBeginsAtZero) {
+  for (int cycles = 0; cycles < 10; ++cycles) {
+    order(ramp, alike(1500));
+  }
+  hold(ramp);
+  EXPECT_EQ(spy.calls, kHeld);
+  order(ramp, alike(1500));
+  EXPECT_EQ(first(), 176);
+  acknowledge(ramp);
+  EXPECT_EQ(spy.calls, kAcknowledged);
+  order(ramp, alike(1500));
+  EXPECT_EQ(first(), 176);
+}
+
+}  // namespace
+}  // namespace wr::test

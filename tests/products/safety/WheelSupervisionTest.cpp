@@ -1,0 +1,236 @@
+#include "safety/WheelSupervision.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace wr::test {
+namespace {
+
+/// A wheel whose measurements a test chooses. By default voltage, velocity and current match: at
+/// 150 rpm the motor of 52.36 mV per rpm needs 7.854 V, and 1.5 V more for 1 A through 1.5 Ohm.
+class SupervisedWheel : public testing::Test {
+ protected:
+  static WheelMeasurements measured(double rpm, double amperes) {
+    WheelMeasurements values;
+    values.velocity = Velocity(static_cast<std::int32_t>(std::lround(rpm * 10)));
+    values.current = Current(static_cast<std::int32_t>(std::lround(amperes * 1000)));
+    return values;
+  }
+
+  static WheelSetPoint velocity(double rpm) {
+    return {.quantity = WheelQuantity::Velocity, .value = static_cast<std::int16_t>(rpm * 10)};
+  }
+
+  /// A cycle with a voltage and a set-point that hold until the next one.
+  StopCause cycle(const WheelMeasurements& values, double volts, double setPoint) {
+    const WheelSetPoint followed = velocity(setPoint);
+    return wheel.examine(values, Tension(static_cast<std::int32_t>(volts * 1000)), &followed);
+  }
+
+  /// The same cycle several times; returns the first cycle with a cause, 0 for none.
+  int firstCause(int cycles, const WheelMeasurements& values, double volts, double setPoint) {
+    for (int number = 1; number <= cycles; ++number) {
+      cause = cycle(values, volts, setPoint);
+      if (cause != StopCause::None) {
+        return number;
+      }
+    }
+    return 0;
+  }
+
+  /// A halted wheel that has its voltage from a cycle before.
+  StopCause halted(const WheelMeasurements& values, double volts = 0) {
+    return wheel.examine(values, Tension(static_cast<std::int32_t>(volts * 1000)), nullptr);
+  }
+
+  WheelSupervision wheel;
+  StopCause cause = StopCause::None;
+};
+
+/// @brief A wheel at 150 rpm whose voltage, velocity and current match is plausible.
+/// @verifies FR-277
+TEST_F(SupervisedWheel, FR277_MatchingMeasurementsArePlausible) {
+  EXPECT_EQ(firstCause(100, measured(150, 1), 9.354, 150), 0);
+}
+
+/// @brief The overcurrent trip, and missing motion, are causes at once, also of a halted wheel.
+/// @verifies FR-273
+TEST_F(SupervisedWheel, FR273_FaultsOfTheWheelAreCauses) {
+  WheelMeasurements tripped = measured(0, 0);
+  tripped.cutOff = true;
+  EXPECT_EQ(halted(tripped), StopCause::Overcurrent);
+  WheelMeasurements still = measured(0, 0);
+  still.blind = true;
+  EXPECT_EQ(halted(still), StopCause::NoMotion);
+  EXPECT_EQ(halted(measured(0, 0)), StopCause::None);
+}
+
+/// @brief 330.0 rpm is permitted, 330.1 rpm is a cause in its cycle, in both directions, also for a wheel
+/// that is halted.
+/// @verifies FR-274
+TEST_F(SupervisedWheel, FR274_MoreThan330RpmIsACause) {
+  EXPECT_EQ(halted(measured(330.0, 0)), StopCause::None);
+  EXPECT_EQ(halted(measured(330.1, 0)), StopCause::Overspeed);
+  EXPECT_EQ(halted(measured(-330.0, 0)), StopCause::None);
+  EXPECT_EQ(halted(measured(-330.1, 0)), StopCause::Overspeed);
+}
+
+/// @brief A wheel that turns against 1.1 V with 5.1 rpm is a cause in the second cycle; 1.0 V and 5.0 rpm
+/// are not enough.
+/// @verifies FR-275
+TEST_F(SupervisedWheel, FR275_TurningAgainstTheVoltageIsACause) {
+  EXPECT_EQ(cycle(measured(0, 0), 1.1, 10), StopCause::None);
+  EXPECT_EQ(cycle(measured(-5.1, 1), 1.1, 10), StopCause::None);
+  EXPECT_EQ(cycle(measured(-5.1, 1), 1.1, 10), StopCause::WrongDirection);
+  wheel.reset();
+  EXPECT_EQ(firstCause(10, measured(-5.0, 1), 1.1, 10), 0);
+  wheel.reset();
+  EXPECT_EQ(firstCause(10, measured(-5.1, 1), 1.0, 10), 0);
+  wheel.reset();
+  EXPECT_EQ(firstCause(3, measured(5.1, -1), -1.1, -10), 3);
+  EXPECT_EQ(cause, StopCause::WrongDirection);
+}
+
+/// @brief A wheel that rolls back on a slope and loses more than 1 rpm per cycle is about to turn round:
+/// it is no cause.
+/// @verifies FR-275
+TEST_F(SupervisedWheel, FR275_AWheelThatTurnsRoundIsNoCause) {
+  EXPECT_EQ(halted(measured(-34, 0), 3.0), StopCause::None);
+  for (const double rpm : {-32.9, -21.0, -12.0, -5.5, 1.0}) {
+    EXPECT_EQ(cycle(measured(rpm, 3), 3.0, 17.6), StopCause::None) << rpm;
+  }
+}
+
+/// @brief Velocities of more than 30 rpm and 20 % above the set-point are a cause in the third cycle.
+/// @verifies FR-276
+TEST_F(SupervisedWheel, FR276_FasterThanTheSetPointIsACause) {
+  const double volts = 150 * 0.05236 + 1.5;
+  for (int settling = 0; settling < 5; ++settling) {
+    EXPECT_EQ(cycle(measured(100, 1), volts, 100), StopCause::None);
+  }
+  EXPECT_EQ(firstCause(20, measured(150.0, 1), volts, 100), 0);
+  EXPECT_EQ(firstCause(20, measured(150.2, 1), volts, 100), 3);
+  EXPECT_EQ(cause, StopCause::Overspeed);
+}
+
+/// @brief A wheel that follows a falling set-point later by up to 0.4 s is no cause.
+/// @verifies FR-276
+TEST_F(SupervisedWheel, FR276_BrakingIsNoCause) {
+  std::vector<double> setPoints;
+  for (int number = 0; number < 40; ++number) {
+    setPoints.push_back(std::max(0.0, 300 - number * 17.6));
+    const double late = setPoints[static_cast<std::size_t>(std::max(0, number - 4))];
+    EXPECT_EQ(cycle(measured(late, 0), late * 0.05236, setPoints.back()), StopCause::None)
+        << number;
+  }
+}
+
+/// @brief An order of voltage has no velocity to compare with.
+/// @verifies FR-276
+TEST_F(SupervisedWheel, FR276_OrdersOfVoltageHaveNoSetPointOfVelocity) {
+  const WheelSetPoint order{.quantity = WheelQuantity::Tension, .value = 12000};
+  for (int number = 0; number < 10; ++number) {
+    EXPECT_EQ(wheel.examine(measured(210, 0.67), Tension(12000), &order), StopCause::None);
+  }
+}
+
+/// @brief With 10 V, a difference to the model of 7.0 V is permitted; one of 7.1 V is a cause in the third
+/// cycle.
+/// @verifies FR-277
+TEST_F(SupervisedWheel, FR277_ADifferenceToTheModelIsACause) {
+  const double permitted = (10.0 - 7.0) / 0.05236;
+  EXPECT_EQ(cycle(measured(permitted, 0), 10, 300), StopCause::None);
+  EXPECT_EQ(firstCause(20, measured(permitted + 0.1, 0), 10, 300), 0);
+  EXPECT_EQ(firstCause(20, measured(permitted - 2.0, 0), 10, 300), 3);
+  EXPECT_EQ(cause, StopCause::Tracking);
+}
+
+/// @brief No supply from 21 to 29 V and no resistance or motor constant within 15 % of its nominal value is
+/// a cause, for each voltage, load and direction of a wheel below 330 rpm.
+/// @verifies FR-277
+TEST_F(SupervisedWheel, FR277_TolerancesOfTheRobotAreNoCause) {
+  int points = 0;
+  for (const double supply : {21.0, 24.0, 29.0}) {
+    for (const double constant : {0.85, 1.0, 1.15}) {
+      for (const double resistance : {0.85, 1.0, 1.15}) {
+        for (double volts = -24; volts <= 24; volts += 2) {
+          for (double amperes = -14; amperes <= 14; amperes += 2) {
+            const double real = volts * supply / 24;
+            const double rpm = (real - 1.5 * resistance * amperes) / (0.05236 * constant);
+            if (std::abs(rpm) > 330 || rpm * volts < 0) {
+              continue;
+            }
+            wheel.reset();
+            const WheelSetPoint order{.quantity = WheelQuantity::Tension,
+                                      .value = static_cast<std::int16_t>(volts * 1000)};
+            for (int number = 0; number < 5; ++number) {
+              ASSERT_EQ(wheel.examine(measured(rpm, amperes),
+                                      Tension(static_cast<std::int32_t>(volts * 1000)), &order),
+                        StopCause::None)
+                  << supply << " V, " << volts << " V, " << amperes << " A, " << rpm << " rpm";
+            }
+            ++points;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(points, 1000);
+}
+
+/// @brief A wheel that is driven against the swapped leads of its motor is a cause within 0.4 s.
+/// @verifies FR-277
+TEST_F(SupervisedWheel, FR277_SwappedLeadsAreACause) {
+  // 6 V on swapped leads: the others pull the wheel forwards at 80 rpm.
+  const double rpm = 80;
+  const double amperes = (6.0 + rpm * 0.05236) / 1.5;
+  EXPECT_EQ(cycle(measured(rpm, 1), 6, 100), StopCause::None);
+  EXPECT_EQ(firstCause(3, measured(rpm, amperes), 6, 100), 3);
+  EXPECT_EQ(cause, StopCause::Tracking);
+}
+
+/// @brief A measurement that is missing in two cycles is permitted; the third one is a cause.
+/// @verifies FR-278
+TEST_F(SupervisedWheel, FR278_AMissingMeasurementIsACause) {
+  WheelMeasurements missing;
+  missing.current = Current(1000);
+  EXPECT_EQ(cycle(measured(150, 1), 9.354, 150), StopCause::None);
+  EXPECT_EQ(firstCause(2, missing, 9.354, 150), 0);
+  EXPECT_EQ(cycle(measured(150, 1), 9.354, 150), StopCause::None);
+  EXPECT_EQ(firstCause(3, missing, 9.354, 150), 3);
+  EXPECT_EQ(cause, StopCause::MissingMeasurement);
+  wheel.reset();
+  for (int number = 0; number < 10; ++number) {
+    EXPECT_EQ(halted(WheelMeasurements{}), StopCause::None);
+  }
+}
+
+/// @brief Five implausible edges in each of two cycles under voltage are a cause; four are not, and without
+/// voltage none are.
+/// @verifies FR-279
+TEST_F(SupervisedWheel, FR279_ImplausibleHallEdgesAreACause) {
+  WheelMeasurements values = measured(150, 1);
+  const auto rejected = [&](std::uint16_t count, double volts) {
+    values.rejectedEdges = static_cast<std::uint16_t>(values.rejectedEdges + count);
+    return cycle(values, volts, 150);
+  };
+  EXPECT_EQ(rejected(200, 9.354), StopCause::None);  // those before the first cycle
+  for (int number = 0; number < 5; ++number) {
+    EXPECT_EQ(rejected(4, 9.354), StopCause::None);
+  }
+  EXPECT_EQ(rejected(5, 9.354), StopCause::None);
+  EXPECT_EQ(rejected(0, 9.354), StopCause::None);
+  EXPECT_EQ(rejected(5, 9.354), StopCause::None);
+  EXPECT_EQ(rejected(5, 9.354), StopCause::HallSignals);
+  wheel.reset();
+  values = measured(0, 0);
+  for (int number = 0; number < 5; ++number) {
+    values.rejectedEdges = static_cast<std::uint16_t>(values.rejectedEdges + 50);
+    EXPECT_EQ(halted(values), StopCause::None);
+  }
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+
+#include "units/SetPoints.hpp"
+#include "units/quantities.hpp"
+#include "wheel_control/SensedWheel.hpp"
+
+namespace wr::test {
+
+/// A wheel with sensors and controller on a simulated motor. Its parameters are its own.
+class SimulatedWheel : public SensedWheel {
+ public:
+  double supply = 25.0;      // a charged battery of 24 V [V]
+  double resistance = 1.55;  // winding, leads and driver [ohm]
+  double constant = 0.485;   // [V s/rad], and [N m/A]
+  double speed = 0;          // of the shaft [rad/s]
+  bool hallWorks = true;     // the Hall sensors give edges
+
+  /// Torque of the motor at the shaft [N m], at present.
+  [[nodiscard]] double torque() const { return constant * current(); }
+
+  /// Moves the shaft, and gives the Hall edges that it passes.
+  void turn(double seconds) {
+    constexpr double kEdgesPerRadian = 60 / (2 * std::numbers::pi);
+    place_ += speed * seconds * kEdgesPerRadian;
+    const auto passed = static_cast<std::int64_t>(std::floor(place_));
+    if (hallWorks && passed != passed_) {
+      constexpr std::array<std::uint8_t, 4> kForwards{0, 1, 3, 2};
+      edges.collect(kForwards.at(static_cast<std::size_t>(passed & 3)), time.now());
+    }
+    passed_ = passed;
+  }
+
+  /// Ends a millisecond: the current is sampled.
+  void tick() {
+    time.advance(milliseconds(1));
+    samples.collect(static_cast<std::uint16_t>(
+        std::clamp(std::lround(kMiddle + current() * 4096 / 33), 0L, 4095L)));
+  }
+
+  /// Measures and controls at the end of a cycle.
+  void follow(const WheelSetPoint& setPoint) {
+    work = {};
+    work.setPoint = setPoint;
+    readVelocity.execute(work);
+    registerPosition.execute(work);
+    readCurrent.execute(work);
+    applyControl.execute(work);
+  }
+
+  /// Velocity of the shaft [0.1 rpm].
+  [[nodiscard]] double velocity() const { return speed * 300 / std::numbers::pi; }
+
+  WheelWork work;
+
+ private:
+  [[nodiscard]] double current() const {
+    const double share = pwm.dutyCycle().count() / 10000.0;
+    const double tension = (orientation.isOn() ? -share : share) * supply;
+    return enable.isOn() ? (tension - constant * speed) / resistance : 0.0;
+  }
+
+  double place_ = 0.5;  // in edges
+  std::int64_t passed_ = 0;
+};
+
+/// Four wheels that the ground couples: their tyres slip a little on one robot.
+class CoupledWheels {
+ public:
+  std::array<SimulatedWheel, kWheelCount> wheels;
+  double rolling = 2.2;  // torque against the motion, of the whole robot at the shafts [N m]
+
+  /// A control cycle in which all wheels follow one set-point.
+  void cycle(const WheelSetPoint& setPoint) {
+    for (int tick = 0; tick < 100; ++tick) {
+      for (int part = 0; part < kParts; ++part) {
+        move();
+      }
+      for (SimulatedWheel& wheel : wheels) {
+        wheel.tick();
+      }
+    }
+    for (SimulatedWheel& wheel : wheels) {
+      wheel.follow(setPoint);
+    }
+  }
+
+  /// Voltage of a wheel [mV].
+  [[nodiscard]] double tension(std::size_t wheel) const {
+    return wheels.at(wheel).work.applied.value_or(Tension()).count();
+  }
+
+  /// Mean voltage of the wheels 1 to 3 [mV].
+  [[nodiscard]] double tensionOfTheOthers() const {
+    return (tension(1) + tension(2) + tension(3)) / 3;
+  }
+
+ private:
+  static constexpr int kParts = 4;               // of a millisecond
+  static constexpr double kPart = 0.001 / kParts;  // [s]
+  static constexpr double kWheelInertia = 0.006;   // at the shaft [kg m2]
+  static constexpr double kBodyInertia = 0.13;     // of the robot without wheels, at the shafts
+  static constexpr double kGrip = 5;               // torque of a tyre by its slip [N m s/rad]
+
+  void move() {
+    double grip = 0;
+    for (SimulatedWheel& wheel : wheels) {
+      const double torque = kGrip * (wheel.speed - body_);
+      wheel.speed += (wheel.torque() - torque) / kWheelInertia * kPart;
+      grip += torque;
+      wheel.turn(kPart);
+    }
+    const double opposing = std::clamp(grip + body_ * kBodyInertia / kPart, -rolling, rolling);
+    body_ += (grip - opposing) / kBodyInertia * kPart;
+  }
+
+  double body_ = 0;  // speed of the robot, as that of the shafts [rad/s]
+};
+
+}  // namespace wr::test
