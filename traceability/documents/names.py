@@ -25,6 +25,7 @@ VIEWS = [
 ]
 VERDICTS = {
     "verified": ("ok", "verified"),
+    "partly": ("warn", "partly verified"),
     "suspect": ("warn", "suspect"),
     "failed": ("bad", "failed"),
     "stale": ("warn", "stale"),
