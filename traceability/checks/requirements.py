@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
 
+from traceability.metrics import METHODS
 from traceability.model.evidence import reasons
 from traceability.model.facts import Facts
 from traceability.model.results import RESULTS, RUNS
@@ -34,7 +35,6 @@ MORE_THAN_ONE = re.compile(
 )
 PRIORITIES = ("high", "medium", "low")
 LEVELS = ("system", "software", "driver")
-METHODS = ("test", "analysis", "measurement", "inspection")
 _VERBS = {"method": "satisfies", "test": "verifies"}
 
 

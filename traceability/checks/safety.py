@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from traceability.model.facts import Facts
 from traceability.model.safety_case import SCENARIOS
-from traceability.model.schema import Finding, Hazard, Model, SafetyGoal
+from traceability.model.schema import Assumption, Finding, Hazard, Model, Place, SafetyGoal
 
 ID = {"HZ": "hazard", "SG": "safety goal", "AU": "assumption of use"}
 PRIORITIES = ("low", "medium", "high")
@@ -39,7 +39,7 @@ def _names(model: Model, facts: Facts) -> Iterator[Finding]:
         for item in items.values():
             if not re.fullmatch(rf"{prefix}-\d+", item.id):
                 text = f"{item.id} is no id of a {ID[prefix]}"
-                yield Finding(item.place, "hazard-name", text, f"call it {prefix}- and a number")
+                yield Finding(_at(facts, item), "hazard-name", text, f"call it {prefix}- and a number")
     for hazard in case.hazards.values():
         for name, known in (
             *((name, name in case.goals) for name in hazard.goals),
@@ -53,6 +53,11 @@ def _names(model: Model, facts: Facts) -> Iterator[Finding]:
                 yield _unknown(facts, goal, name)
 
 
+def _at(facts: Facts, item: Assumption | Hazard | SafetyGoal) -> Place:
+    """The line with the id of an entry."""
+    return facts.declared.entries.line_in(item.place, item.id)
+
+
 def _unknown(facts: Facts, item: Hazard | SafetyGoal, name: str) -> Finding:
     place = facts.declared.entries.line_in(item.place, name)
     return Finding(place, "hazard-name", f"{item.id} names {name}, which is not declared", "correct the name")
@@ -64,15 +69,15 @@ def _hazards(model: Model, facts: Facts) -> Iterator[Finding]:
         if not hazard.goals and not hazard.assumptions:
             text = f"{hazard.id} has no safety goal and no assumption of use"
             mend = "name the goal that averts it, or the assumption that covers it"
-            yield Finding(hazard.place, "hazard-covered", text, mend)
+            yield Finding(_at(facts, hazard), "hazard-covered", text, mend)
         if not hazard.level:
             risk = f"{hazard.severity}, {hazard.exposure}, {hazard.avoidance}"
             text = f"the risk graph has no level for {risk} of {hazard.id}"
             mend = "write S0 to S3, E0 to E4 and C0 to C3, or complete the graph"
-            yield Finding(hazard.place, "hazard-covered", text, mend)
+            yield Finding(_at(facts, hazard), "hazard-covered", text, mend)
 
 
-def _goals(model: Model, _facts: Facts) -> Iterator[Finding]:
+def _goals(model: Model, facts: Facts) -> Iterator[Finding]:
     """Each goal has a hazard, requirements and a safe state."""
     for goal in model.safety.goals.values():
         parts = {
@@ -82,22 +87,22 @@ def _goals(model: Model, _facts: Facts) -> Iterator[Finding]:
         }
         for part, (there, mend) in parts.items():
             if not there:
-                yield Finding(goal.place, "hazard-goal", f"{goal.id} has no {part}", mend)
+                yield Finding(_at(facts, goal), "hazard-goal", f"{goal.id} has no {part}", mend)
 
 
-def _times(model: Model, _facts: Facts) -> Iterator[Finding]:
+def _times(model: Model, facts: Facts) -> Iterator[Finding]:
     """The time of a goal follows from its formula, and the firmware reacts within it."""
     for goal in model.safety.goals.values():
         if goal.computed is None:
             text = f"the formula of {goal.id} has no value: {goal.formula}"
-            yield Finding(goal.place, "hazard-time", text, "write a formula of numbers")
+            yield Finding(_at(facts, goal), "hazard-time", text, "write a formula of numbers")
         elif goal.time > goal.computed + 1e-9 or goal.time < 0.9 * goal.computed:
             text = f"{goal.id} has {goal.time:g} s, and its formula gives {goal.computed:.3g} s"
             mend = "round the value of the formula down, or correct the formula"
-            yield Finding(goal.place, "hazard-time", text, mend)
+            yield Finding(_at(facts, goal), "hazard-time", text, mend)
         if goal.reaction > goal.time:
             text = f"the firmware needs {goal.reaction:g} s for {goal.id}, which allows {goal.time:g} s"
-            yield Finding(goal.place, "hazard-time", text, "react sooner, or derive another time")
+            yield Finding(_at(facts, goal), "hazard-time", text, "react sooner, or derive another time")
 
 
 def _requirements(model: Model, _facts: Facts) -> Iterator[Finding]:
@@ -170,13 +175,13 @@ def _listed_scenarios(model: Model, facts: Facts) -> Iterator[Finding]:
                 yield Finding(place, "hazard-scenario", text, mend)
 
 
-def _assumptions(model: Model, _facts: Facts) -> Iterator[Finding]:
+def _assumptions(model: Model, facts: Facts) -> Iterator[Finding]:
     """Each assumption covers a hazard."""
     for assumption in model.safety.assumptions.values():
         if not assumption.hazards:
             text = f"{assumption.id} covers no hazard"
             mend = "name it in the assumptions of a hazard, or remove it"
-            yield Finding(assumption.place, "hazard-assumption", text, mend)
+            yield Finding(_at(facts, assumption), "hazard-assumption", text, mend)
 
 
 def _priorities(model: Model, _facts: Facts) -> Iterator[Finding]:

@@ -144,6 +144,11 @@ class Names:
         return anchor(self.links.requirement(identifier), identifier, "id")
 
     @kept
+    def safety(self, identifier: str) -> Markup:
+        """A safety goal, a hazard or an assumption of use."""
+        return anchor(self.links.safety(identifier), identifier, "id")
+
+    @kept
     def pat(self, identifier: str) -> Markup:
         return anchor(self.links.pattern(identifier), identifier, "id")
 
@@ -226,6 +231,8 @@ class Names:
             word = unescape(code) if code is not None else whole
             if word in self.model.requirements:
                 return str(self.req(word))
+            if code is None and self.links.safety(word):
+                return str(self.safety(word))
             if word in self.model.modules:
                 return str(self.mod(word))
             if word in self.links.checks:

@@ -76,6 +76,9 @@ def entries(portal: Portal) -> list[Entry]:
         add(
             "Requirements", "R", requirement.id, requirement.text, links.requirement(requirement.id)
         )
+    case = model.safety
+    for item in (*case.goals.values(), *case.hazards.values(), *case.assumptions.values()):
+        add("Safety case", "", item.id, item.title, links.safety(item.id))
     seen: set[str] = set()
     for module in model.modules.values():
         for method in module.methods:
@@ -132,6 +135,11 @@ def targets(portal: Portal) -> dict[str, dict[str, str]]:
         },
         "method": {name: str(names.meth(name)) for name in sorted(methods)},
         "requirement": {name: str(names.req(name)) for name in model.requirements},
+        "safety": {
+            name: str(names.safety(name))
+            for items in (model.safety.goals, model.safety.hazards, model.safety.assumptions)
+            for name in items
+        },
         "pattern": {name: str(names.pat(name)) for name in model.patterns},
         "check": {name: str(names.check(name)) for name in portal.checks},
         "test": {name: str(names.test(name)) for name in model.tests},
