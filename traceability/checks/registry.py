@@ -477,8 +477,8 @@ _FIXED = [
     Check(
         "req-attribute",
         "Requirements have level, product and method",
-        "Every requirement has one @level: system, software or driver; a @product: all, or names of "
-        "products that exist; and one @method of verification: test, analysis, measurement or "
+        "Every requirement has one @level: system, software or driver; a @product: all, or names "
+        "of products that exist; and one @method of verification: test, analysis, measurement or "
         "inspection. A test is named in the @verifies of a test; a measurement and an analysis "
         "have @evidence, or a test that makes them.",
         "whether the method suits the requirement; what a requirement without @partly leaves "
@@ -581,9 +581,9 @@ _FIXED = [
     Check(
         "hazard-name",
         "The safety case names what exists",
-        "Each hazard has an id HZ-n, each safety goal SG-n, each assumption of use AU-n; the goals, "
-        "assumptions and safe states that an entry of design/safety_case.toml names are declared "
-        "there.",
+        "Each hazard has an id HZ-n, each safety goal SG-n, each assumption of use AU-n; the "
+        "goals, assumptions and safe states that an entry of design/safety_case.toml names are "
+        "declared there.",
         "hazards that nobody thought of.",
         "correct the name.",
     ),

@@ -97,13 +97,17 @@ def _attributes(model: Model, _facts: Facts) -> Iterator[Finding]:
         wrong += [f"a @product {name}, which does not exist" for name in sorted(unknown)]
         for words in wrong:
             text = f"{requirement.id} has {words}"
-            yield Finding(requirement.place, "req-attribute", text, "write it below the @requirement")
+            yield Finding(
+                requirement.place, "req-attribute", text, "write it below the @requirement"
+            )
 
 
 def _has_way(requirement: Requirement) -> bool:
     if requirement.method == "test":
         return bool(requirement.verified_by)
-    return requirement.method == "inspection" or bool(requirement.evidence or requirement.verified_by)
+    return requirement.method == "inspection" or bool(
+        requirement.evidence or requirement.verified_by
+    )
 
 
 def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -121,7 +125,8 @@ def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
                 text = f"the source of {requirement.id} has no kind: {source.name}"
                 mend = f"begin it with one of: {', '.join(f'{kind}:' for kind in SOURCE_KINDS)}"
             elif source.kind in names and source.name not in names[source.kind]:
-                text = f"{requirement.id} has the source {source.kind}: {source.name}, which does not exist"
+                named = f"{source.kind}: {source.name}"
+                text = f"{requirement.id} has the source {named}, which does not exist"
                 mend = "correct the name"
             elif source.kind == "goal" and source.name not in requirement.goals:
                 text = f"{requirement.id} has the source {source.name} and no @goal {source.name}"

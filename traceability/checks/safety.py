@@ -39,7 +39,9 @@ def _names(model: Model, facts: Facts) -> Iterator[Finding]:
         for item in items.values():
             if not re.fullmatch(rf"{prefix}-\d+", item.id):
                 text = f"{item.id} is no id of a {ID[prefix]}"
-                yield Finding(_at(facts, item), "hazard-name", text, f"call it {prefix}- and a number")
+                yield Finding(
+                    _at(facts, item), "hazard-name", text, f"call it {prefix}- and a number"
+                )
     for hazard in case.hazards.values():
         for name, known in (
             *((name, name in case.goals) for name in hazard.goals),
@@ -60,7 +62,9 @@ def _at(facts: Facts, item: Assumption | Hazard | SafetyGoal) -> Place:
 
 def _unknown(facts: Facts, item: Hazard | SafetyGoal, name: str) -> Finding:
     place = facts.declared.entries.line_in(item.place, name)
-    return Finding(place, "hazard-name", f"{item.id} names {name}, which is not declared", "correct the name")
+    return Finding(
+        place, "hazard-name", f"{item.id} names {name}, which is not declared", "correct the name"
+    )
 
 
 def _hazards(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -101,8 +105,10 @@ def _times(model: Model, facts: Facts) -> Iterator[Finding]:
             mend = "round the value of the formula down, or correct the formula"
             yield Finding(_at(facts, goal), "hazard-time", text, mend)
         if goal.reaction > goal.time:
-            text = f"the firmware needs {goal.reaction:g} s for {goal.id}, which allows {goal.time:g} s"
-            yield Finding(_at(facts, goal), "hazard-time", text, "react sooner, or derive another time")
+            needed, allowed = f"{goal.reaction:g} s", f"{goal.time:g} s"
+            text = f"the firmware needs {needed} for {goal.id}, which allows {allowed}"
+            mend = "react sooner, or derive another time"
+            yield Finding(_at(facts, goal), "hazard-time", text, mend)
 
 
 def _requirements(model: Model, _facts: Facts) -> Iterator[Finding]:
@@ -157,7 +163,9 @@ def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
         elif scenario.state in ("failed", "unverified"):
             word = "failed" if scenario.state == "failed" else "did not pass"
             text = f"the scenario {scenario.name} {word} in {', '.join(scenario.tests)}"
-            yield Finding(where, check, text, "correct the firmware or the scenario, then run ./wr test")
+            yield Finding(
+                where, check, text, "correct the firmware or the scenario, then run ./wr test"
+            )
 
 
 def _listed_scenarios(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -194,8 +202,7 @@ def _priorities(model: Model, _facts: Facts) -> Iterator[Finding]:
             if name in case.goals and case.goals[name].level in case.priorities
         ]
         least = max(wanted, key=PRIORITIES.index, default="low")
-        if requirement.priority in PRIORITIES and PRIORITIES.index(
-            requirement.priority
-        ) < PRIORITIES.index(least):
-            text = f"{requirement.id} has the priority {requirement.priority}, and its goals demand {least}"
+        present = requirement.priority
+        if present in PRIORITIES and PRIORITIES.index(present) < PRIORITIES.index(least):
+            text = f"{requirement.id} has the priority {present}, and its goals demand {least}"
             yield Finding(requirement.place, "hazard-priority", text, f"write @priority {least}")

@@ -9,9 +9,7 @@ from traceability.model.schema import Method, Model, Module, Place
 
 ROOT = "@/"
 TWO_HUMPS = re.compile(r"\b[A-Z][a-z0-9]+(?:[A-Z][a-z0-9]*)+\b")
-ID_OR_CODE = re.compile(
-    r"<code>([^<]*)</code>|\b(?:FR|NFR|SG|HZ|AU)-\d+\b|" + TWO_HUMPS.pattern
-)
+ID_OR_CODE = re.compile(r"<code>([^<]*)</code>|\b(?:FR|NFR|SG|HZ|AU)-\d+\b|" + TWO_HUMPS.pattern)
 
 
 def slug(name: str) -> str:

@@ -231,8 +231,6 @@ class Names:
             word = unescape(code) if code is not None else whole
             if word in self.model.requirements:
                 return str(self.req(word))
-            if code is None and self.links.safety(word):
-                return str(self.safety(word))
             if word in self.model.modules:
                 return str(self.mod(word))
             if word in self.links.checks:
@@ -241,7 +239,7 @@ class Names:
                 return str(self.test(word))
             if code is not None and "::" in word and self.links.find_method(word.strip("()")):
                 return str(self.meth(word.strip("()")))
-            return whole
+            return str(self.safety(word)) if self.links.safety(word) else whole
 
         return Markup(ID_OR_CODE.sub(name, html))
 

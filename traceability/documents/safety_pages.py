@@ -10,6 +10,7 @@ from traceability.documents.portal import Page, Portal
 from traceability.metrics import read_products
 from traceability.model.bench import read_bench
 from traceability.model.results import RESULTS, read_json
+from traceability.model.safety_case import requirements_of, scenarios_of
 from traceability.model.schema import SafetyGoal
 from traceability.products import DEFAULT
 
@@ -58,8 +59,8 @@ def goal_page(portal: Portal, goal: SafetyGoal) -> Page:
         "safety_goal",
         case=model.safety,
         goal=goal,
-        requirements=[model.requirements[n] for n in goal.requirements if n in model.requirements],
-        scenarios=[model.safety.scenarios[n] for n in goal.scenarios if n in model.safety.scenarios],
+        requirements=requirements_of(model, goal),
+        scenarios=scenarios_of(model, goal),
     )
 
 

@@ -76,9 +76,6 @@ def entries(portal: Portal) -> list[Entry]:
         add(
             "Requirements", "R", requirement.id, requirement.text, links.requirement(requirement.id)
         )
-    case = model.safety
-    for item in (*case.goals.values(), *case.hazards.values(), *case.assumptions.values()):
-        add("Safety case", "", item.id, item.title, links.safety(item.id))
     seen: set[str] = set()
     for module in model.modules.values():
         for method in module.methods:
@@ -94,7 +91,18 @@ def entries(portal: Portal) -> list[Entry]:
     for group_ in portal.navigation.groups:
         for entry in group_.entries:
             add("Pages", entry.key, entry.title, group_.title, ROOT + entry.address)
-    return [*found, *paper_entries(model), *written_entries(portal)]
+    return [*found, *safety_entries(portal), *paper_entries(model), *written_entries(portal)]
+
+
+def safety_entries(portal: Portal) -> Iterator[Entry]:
+    """The goals, hazards and assumptions of the safety case."""
+    case = portal.model.safety
+    titles = {one.id: one.title for one in case.goals.values()}
+    titles |= {one.id: one.title for one in case.hazards.values()}
+    titles |= {one.id: one.title for one in case.assumptions.values()}
+    for name, title in titles.items():
+        address = portal.links.safety(name) or ""
+        yield "Safety case", "", name, title, address.removeprefix(ROOT)
 
 
 def paper_entries(model: Model) -> Iterator[Entry]:

@@ -21,6 +21,7 @@ from traceability.model.schema import (
     Hazard,
     Model,
     Place,
+    Requirement,
     SafeState,
     SafetyCase,
     SafetyGoal,
@@ -35,7 +36,6 @@ FILE = Path("design/safety_case.toml")
 SCENARIOS = Path("sim/scenario/safety")
 GOAL_LINE = re.compile(r"#\s*goals?:?\s+(SG-\d+(?:[\s,]+SG-\d+)*)\s*$")
 COLUMNS, ROWS = ("C0", "C1", "C2", "C3"), ("E0", "E1", "E2", "E3", "E4")
-GOAL_STATES = ("verified", "open", "failed")
 
 SAFE_STATE: Keys = {"id": str, "says": str, "safe": str, "not_safe": str}
 ASSUMPTION: Keys = {"id": str, "title": str, "text": str, "by": str, "confirm": str}
@@ -80,10 +80,11 @@ def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
     def read(name: str, keys: Keys) -> list[Entry]:
         return entries.tables(path, name, keys, own="id")
 
-    case.safe_states = {i["id"]: SafeState(**i, place=p) for i, p in read("safe_state", SAFE_STATE)}
-    case.assumptions = {i["id"]: Assumption(**i, place=p) for i, p in read("assumption", ASSUMPTION)}
-    case.goals = {i["id"]: SafetyGoal(**i, place=p) for i, p in read("goal", GOAL)}
-    case.hazards = {i["id"]: Hazard(**i, place=p) for i, p in read("hazard", HAZARD)}
+    states, assumed = read("safe_state", SAFE_STATE), read("assumption", ASSUMPTION)
+    case.safe_states = {item["id"]: SafeState(**item, place=at) for item, at in states}
+    case.assumptions = {item["id"]: Assumption(**item, place=at) for item, at in assumed}
+    case.goals = {item["id"]: SafetyGoal(**item, place=at) for item, at in read("goal", GOAL)}
+    case.hazards = {item["id"]: Hazard(**item, place=at) for item, at in read("hazard", HAZARD)}
     case.corrections = [
         Correction(i["paths"], i["why"], p, i.get("for_safety", 0))
         for i, p in entries.tables(
@@ -145,7 +146,7 @@ def words_of(texts: Iterable[str]) -> list[str]:
 
 
 def read_sources(text: str) -> list[SourceReference]:
-    """The references of a text such as "goal: SG-2; paper: Section VII". Other words have no kind."""
+    """The references of a text such as "goal: SG-2; paper: Section VII"; other words: no kind."""
     found: list[SourceReference] = []
     for part in filter(None, (one.strip() for one in text.split(";"))):
         kind, colon, name = part.partition(":")
@@ -163,9 +164,8 @@ def read_sources(text: str) -> list[SourceReference]:
 
 def read_scenarios(root: Path) -> dict[str, FaultScenario]:
     """Name -> scenario. The first comment is its title; a line "# goal SG-1" names its goals."""
-    return {
-        path.stem: _scenario(root, path) for path in files_below(root, (str(SCENARIOS),), (".scenario",))
-    }
+    paths = files_below(root, (str(SCENARIOS),), (".scenario",))
+    return {path.stem: _scenario(root, path) for path in paths}
 
 
 def _scenario(root: Path, path: Path) -> FaultScenario:
@@ -183,16 +183,20 @@ def add_safety(model: Model, facts: Facts) -> None:
     if not model.safety.goals:
         return
     model.safety.cost = read_cost(facts.root, model.safety)
-    texts: dict[str, str] = {}
+    texts = {test.place.file: "" for test in model.tests.values()}
+    texts = {file: _playing(facts.root / file) for file in texts}
     for test in model.tests.values():
-        if test.place.file not in texts:
-            text = (facts.root / test.place.file).read_text(encoding="utf-8")
-            texts[test.place.file] = text if "scenario" in text.lower() else ""
-        bodies = " ".join(texts_of_test(texts[test.place.file], test.id)) if texts[test.place.file] else ""
+        body = " ".join(texts_of_test(texts[test.place.file], test.id))
         runs = [name for result in test.results.values() for name in result.recordings]
         for scenario in model.safety.scenarios.values():
-            if plays(scenario.name, bodies, runs):
+            if plays(scenario.name, body, runs):
                 scenario.tests.append(test.id)
+
+
+def _playing(path: Path) -> str:
+    """The text of a file of tests that may play scenarios; empty of another one."""
+    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    return text if "scenario" in text.lower() else ""
 
 
 def plays(scenario: str, body: str, runs: Iterable[str]) -> bool:
@@ -210,12 +214,20 @@ def settle_safety(model: Model) -> None:
         scenario.state = scenario_state(model, scenario)
     for goal in model.safety.goals.values():
         goal.reasons = [*_reasons(model, goal)]
-        states = [model.requirements[n].state for n in goal.requirements if n in model.requirements]
-        states += [model.safety.scenarios[n].state for n in goal.scenarios if n in model.safety.scenarios]
+        states = [one.state for one in requirements_of(model, goal)]
+        states += [one.state for one in scenarios_of(model, goal)]
+        goal.state = "open" if goal.reasons else "verified"
         if "failed" in states:
             goal.state = "failed"
-        else:
-            goal.state = "open" if goal.reasons else "verified"
+
+
+def requirements_of(model: Model, goal: SafetyGoal) -> list[Requirement]:
+    return [model.requirements[name] for name in goal.requirements if name in model.requirements]
+
+
+def scenarios_of(model: Model, goal: SafetyGoal) -> list[FaultScenario]:
+    known = model.safety.scenarios
+    return [known[name] for name in goal.scenarios if name in known]
 
 
 def scenario_state(model: Model, scenario: FaultScenario) -> str:

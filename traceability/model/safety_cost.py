@@ -13,10 +13,9 @@ SAFETY = "extensions/safety"
 
 def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
     """The counts from the base to the present commit; ``None`` when git does not have the base."""
-    base, head = _git(root, "rev-parse", "--verify", f"{case.base}^{{commit}}"), _git(
-        root, "rev-parse", "--short=10", "HEAD"
-    )
-    if not case.base or not base or not head or not (root / ".git").exists():
+    base = _git(root, "rev-parse", "--verify", f"{case.base}^{{commit}}")
+    head = _git(root, "rev-parse", "--short=10", "HEAD")
+    if not (root / ".git").exists() or not case.base or not base or not head:
         return None
     before = set((_git(root, "ls-tree", "-r", "--name-only", base, "--", SRC) or "").splitlines())
     edited = _git(root, "diff", "--numstat", "--no-renames", base, "HEAD", "--", SRC) or ""
@@ -31,9 +30,8 @@ def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
             corrected.add(id(correction))
     own = sum(one.touched for one in touched if not one.corrections)
     shared = sum(one.for_safety for one in case.corrections if id(one) in corrected)
-    return SafetyCost(
-        case.base, head, [one.file for one in new], sum(one.added for one in new), touched, own + shared
-    )
+    files, lines = [one.file for one in new], sum(one.added for one in new)
+    return SafetyCost(case.base, head, files, lines, touched, own + shared)
 
 
 def numstat(text: str) -> list[TouchedFile]:
