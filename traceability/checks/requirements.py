@@ -114,7 +114,7 @@ def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
     """Each source is a reference to something that exists."""
     protocol = facts.root / "docs" / "protocol.rst"
     names = {
-        "paper": {place.id for place in facts.declared.concordance.places},
+        "paper": {place.id for place in model.paper_places},
         "goal": set(model.safety.goals),
         "protocol": set(headings(protocol)),
         "data sheet": set(model.safety.data_sheets),
