@@ -43,7 +43,7 @@ SITE = Path(__file__).resolve().parents[2] / "site"
 
 LATER = {"doc-warning", "link-doc", "link-site"}  # Sphinx and the finished site tell
 # They need results of these sources.
-DYNAMIC = {"tree-dynamic", "req-passed", "req-line", "fsm-seen"}
+DYNAMIC = {"tree-dynamic", "req-passed", "req-line", "fsm-seen", "hazard-scenario"}
 
 
 @dataclass

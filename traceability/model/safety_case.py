@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import itertools
 import operator
 import re
 from collections.abc import Callable, Iterable
@@ -163,18 +164,18 @@ def read_sources(text: str) -> list[SourceReference]:
 
 
 def read_scenarios(root: Path) -> dict[str, FaultScenario]:
-    """Name -> scenario. The first comment is its title; a line "# goal SG-1" names its goals."""
+    """Name -> scenario: the first comment is its title, "# goal SG-1" names its goals."""
     paths = files_below(root, (str(SCENARIOS),), (".scenario",))
     return {path.stem: _scenario(root, path) for path in paths}
 
 
 def _scenario(root: Path, path: Path) -> FaultScenario:
     lines = path.read_text(encoding="utf-8").splitlines()
-    comments = [line for line in lines if line.startswith("#")]
-    goals = [match[1] for line in comments if (match := GOAL_LINE.match(line))]
-    titles = [line.strip("# ") for line in comments if not GOAL_LINE.match(line)]
+    goals = [match[1] for line in lines if (match := GOAL_LINE.match(line))]
+    first = itertools.takewhile(lambda line: line.startswith("#"), lines)
+    title = " ".join(line.strip("# ") for line in first if not GOAL_LINE.match(line))
     place = Place(str(path.relative_to(root)), 1)
-    return FaultScenario(path.stem, next(iter(titles), path.stem), words_of(goals), place)
+    return FaultScenario(path.stem, title or path.stem, words_of(goals), place)
 
 
 def add_safety(model: Model, facts: Facts) -> None:
@@ -232,11 +233,12 @@ def scenarios_of(model: Model, goal: SafetyGoal) -> list[FaultScenario]:
 
 def scenario_state(model: Model, scenario: FaultScenario) -> str:
     runs = [run for name in scenario.tests for run in model.tests[name].results.values()]
+    if any(run.stale for run in runs):
+        return "stale"
     if any(run.result == "failed" for run in runs):
         return "failed"
-    if not runs or any(run.result != "passed" for run in runs):
-        return "unverified"
-    return "stale" if any(run.stale for run in runs) else "verified"
+    passed = bool(runs) and all(run.result == "passed" for run in runs)
+    return "verified" if passed else "unverified"
 
 
 def _reasons(model: Model, goal: SafetyGoal) -> Iterable[str]:

@@ -193,6 +193,12 @@ def test_a_scenario_passes_in_this_run(tmp_path: Path, result: str, says: list[s
     assert [one.text for one in findings] == says
 
 
+@pytest.mark.parametrize("result", ["passed", "failed", None])
+def test_results_of_other_sources_are_not_compared(tmp_path: Path, result: str | None) -> None:
+    write_case(tmp_path)
+    assert check(tmp_path, make_model(tmp_path, result, fresh=False)) == []
+
+
 def test_an_assumption_that_covers_no_hazard(tmp_path: Path) -> None:
     assert found(tmp_path, ('assumptions = ["AU-1"]', "assumptions = []")) == [
         ("hazard-assumption", "AU-1 covers no hazard", 'id = "AU-1"')

@@ -106,6 +106,15 @@ def test_sources_have_a_kind_and_a_name() -> None:
     ]
 
 
+def test_the_title_of_a_scenario_is_its_first_comment(tmp_path: Path) -> None:
+    write_case(tmp_path)
+    path = tmp_path / "sim/scenario/safety/lost.scenario"
+    path.write_text("# The radio\n# is lost.\n# goal SG-1\nseed 1\n\n# It is back.\nat 9 end\n")
+    assert settled(tmp_path).safety.scenarios["lost"].title == "The radio is lost."
+    path.write_text("seed 1\nat 9 end\n")
+    assert settled(tmp_path).safety.scenarios["lost"].title == "lost"
+
+
 @pytest.mark.parametrize(
     ("body", "runs", "whether"),
     [
@@ -136,6 +145,8 @@ def test_a_goal_is_verified_by_its_requirements_and_scenarios(tmp_path: Path) ->
         ("skipped", True, "unverified", "open"),
         (None, True, "unverified", "open"),
         ("passed", False, "stale", "open"),
+        ("failed", False, "stale", "open"),
+        (None, False, "stale", "open"),
     ],
 )
 def test_a_scenario_that_did_not_pass_in_this_run_leaves_its_goal_open(
