@@ -17,6 +17,7 @@ from traceability.model.safety_cost import read_cost
 from traceability.model.schema import (
     SOURCE_KINDS,
     Assumption,
+    BindingResult,
     Correction,
     FaultScenario,
     Hazard,
@@ -27,6 +28,7 @@ from traceability.model.schema import (
     SafetyCase,
     SafetyGoal,
     SourceReference,
+    Test,
 )
 from traceability.sources import files_below
 
@@ -190,7 +192,7 @@ def add_safety(model: Model, facts: Facts) -> None:
         body = " ".join(texts_of_test(texts[test.place.file], test.id))
         runs = [name for result in test.results.values() for name in result.recordings]
         for scenario in model.safety.scenarios.values():
-            if plays(scenario.name, body, runs):
+            if plays(scenario.name, test.name, body, runs):
                 scenario.tests.append(test.id)
 
 
@@ -200,10 +202,10 @@ def _playing(path: Path) -> str:
     return text if "scenario" in text.lower() else ""
 
 
-def plays(scenario: str, body: str, runs: Iterable[str]) -> bool:
+def plays(scenario: str, case: str, body: str, runs: Iterable[str]) -> bool:
     """Whether a test names a scenario in its body, or has an instance with its name."""
     named = re.search(rf'"(?:[\w/.]*/)?{re.escape(scenario)}(?:\.scenario)?"', body)
-    return named is not None or any(run.endswith(f"_{scenario}") for run in runs)
+    return named is not None or any(run.endswith(f".{case}_{scenario}") for run in runs)
 
 
 # ---- verdicts -------------------------------------------------------------------
@@ -232,13 +234,21 @@ def scenarios_of(model: Model, goal: SafetyGoal) -> list[FaultScenario]:
 
 
 def scenario_state(model: Model, scenario: FaultScenario) -> str:
-    runs = [run for name in scenario.tests for run in model.tests[name].results.values()]
-    if any(run.stale for run in runs):
+    tests = [model.tests[name] for name in scenario.tests]
+    if any(run.stale for test in tests for run in test.results.values()):
         return "stale"
-    if any(run.result == "failed" for run in runs):
+    results = [own_result(scenario, test, run) for test in tests for run in test.results.values()]
+    if "failed" in results:
         return "failed"
-    passed = bool(runs) and all(run.result == "passed" for run in runs)
+    passed = bool(results) and all(result == "passed" for result in results)
     return "verified" if passed else "unverified"
+
+
+def own_result(scenario: FaultScenario, test: Test, run: BindingResult) -> str | None:
+    """The result of the instance that plays a scenario; of the whole test where there is none."""
+    end = f".{test.name}_{scenario.name}"
+    own = [result for name, result in run.instances.items() if name.endswith(end)]
+    return next(iter(own), run.result)
 
 
 def _reasons(model: Model, goal: SafetyGoal) -> Iterable[str]:

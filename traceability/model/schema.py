@@ -288,6 +288,7 @@ class BindingResult:
     stale: bool = False
     recordings: list[str] = field(default_factory=list)  # files of recorded calls that it may have
     measured: str = ""  # what the test tells of its run, beside the result
+    instances: dict[str, str] = field(default_factory=dict)  # of a parameterised test -> result
 
 
 @dataclass

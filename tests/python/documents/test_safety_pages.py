@@ -111,7 +111,7 @@ def test_the_cost_lists_touched_files_and_corrections(portal: Portal) -> None:
         3,
     )
     body = pages(portal)["safety/cost"]
-    assert body.index("src/Mode.cpp") < body.index("extensions/safety/Stop.cpp")
+    assert body.index("src/Mode.cpp") < body.index("<code>Stop.cpp</code>")
     assert body.index("A bug.") < body.index("src/Hall.cpp")
     assert "not available" not in body
 

@@ -23,7 +23,7 @@ from traceability.model.safety_case import (
     settle_safety,
     words_of,
 )
-from traceability.model.schema import Model, SafetyCase
+from traceability.model.schema import HOST, Model, SafetyCase
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -123,10 +123,11 @@ def test_the_title_of_a_scenario_is_its_first_comment(tmp_path: Path) -> None:
         ('play("lost_wheel")', [], False),
         ("play(GetParam())", ["All_Safety.Plays_lost"], True),
         ("play(GetParam())", ["All_Safety.Plays_0"], False),
+        ("play(GetParam())", ["All_Safety.Plays_clock_lost"], False),
     ],
 )
 def test_a_test_plays_the_scenario_that_it_names(body: str, runs: list[str], whether: bool) -> None:
-    assert plays("lost", body, runs) is whether
+    assert plays("lost", "Plays", body, runs) is whether
 
 
 def test_a_goal_is_verified_by_its_requirements_and_scenarios(tmp_path: Path) -> None:
@@ -156,6 +157,19 @@ def test_a_scenario_that_did_not_pass_in_this_run_leaves_its_goal_open(
     model = settled(tmp_path, result, fresh=fresh)
     assert model.safety.scenarios["lost"].state == scenario
     assert model.safety.goals["SG-1"].state == goal
+
+
+@pytest.mark.parametrize(("own", "state"), [("passed", "verified"), ("failed", "failed")])
+def test_an_instance_of_a_test_decides_about_its_scenario(
+    tmp_path: Path, own: str, state: str
+) -> None:
+    """Others that fail do not fail this one."""
+    write_case(tmp_path)
+    model = settled(tmp_path, "failed")
+    run = model.tests["Safety.FR1_Stops"].results[HOST]
+    run.instances = {"All_Safety.FR1_Stops_lost": own, "All_Safety.FR1_Stops_found": "failed"}
+    settle_safety(model)
+    assert model.safety.scenarios["lost"].state == state
 
 
 @pytest.mark.parametrize("state", ["partly", "suspect", "stale", "unverified"])
