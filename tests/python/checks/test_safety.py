@@ -13,7 +13,7 @@ from traceability.checks import safety
 from traceability.model.declared import Declared
 from traceability.model.entries import Entries
 from traceability.model.safety_case import add_safety, settle_safety
-from traceability.model.schema import Finding, Model
+from traceability.model.schema import HOST, Finding, Model
 
 
 def check(root: Path, model: Model) -> list[Finding]:
@@ -177,6 +177,25 @@ def test_a_scenario_that_no_test_plays(tmp_path: Path) -> None:
     (tmp_path / "tests/SafetyTest.cpp").write_text("TEST(Safety, FR1_Stops) {\n}\n")
     texts = [one.text for one in check(tmp_path, make_model(tmp_path))]
     assert texts == ["no test plays the scenario lost"]
+
+
+@pytest.mark.parametrize(
+    ("played", "says"),
+    [
+        ([], []),  # it has not run: it may play each of them
+        (["Files_Safety.FR1_Stops_lost"], []),
+        (["Files_Safety.FR1_Stops_found"], ["no test plays the scenario lost"]),
+    ],
+)
+def test_a_test_of_the_whole_folder_plays_what_its_run_says(
+    tmp_path: Path, played: list[str], says: list[str]
+) -> None:
+    write_case(tmp_path)
+    text = 'auto k = "sim/scenario/safety";\nTEST_P(Safety, FR1_Stops) {\n  play(GetParam());\n}\n'
+    (tmp_path / "tests/SafetyTest.cpp").write_text(text)
+    model = make_model(tmp_path)
+    model.tests["Safety.FR1_Stops"].results[HOST].recordings = played
+    assert [one.text for one in check(tmp_path, model)] == says
 
 
 @pytest.mark.parametrize(
