@@ -12,12 +12,13 @@ from traceability.drift.record import read_record
 from traceability.image import TOTALS, sources_of_image
 from traceability.model.bench import bench_metrics, read_bench
 from traceability.model.results import read_json, read_recording_factor, read_totals
-from traceability.model.schema import HOST, Finding, Model
+from traceability.model.schema import HOST, Finding, Model, Requirement, SafetyCase
 from traceability.model.traces import nodes_of
 from traceability.products import HAS, PRODUCTS, intruders
 from traceability.products import RESULTS as HELD
 
 METRICS = Path("build/metrics.json")
+METHODS = ("test", "analysis", "measurement", "inspection")  # of verification
 
 
 def write_metrics(root: Path, model: Model, measured: dict[str, Any] | None = None) -> Path:
@@ -122,6 +123,8 @@ def metrics(model: Model) -> dict[str, Any]:
         "requirements.verified": (
             sum(item.state == "verified" for item in requirements) if fresh else None
         ),
+        **methods(requirements),
+        **safety(model.safety, fresh=fresh),
         "requirements.suspect": sum(bool(item.suspicions) for item in requirements),
         "trees.total": len(trees),
         "trees.static": sum(all(node.reachable for node in nodes) for nodes in trees),
@@ -145,6 +148,33 @@ def metrics(model: Model) -> dict[str, Any]:
         "site.dead_links": None,
         "build.cold_s": None,
         "build.edit_s": None,
+    }
+
+
+def safety(case: SafetyCase, *, fresh: bool) -> dict[str, Any]:
+    """Goals and fault scenarios, with the verdict of this run, and what the functions touched."""
+    goals, scenarios = list(case.goals.values()), list(case.scenarios.values())
+    return {
+        "safety.goals": len(goals),
+        "safety.goals_verified": (
+            sum(goal.state == "verified" for goal in goals) if fresh else None
+        ),
+        "safety.fault_scenarios": len(scenarios),
+        "safety.fault_scenarios_passed": (
+            sum(one.state == "verified" for one in scenarios) if fresh else None
+        ),
+        "safety.existing_lines_touched": case.cost.for_safety if case.cost else None,
+    }
+
+
+def methods(requirements: Iterable[Requirement]) -> dict[str, Any]:
+    """How each requirement is verified. No person independent of the authors has reviewed one."""
+    listed = list(requirements)
+    counts = Counter(item.method for item in listed)
+    return {
+        **{f"requirements.by_{name}": counts[name] for name in METHODS},
+        "requirements.partly": sum(bool(item.partly) for item in listed),
+        "requirements.reviewed_by_person": 0,
     }
 
 

@@ -281,7 +281,10 @@ class BringUp:
     def _do(self, action: str, instruction: str) -> float:
         """Asks for an action; returns the time of its begin."""
         self._operator.perform(action, instruction, self.idle)
-        return time.monotonic()
+        begin = time.monotonic()
+        if self._operator.skips():
+            raise SkipError
+        return begin
 
     def _wait(
         self, condition: Callable[[Report], bool], missing: str, advice: str = ""
@@ -438,14 +441,16 @@ class BringUp:
         if self.orders.report and "RC" in self.orders.report.stop_sources:
             raise FailError("the remote control orders stop already", "Set the switch to 'PC'.")
         begin = self._do("transmitter off", "switch the transmitter off at the moment of Enter")
-        _, seen = self._wait(
-            lambda report: "RC" in report.stop_sources,
-            "no stop followed: the receiver keeps the last pulses",
-            "Set the fail-safe of the receiver: no pulses, or the enable channel at 'stop'.",
-        )
+        try:
+            _, seen = self._wait(
+                lambda report: "RC" in report.stop_sources,
+                "no stop followed: the receiver keeps the last pulses",
+                "Set the fail-safe of the receiver: no pulses, or the enable channel at 'stop'.",
+            )
+        finally:
+            self._do("transmitter on", "switch the transmitter on, sticks centred, switch to 'PC'")
         limit = FAIL_SAFE_S + CYCLE_S + self._operator.reaction_s
         took = seen - begin
-        self._do("transmitter on", "switch the transmitter on, sticks centred, switch to 'PC'")
         self._wait(
             lambda report: "RC" not in report.stop_sources, "the remote control still orders stop"
         )

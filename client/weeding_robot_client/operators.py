@@ -52,14 +52,17 @@ class Person:
 
     def __init__(self) -> None:
         self._pending = b""
+        self._skips = False
 
     def perform(self, action: str, instruction: str, idle: Idle) -> None:
         del action
-        self._ask(f"   do: {instruction}\n   Enter when you begin: ", idle)
+        text = f"   do: {instruction}\n   Enter when you begin, s and Enter to skip: "
+        self._skips = self._ask(text, idle).lower() == SKIP
 
     def skips(self) -> bool:
         line = self._line(0.0)
-        return line is not None and line.strip().lower() == SKIP
+        skips, self._skips = self._skips, False
+        return skips or (line is not None and line.strip().lower() == SKIP)
 
     def confirm(self, question: str, idle: Idle) -> bool:
         while True:

@@ -68,6 +68,9 @@ StopCause WheelSupervision::examine(const WheelMeasurements& measured,
   if (measured.blind) {
     return StopCause::NoMotion;
   }
+  if (measured.reversalLate) {
+    return StopCause::Reversal;
+  }
   if (opposing) {
     return StopCause::WrongDirection;
   }

@@ -76,9 +76,9 @@ void runInRealTime(const wr::CommandLine& options) {
 }
 
 wr::Exit run(int count, char** arguments) {
-  const wr::CommandLine options(
-      count, arguments, {"--link", "--control", "--cycles", "--scenario", "--reports"},
-      {"--help", "--paper"});
+  const wr::CommandLine options(count, arguments,
+                                {"--link", "--control", "--cycles", "--scenario", "--reports"},
+                                {"--help", "--paper"});
   if (options.has("--help")) {
     std::fputs(kUsage, stdout);
     return wr::Exit::Done;

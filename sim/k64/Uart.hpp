@@ -13,8 +13,15 @@ namespace wr::k64 {
 /// @brief A UART with the line at its pins.
 /// K64P144M120SF5RM, chapter Universal Asynchronous Receiver/Transmitter (UART).
 ///
-/// Not modelled: parity, 9 bits, loops, wake-up, LIN break, infrared, smart cards, DMA, and the
-/// flag for an idle line.
+/// The FIFOs follow the descriptions of PFIFO, CFIFO, SFIFO, TWFIFO, TCFIFO, RWFIFO and RCFIFO:
+/// PFIFO is written only while receiver and transmitter are off; S1[RDRF] is set from RWFIFO
+/// waiting bytes on, S1[TDRE] while at most TWFIFO bytes wait; a read of S1 and then of D clears
+/// RDRF when fewer wait. A byte for which the FIFO has no place sets S1[OR]; OR and FE keep the
+/// receiver from going on until they are cleared. UART0 has FIFOs of 8 bytes, UART4 buffers of 1
+/// (chapter Chip Configuration, UART).
+///
+/// Not modelled: noise on the line (S1[NF], ED), parity, 9 bits, loops, wake-up, LIN break,
+/// infrared, smart cards, DMA, and the flag for an idle line.
 class Uart final : public Peripheral {
  public:
   /// @brief What makes a UART differ from the others: K64P144M120SF5RM, Chip Configuration, UART.

@@ -53,8 +53,8 @@ class DirSystemBuilder final : public ControlSystemBuilder {
     DigitalOutput& step;        ///< each time it is switched on the motor makes one step
     DigitalOutput& direction;   ///< on: steps go to the left
     DigitalOutput& enable;      ///< on: the motor has current
-    const EdgeInput& leftEnd;   ///< low: the left end stop is reached
-    const EdgeInput& rightEnd;  ///< low: the right end stop is reached
+    const EdgeInput& leftEnd;   ///< high: the left end stop is reached
+    const EdgeInput& rightEnd;  ///< high: the right end stop is reached
     AnalogInput& angle;         ///< position of the steering
     const Timebase& timebase;   ///< gives the time
   };

@@ -85,6 +85,9 @@ void K64Uart::receive() {
     lost += (status & uart::S1_OR).any() ? 1U : 0U;
     if ((status & uart::S1_RDRF).any()) {
       lost += noisy || untilBroken == 1 || !store(byte) ? 1U : 0U;
+    } else {
+      // The read found no byte, which moves the places of the FIFO apart.
+      uart::CFIFO.at(offset()).write(uart::CFIFO_RXFLUSH);
     }
     untilBroken -= untilBroken != 0 ? 1U : 0U;
   }

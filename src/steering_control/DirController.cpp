@@ -1,5 +1,7 @@
 #include "steering_control/DirController.hpp"
 
+#include <algorithm>
+
 #include "services/SystemConstants.hpp"
 
 namespace wr {
@@ -8,8 +10,18 @@ namespace {
 
 constexpr Microseconds kTargetLifetime = milliseconds(300);
 constexpr Microseconds kPositionLifetime = milliseconds(20);
-constexpr Microseconds kStallWindow = milliseconds(300);
-constexpr Angle kStallAngle(150);
+constexpr Microseconds kStallWindow = milliseconds(200);
+constexpr Angle kStallAngle(60);
+
+// Greatest difference between angle and steps. Small ones are forgotten: after a push the motor is
+// some steps away from where it was.
+constexpr Angle kMostAstray(300);
+constexpr Angle kForgotten(5);
+constexpr Microseconds kForgetPeriod = milliseconds(1000);
+
+Angle magnitude(Angle angle) {
+  return angle < Angle() ? -angle : angle;
+}
 
 template <class T>
 bool isOlder(const std::optional<Stamped<T>>& stamped, Microseconds lifetime, Instant now) {
@@ -54,6 +66,25 @@ bool DirController::lost() const {
   return isOlder(position_, kPositionLifetime, now_);
 }
 
+bool DirController::inconsistent() {
+  return (motor_.leftEnd && motor_.rightEnd) || astray();
+}
+
+bool DirController::astray() {
+  const Angle ofSteps = SystemConstants::instance().steeringStep() * motor_.steps;
+  const Angle offset = position_->value - ofSteps;
+  if (!offset_) {
+    offset_ = offset;
+    forgottenAt_ = now_;
+  }
+  const Angle difference = offset - *offset_;
+  if (now_ - forgottenAt_ >= kForgetPeriod) {
+    offset_ = *offset_ + std::clamp(difference, -kForgotten, kForgotten);
+    forgottenAt_ = now_;
+  }
+  return magnitude(difference) > kMostAstray;
+}
+
 void DirController::watch() {
   watchedSince_ = now_;
   watchedSteps_ = motor_.steps;
@@ -67,7 +98,7 @@ bool DirController::stalled() {
   const Angle ordered = SystemConstants::instance().steeringStep() * (motor_.steps - watchedSteps_);
   const Angle moved = position_->value - watchedPosition_;
   const bool left = ordered > Angle(0);
-  const Angle orderedSize = left ? ordered : -ordered;
+  const Angle orderedSize = magnitude(ordered);
   const Angle movedAlong = left ? moved : -moved;
   if (orderedSize < kStallAngle) {
     return false;
@@ -91,6 +122,7 @@ bool DirController::atRest() const {
 
 void DirController::enable() {
   enable_.execute(StepRate(0));
+  offset_.reset();
 }
 
 void DirController::disable() {

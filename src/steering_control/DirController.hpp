@@ -51,7 +51,7 @@ struct TurnFeedback {
 /// target, the newest position and what the motor does, and tells what it came to. It orders the
 /// motor through commands, and knows neither who measures nor who acts.
 ///
-/// @secret How old a target and a position may be, and how it is found that the steering does not move.
+/// @secret How old a target and a position may be, and how it is found that angle and motor do not agree.
 ///
 /// @role{steering-controller-states, Context}
 /// @role{steering-control-algorithm, Context}
@@ -112,14 +112,24 @@ class DirController final {
   /// @satisfies FR-110
   [[nodiscard]] bool lost() const;
 
+  /// @brief Checks whether the inputs of the steering contradict each other: both end stops are reached, or
+  /// the position differs by more than 3 degrees from the one that the steps of the motor lead to since
+  /// it was switched on. The difference is forgotten with 0.05 degrees in a second. States call it.
+  /// @return true when they do
+  /// @pre The position is not lost.
+  /// @isr{yes}
+  /// @satisfies FR-226
+  /// @satisfies FR-227
+  [[nodiscard]] bool inconsistent();
+
   /// @brief Begins to watch whether the steering moves with the steps of the motor. States call it.
   /// @pre The position is not lost.
   /// @isr{yes}
   /// @satisfies FR-111
   void watch();
 
-  /// @brief Tells whether the steering does not move with the steps of the motor. It decides when 300 ms
-  /// have passed and the steps amount to 1.5 degrees, and then begins to watch anew. States call
+  /// @brief Tells whether the steering does not move with the steps of the motor. It decides when 200 ms
+  /// have passed and the steps amount to 0.6 degrees, and then begins to watch again. States call
   /// it.
   /// @return true when the steering moved less than half as far as the steps should have turned it
   /// @pre watch() was called, and the position is not lost.
@@ -172,6 +182,8 @@ class DirController final {
   /// @satisfies FR-116
   void publish();
 
+  [[nodiscard]] bool astray();
+
   Pipe<DirTarget>& targets_;
   Pipe<Angle>& positions_;
   Pipe<DirStatus>& status_;
@@ -191,6 +203,9 @@ class DirController final {
   Instant watchedSince_{};
   std::int32_t watchedSteps_ = 0;
   Angle watchedPosition_{};
+  // difference between position and steps since the motor was switched on
+  std::optional<Angle> offset_;
+  Instant forgottenAt_{};
 };
 
 }  // namespace wr

@@ -62,11 +62,11 @@ StepRate SteeringDevice::rate() const {
 }
 
 bool SteeringDevice::leftEnd() const {
-  return !leftEnd_.level();
+  return leftEnd_.level();
 }
 
 bool SteeringDevice::rightEnd() const {
-  return !rightEnd_.level();
+  return rightEnd_.level();
 }
 
 std::int32_t SteeringDevice::steps() const {

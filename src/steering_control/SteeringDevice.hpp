@@ -15,7 +15,7 @@ namespace wr {
 /// @function Switches the motor on and off, and turns it step by step: with the rate that is demanded, as
 /// fast as the motor can follow, and never further towards an end stop that is reached.
 ///
-/// @secret The pulses that make the motor step, and the limits of the motor.
+/// @secret The pulses that make the motor step, the limits of the motor, and the levels of its end stops.
 ///
 /// @role{steering-switch, Context}
 /// @role{steering-commands, Receiver}
@@ -27,8 +27,8 @@ class SteeringDevice final {
     DigitalOutput& step;        ///< each time it is switched on the motor makes one step
     DigitalOutput& direction;   ///< on for steps to the left
     DigitalOutput& enable;      ///< on for a motor with current
-    const EdgeInput& leftEnd;   ///< low when the left end stop is reached
-    const EdgeInput& rightEnd;  ///< low when the right end stop is reached
+    const EdgeInput& leftEnd;   ///< high when the left end stop is reached, or its wire is broken
+    const EdgeInput& rightEnd;  ///< high when the right end stop is reached, or its wire is broken
     SteeringPower& initial;     ///< power at start: off
   };
 
@@ -76,16 +76,18 @@ class SteeringDevice final {
   /// @satisfies FR-103
   [[nodiscard]] StepRate rate() const;
 
-  /// @brief Tells whether the left end stop is reached.
-  /// @return true when it is
+  /// @brief Checks whether the left end stop is reached. Its contact opens then.
+  /// @return true when it is, or when its wire is broken
   /// @isr{yes}
   /// @satisfies FR-105
+  /// @satisfies FR-225
   [[nodiscard]] bool leftEnd() const;
 
-  /// @brief Tells whether the right end stop is reached.
-  /// @return true when it is
+  /// @brief Checks whether the right end stop is reached. Its contact opens then.
+  /// @return true when it is, or when its wire is broken
   /// @isr{yes}
   /// @satisfies FR-105
+  /// @satisfies FR-225
   [[nodiscard]] bool rightEnd() const;
 
   /// @brief Tells how many steps the motor was made to do.

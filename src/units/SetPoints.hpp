@@ -25,6 +25,24 @@ struct WheelSetPoint {
   WheelQuantity quantity = WheelQuantity::Velocity;  ///< what is set
   std::int16_t value = 0;                            ///< how much, in the unit of the quantity
 
+  /// @brief Returns a set-point of a velocity.
+  /// @param value velocity [0.1 rpm], -32768 to 32767
+  [[nodiscard]] static constexpr WheelSetPoint velocity(Velocity value) {
+    return {WheelQuantity::Velocity, static_cast<std::int16_t>(value.count())};
+  }
+
+  /// @brief Returns a set-point of a tension.
+  /// @param value tension [mV], -32768 to 32767
+  [[nodiscard]] static constexpr WheelSetPoint tension(Tension value) {
+    return {WheelQuantity::Tension, static_cast<std::int16_t>(value.count())};
+  }
+
+  /// @brief Returns a set-point of a current.
+  /// @param value current [mA], -32768 to 32767
+  [[nodiscard]] static constexpr WheelSetPoint current(Current value) {
+    return {WheelQuantity::Current, static_cast<std::int16_t>(value.count())};
+  }
+
   /// @brief Tells whether two set-points are the same.
   friend constexpr bool operator==(const WheelSetPoint&, const WheelSetPoint&) = default;
 };

@@ -95,7 +95,7 @@ void WheelController::watchMotion(const WheelSetPoint& setPoint, HallCount posit
   if (std::abs(position.count() - seen_.count()) > kJitter) {
     seen_ = position;
     effort_ = 0;
-  } else if (tension <= kLeastEffort.count() || setPoint == WheelSetPoint{}) {
+  } else if (tension <= kLeastEffort.count() || setPoint == WheelSetPoint::velocity(Velocity(0))) {
     effort_ = std::max(effort_ - kLeastEffort.count(), std::int32_t{0});
   } else {
     effort_ += tension;

@@ -10,10 +10,10 @@ namespace {
 /// @brief Looks closely at how the controller watches the motion.
 class DirControllerTest : public DirControllerFixture {
  protected:
-  /// @brief Turns, with so many steps in each tick and so far moved in each tick, until a second has
-  /// passed or the turn has ended.
-  SteeringState turn(std::int32_t steps, std::int32_t moved) {
-    for (int i = 0; i < 100 && state() == SteeringState::Turning; ++i) {
+  /// @brief Turns, with so many steps in each tick and so far moved in each tick, for some ticks or until
+  /// the turn has ended.
+  SteeringState turn(std::int32_t steps, std::int32_t moved, int ticks = 100) {
+    for (int i = 0; i < ticks && state() == SteeringState::Turning; ++i) {
       feedback.steps += steps;
       measured += moved;
       ordered = measured + (steps < 0 ? -3000 : 3000);
@@ -41,40 +41,77 @@ TEST_F(DirControllerTest, FR111_AMotionThatFollowsIsNoStall) {
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnough) {
   beginTurn();
-  EXPECT_EQ(turn(4, 10), SteeringState::Turning);
-  EXPECT_EQ(turn(4, 9), SteeringState::Fault);
+  EXPECT_EQ(turn(2, 5, 25), SteeringState::Turning);
+  EXPECT_EQ(turn(2, 4, 25), SteeringState::Fault);
 }
 
 /// @brief The same to the right.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnoughToTheRight) {
   beginTurnRight();
-  EXPECT_EQ(turn(-4, -10), SteeringState::Turning);
-  EXPECT_EQ(turn(-4, -9), SteeringState::Fault);
+  EXPECT_EQ(turn(-2, -5, 25), SteeringState::Turning);
+  EXPECT_EQ(turn(-2, -4, 25), SteeringState::Fault);
 }
 
 /// @brief A steering that moves the wrong way is stalled.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_AMotionTheWrongWayIsAStall) {
   beginTurn();
-  EXPECT_EQ(turn(4, -20), SteeringState::Fault);
+  EXPECT_EQ(turn(1, -5, 25), SteeringState::Fault);
 }
 
-/// @brief Steps of less than 1.5 degrees decide nothing; the watch goes on until they amount to it,
-/// so that a slow stall is found too.
+/// @brief Steps of less than 0.6 degrees decide nothing; the watch goes on until they amount to it,
+/// which finds a slow stall too.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_ASlowStallIsFound) {
   beginTurn();
   const Instant begin = control.clock.now();
-  for (int i = 0; i < 59; ++i) {
-    feedback.steps += i % 2;  // 29 steps in 590 ms: 1.45 degrees
+  for (int i = 0; i < 23; ++i) {
+    feedback.steps += i % 2;  // 11 steps in 230 ms: 0.55 degrees
     tick();
     ASSERT_EQ(state(), SteeringState::Turning);
   }
   feedback.steps += 1;
   tick();
   EXPECT_EQ(state(), SteeringState::Fault);
-  EXPECT_EQ(control.clock.now() - begin, milliseconds(600));
+  EXPECT_EQ(control.clock.now() - begin, milliseconds(240));
+}
+
+/// @brief The position may differ by 3.00 degrees from the steps, and no more; also at rest, and after the
+/// motor was off the comparison begins again.
+/// @verifies FR-227
+TEST_F(DirControllerTest, FR227_PositionFollowsTheStepsWithin3Degrees) {
+  for (const std::int32_t side : {1, -1}) {
+    DirControllerFixture::switchOn();
+    const std::int32_t start = measured;
+    feedback.steps += side * 20;
+    measured = start + side * (20 * 5 + 300);
+    ordered = measured;
+    tick();
+    EXPECT_EQ(state(), SteeringState::Holding);
+    measured += side;
+    ordered = measured;
+    tick();
+    EXPECT_EQ(state(), SteeringState::Fault);
+    EXPECT_FALSE(powered());
+    control.target.write({.release = true}, control.clock.now() + Microseconds(1));
+    control.clock.advance(milliseconds(1));
+    control.controller.tick(feedback);
+    ASSERT_EQ(state(), SteeringState::Off);
+    feedback.ready = false;
+  }
+}
+
+/// @brief Either end stop alone is none, both are a fault, while turning and while holding.
+/// @verifies FR-226
+TEST_F(DirControllerTest, FR226_BothEndStopsAreAFault) {
+  beginTurn();
+  feedback.rightEnd = true;
+  tick();
+  EXPECT_EQ(state(), SteeringState::Turning);
+  feedback.leftEnd = true;
+  tick();
+  EXPECT_EQ(state(), SteeringState::Fault);
 }
 
 /// @brief A stall that begins in the middle of a turn is found in the window after it.
@@ -139,15 +176,15 @@ TEST_F(DirControllerTest, FR110_APositionIsYoungFor20Milliseconds) {
   EXPECT_EQ(state(), SteeringState::Fault);
 }
 
-/// @brief An order to hold that comes in the very tick of the fault does not end it: it was given
-/// before somebody could see the fault.
+/// @brief A release that comes in the very tick of the fault does not end it: it was given before somebody
+/// could see the fault.
 /// @verifies FR-112
-TEST_F(DirControllerTest, FR112_AnOrderOfTheTickOfTheFaultDoesNotEndIt) {
+TEST_F(DirControllerTest, FR112_AReleaseOfTheTickOfTheFaultDoesNotEndIt) {
   tickOnly();
   EXPECT_FALSE(control.controller.released()) << "nothing was ordered";
   switchOn();
   control.clock.advance(milliseconds(30));
-  hold();
+  control.target.write({.release = true}, control.clock.now());
   control.controller.tick(feedback);
   ASSERT_EQ(state(), SteeringState::Fault);
   tickOnly();

@@ -24,14 +24,15 @@ class FakeOutput final : public DigitalOutput {
   std::function<void()> onRise = [] {};
 };
 
-/// @brief Switch of an end stop: high until the end stop is reached.
+/// @brief Switch of an end stop: a contact to ground that opens when the end stop is reached.
 class FakeEnd final : public EdgeInput {
  public:
   void start() override {}
-  [[nodiscard]] bool level() const override { return !reached; }
+  [[nodiscard]] bool level() const override { return reached || broken; }
   [[nodiscard]] bool acknowledge() override { return false; }
 
   bool reached = false;
+  bool broken = false;  // the wire
 };
 
 }  // namespace wr::test

@@ -27,9 +27,10 @@ struct SteeringPlant {
     }
   }
 
-  [[nodiscard]] double degrees() const { return steps * 0.05; }
+  [[nodiscard]] double degrees() const { return steps * 0.05 + pushed; }
 
-  int steps = 0;  // from the middle, positive to the left
+  int steps = 0;      // from the middle, positive to the left
+  double pushed = 0;  // degrees that a push moved the steering, without steps
   bool stalled = false;
 };
 
@@ -41,13 +42,18 @@ class FakeAngleInput final : public AnalogInput {
 
   [[nodiscard]] std::optional<std::uint16_t> sample() override {
     onSample();
-    const double raw = 2048 + (plant_.degrees() + noise_(random_) * noise) / 80 * 4096;
+    drifted += drift / 1000;
+    const double degrees = stuckAt.value_or(plant_.degrees()) + drifted;
+    const double raw = 2048 + (degrees + noise_(random_) * noise) / 80 * 4096;
     const double seen = std::clamp(std::round(raw), 0.0, 4095.0);
     return std::exchange(sample_, broken ? std::uint16_t{0} : static_cast<std::uint16_t>(seen));
   }
 
   double noise = 0;  // standard deviation of a sample, degrees
   bool broken = false;
+  double drift = 0;               // degrees in a second
+  double drifted = 0;             // degrees
+  std::optional<double> stuckAt;  // degrees that do not change
   std::function<void()> onSample = [] {};
 
  private:
@@ -141,6 +147,7 @@ class SteeringLoop {
   int time = 0;  // ms
   std::uint32_t cycle = 0;
   bool ordering = true;  // false: no control cycle comes
+  bool acknowledges = false;
   int moves = 0;         // pauses of more than 100 ms part them
   int reversals = 0;     // steps to the other side than the step before
 
@@ -150,7 +157,9 @@ class SteeringLoop {
       return;
     }
     ++cycle;
-    if (holds_) {
+    if (acknowledges) {
+      pool.acknowledge(cycle);
+    } else if (holds_) {
       pool.hold(cycle);
     } else {
       pool.control({.steering = Angle(angle_)}, cycle);

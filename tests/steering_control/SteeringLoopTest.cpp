@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <string>
 #include <utility>
@@ -195,8 +196,8 @@ TEST_F(SteeringLoopTest, FR109_WithoutCyclesTheMotorIsOff) {
   EXPECT_NEAR(plant.degrees(), 30, 0.5);
 }
 
-/// @brief A cable of the sensor that breaks ends the turn within 30 ms. Nothing but an order to hold
-/// ends the fault; then the next order to follow turns again.
+/// @brief A cable of the sensor that breaks ends the turn within 30 ms. An order to hold does not end the
+/// fault, an acknowledgement does; then the next order to follow turns again.
 /// @verifies FR-110
 /// @verifies FR-112
 /// @verifies FR-113
@@ -211,39 +212,133 @@ TEST_F(SteeringLoopTest, FR110_ABrokenCableIsAFault) {
   const int place = plant.steps;
   loop.input.broken = false;
   loop.run(1000);
+  loop.hold();
+  loop.run(5000);
   EXPECT_EQ(loop.measured().steeringState, SteeringState::Fault);
   EXPECT_EQ(plant.steps, place);
-  loop.hold();
-  loop.run(10);
+  loop.acknowledges = true;
+  loop.run(110);
   EXPECT_EQ(loop.state(), SteeringState::Off);
+  loop.acknowledges = false;
   loop.follow(3000);
   loop.run(3000);
   EXPECT_NEAR(plant.degrees(), 30, 0.5);
 }
 
-/// @brief A motor that stalls at full rate is off within 0.7 s.
+/// @brief A steering that is blocked at full rate, at half rate or just before its angle is a fault within
+/// 0.4 s, and its motor is off.
 /// @verifies FR-111
-TEST_F(SteeringLoopTest, FR111_AStallAtFullRateIsFound) {
-  loop.input.noise = kNoise;
-  loop.follow(3000);
-  loop.run(900);
-  plant.stalled = true;
-  loop.run(700);
-  EXPECT_EQ(loop.state(), SteeringState::Fault);
-  EXPECT_FALSE(loop.powered());
+TEST_F(SteeringLoopTest, FR111_ABlockedTurnIsFoundWithin400Milliseconds) {
+  for (const int blockedAfter : {900, 300, 150, 1300}) {
+    SteeringLoop turning;
+    turning.input.noise = kNoise;
+    turning.follow(2000);
+    turning.run(blockedAfter);
+    ASSERT_EQ(turning.state(), SteeringState::Turning) << blockedAfter;
+    turning.plant.stalled = true;
+    turning.run(400);
+    EXPECT_EQ(turning.state(), SteeringState::Fault) << blockedAfter;
+    EXPECT_FALSE(turning.powered());
+  }
 }
 
-/// @brief A steering that is blocked before it begins to turn is found, however near the angle is.
+/// @brief A steering that is blocked before it begins to turn is a fault within 0.4 s after its first step,
+/// however near the angle is.
 /// @verifies FR-111
 TEST_F(SteeringLoopTest, FR111_ABlockedSteeringIsFound) {
   for (const std::int32_t angle : {3000, 100, 25, -25}) {
     SteeringLoop blocked;
     blocked.plant.stalled = true;
     blocked.follow(angle);
-    blocked.run(1500);
+    blocked.run(64 + 400 + SteeringLoop::kMeasurement);
     EXPECT_EQ(blocked.state(), SteeringState::Fault) << angle;
     EXPECT_FALSE(blocked.powered());
   }
+}
+
+/// @brief A push of 2.5 degrees off the angle is corrected, without a fault. One of more than 3 degrees is a
+/// fault: steps were lost, or the sensor is loose.
+/// @verifies FR-101
+/// @verifies FR-102
+/// @verifies FR-227
+TEST_F(SteeringLoopTest, FR101_FR227_APushIsCorrected) {
+  loop.follow(1000);
+  loop.run(3000);
+  plant.pushed = 2.5;
+  loop.run(3000);
+  EXPECT_EQ(loop.state(), SteeringState::Holding);
+  EXPECT_NEAR(plant.degrees(), 10, 0.2);
+  plant.pushed += 3.2;
+  loop.run(20);
+  EXPECT_EQ(loop.state(), SteeringState::Fault);
+}
+
+/// @brief Pushes that come a minute apart do not add up to a fault.
+/// @verifies FR-227
+TEST_F(SteeringLoopTest, FR227_PushesAreForgotten) {
+  loop.follow(1000);
+  loop.run(3000);
+  for (int push = 0; push < 5; ++push) {
+    plant.pushed += 2;
+    loop.run(60000);
+    EXPECT_EQ(loop.state(), SteeringState::Holding) << push;
+  }
+}
+
+/// @brief A sensor that drifts by 2 degrees in a second is a fault before the steering has followed it by
+/// more than 3.5 degrees, also at rest.
+/// @verifies FR-227
+TEST_F(SteeringLoopTest, FR227_ADriftingSensorIsAFault) {
+  for (const double drift : {2.0, -2.0, 0.5}) {
+    SteeringLoop drifting;
+    drifting.follow(1000);
+    drifting.run(3000);
+    drifting.input.drift = drift;
+    drifting.run(static_cast<int>(3.5 / std::abs(drift) * 1000));
+    EXPECT_EQ(drifting.state(), SteeringState::Fault) << drift;
+    EXPECT_NEAR(drifting.plant.degrees(), 10, 3.5) << drift;
+  }
+}
+
+/// @brief A sensor that is stuck is a fault within 0.4 s after the steering begins to turn.
+/// @verifies FR-111
+/// @verifies FR-227
+TEST_F(SteeringLoopTest, FR227_AStuckSensorIsAFault) {
+  loop.follow(1000);
+  loop.run(3000);
+  loop.input.stuckAt = 10;
+  loop.follow(-1000);
+  loop.run(400 + 2 * SteeringLoop::kMeasurement);
+  EXPECT_EQ(loop.state(), SteeringState::Fault);
+}
+
+/// @brief A broken wire of an end stop opens the way to the other side only, and is seen as reached.
+/// @verifies FR-225
+TEST_F(SteeringLoopTest, FR225_ABrokenWireOfAnEndStopIsReached) {
+  loop.control.motor.leftEnd.broken = true;
+  loop.follow(1000);
+  loop.run(1000);
+  EXPECT_EQ(plant.steps, 0);
+  EXPECT_TRUE(loop.measured().leftEnd);
+  EXPECT_FALSE(loop.measured().rightEnd);
+  loop.follow(-1000);
+  loop.run(3000);
+  EXPECT_NEAR(plant.degrees(), -10, 0.5);
+}
+
+/// @brief Both end stops at once cannot be: the steering is in fault within 10 ms, at rest as well, and its
+/// motor is off.
+/// @verifies FR-226
+TEST_F(SteeringLoopTest, FR226_BothEndStopsAreAFault) {
+  loop.follow(1000);
+  loop.run(3000);
+  loop.control.motor.leftEnd.broken = true;
+  loop.run(100);
+  ASSERT_EQ(loop.state(), SteeringState::Holding);
+  loop.control.motor.rightEnd.broken = true;
+  loop.run(10);
+  EXPECT_EQ(loop.state(), SteeringState::Fault);
+  EXPECT_FALSE(loop.powered());
 }
 
 /// @brief While the steering works, Main Control finds the work of each cycle complete, and the

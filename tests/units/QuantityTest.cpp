@@ -2,6 +2,7 @@
 
 #include <array>
 #include <concepts>
+#include <cstdint>
 #include <optional>
 
 #include "support/difference.hpp"
@@ -50,6 +51,29 @@ TEST(Instant, Computes) {
   EXPECT_FALSE((std::equality_comparable_with<Instant, Microseconds>));
   EXPECT_FALSE((std::assignable_from<Instant&, Microseconds>));
   EXPECT_FALSE((std::assignable_from<Microseconds&, Instant>));
+}
+
+template <class Value>
+concept SetsVelocity = requires(Value value) { WheelSetPoint::velocity(value); };
+
+template <class Value>
+concept SetsTension = requires(Value value) { WheelSetPoint::tension(value); };
+
+template <class Value>
+concept SetsCurrent = requires(Value value) { WheelSetPoint::current(value); };
+
+/// @brief A set-point of a wheel is made of a value with the unit of its quantity, and of no other.
+/// @verifies NFR-11
+TEST(WheelSetPoint, NFR11_IsMadeOfItsOwnUnit) {
+  EXPECT_EQ(WheelSetPoint::velocity(Velocity(-3000)),
+            (WheelSetPoint{WheelQuantity::Velocity, -3000}));
+  EXPECT_EQ(WheelSetPoint::tension(Tension(24000)), (WheelSetPoint{WheelQuantity::Tension, 24000}));
+  EXPECT_EQ(WheelSetPoint::current(Current(-10000)),
+            (WheelSetPoint{WheelQuantity::Current, -10000}));
+  EXPECT_TRUE((SetsVelocity<Velocity> && SetsTension<Tension> && SetsCurrent<Current>));
+  EXPECT_FALSE((SetsVelocity<Tension> || SetsVelocity<Current> || SetsVelocity<std::int16_t>));
+  EXPECT_FALSE((SetsTension<Velocity> || SetsTension<Current> || SetsTension<std::int16_t>));
+  EXPECT_FALSE((SetsCurrent<Velocity> || SetsCurrent<Tension> || SetsCurrent<std::int16_t>));
 }
 
 /// @brief Set-points are the same only when each of their values is the same.

@@ -25,15 +25,15 @@
 namespace wr::test {
 
 constexpr WheelSetPoint tensionOf(std::int16_t value) {
-  return {.quantity = WheelQuantity::Tension, .value = value};
+  return WheelSetPoint::tension(Tension(value));
 }
 
 constexpr WheelSetPoint velocityOf(std::int16_t value) {
-  return {.quantity = WheelQuantity::Velocity, .value = value};
+  return WheelSetPoint::velocity(Velocity(value));
 }
 
 constexpr WheelSetPoint currentOf(std::int16_t value) {
-  return {.quantity = WheelQuantity::Current, .value = value};
+  return WheelSetPoint::current(Current(value));
 }
 
 /// A wheel with its controller, composed as in the robot. The test is the sensors.

@@ -19,6 +19,7 @@ from traceability.checks import (
     patterns,
     registers,
     requirements,
+    safety,
     secrets,
     stack,
     trees,
@@ -50,6 +51,7 @@ FAMILIES = (
     machines.check,
     trees.check,
     requirements.check,
+    safety.check,
 )
 
 

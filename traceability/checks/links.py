@@ -205,6 +205,7 @@ def _sources(model: Model) -> dict[str, Place]:
     found = {f"modules/{module.name}.html": module.place for module in model.modules.values()}
     found |= {f"patterns/{item.id}.html": item.place for item in model.patterns.values()}
     found |= {f"requirements/{item.id}.html": item.place for item in model.requirements.values()}
+    found |= {f"safety/{item.id}.html": item.place for item in model.safety.goals.values()}
     found |= {f"source/{file}.html": Place(file, 1) for file in model.files}
     return found
 

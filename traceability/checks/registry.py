@@ -53,6 +53,8 @@ WHY = {
     "test may ever meet.",
     "req": "A requirement counts as fulfilled only when code, tests and results say so.",
     "suspect": "A link that a person has reviewed holds for the texts that were reviewed.",
+    "hazard": "The safety case argues from each hazard to tests that ran: a link that is missing "
+    "breaks the argument without anybody noticing.",
     "paper": "The paper is the reference of the design: what it names must be found here, or the "
     "difference must be told.",
     "arch": "The architecture is the first picture that a newcomer sees: it shows what is there.",
@@ -476,10 +478,31 @@ _FIXED = [
     Check(
         "req-text",
         "Requirements are whole",
-        "Every requirement has an id of its own, a sentence with a shall, @rationale, @source, "
-        "@verification and a @priority: high, medium or low.",
+        "Every requirement has an id of its own, a sentence with a shall, @rationale, @source, and "
+        "a @priority: high, medium or low.",
         "whether the sentence is clear and can be verified.",
         "write what is missing.",
+    ),
+    Check(
+        "req-attribute",
+        "Requirements have level, product and method",
+        "Every requirement has one @level: system, software or driver; a @product: all, or names "
+        "of products that exist; and one @method of verification: test, analysis, measurement or "
+        "inspection. A test is named in the @verifies of a test; a measurement and an analysis "
+        "have @evidence, or a test that makes them.",
+        "whether the method suits the requirement; what a requirement without @partly leaves "
+        "unverified.",
+        "write the attribute, or correct its value.",
+    ),
+    Check(
+        "req-source",
+        "Sources are references",
+        "Every @source has the form 'kind: name', several separated by semicolons. A paper names a "
+        "place of design/paper.toml, a goal one of design/safety_case.toml that the requirement "
+        "has as @goal, a protocol a heading of docs/protocol.rst, a data sheet one that "
+        "design/safety_case.toml lists. A decision says what was decided.",
+        "whether the source says so; a person reads that.",
+        "name the source in this form.",
     ),
     Check(
         "req-satisfied",
@@ -563,6 +586,72 @@ _FIXED = [
         "the drivers of the K64, whose lines the page of the virtual K64 lists; whether the test "
         "looks at what the line does.",
         "test the line for its requirement, remove it, or justify it.",
+    ),
+    Check(
+        "hazard-name",
+        "The safety case names what exists",
+        "Each hazard has an id HZ-n, each safety goal SG-n, each assumption of use AU-n; the "
+        "goals, assumptions and safe states that an entry of design/safety_case.toml names are "
+        "declared there.",
+        "hazards that nobody thought of.",
+        "correct the name.",
+    ),
+    Check(
+        "hazard-covered",
+        "Each hazard is covered",
+        "Every hazard has a safety goal or an assumption of use, and its severity, exposure and "
+        "avoidance have a level in the risk graph.",
+        "whether the estimates are right, and the goal sufficient.",
+        "name a goal or an assumption, or complete the estimates.",
+    ),
+    Check(
+        "hazard-goal",
+        "Each safety goal is complete",
+        "Every safety goal is named by a hazard, lists requirements and names a safe state.",
+        "whether the requirements are enough to reach the goal.",
+        "complete the goal in design/safety_case.toml.",
+    ),
+    Check(
+        "hazard-time",
+        "Times of goals are derived",
+        "The fault-tolerant time of each goal is the value of its formula, rounded down by at most "
+        "10 %, and the reaction of the firmware is not longer.",
+        "whether distances and energies in the formula fit the robot; whether the reaction is what "
+        "the tests measure.",
+        "correct the time or the formula, or let the firmware react sooner.",
+    ),
+    Check(
+        "hazard-requirement",
+        "Goals and requirements name each other",
+        "Every requirement with a @goal is listed by this goal, and every listed one exists and "
+        "has the @goal.",
+        "whether the requirement serves the goal. A goal whose requirements are not all verified "
+        "is no finding: its page shows it as open.",
+        "complete the one side or the other.",
+    ),
+    Check(
+        "hazard-scenario",
+        "Fault scenarios have goals and passed",
+        "Every file of sim/scenario/safety names a safety goal that lists it, is played by a test, "
+        "and passed on each target that the test is built for; every scenario that a goal lists "
+        "exists. A result that is older than the sources is not counted as passed.",
+        "faults that no scenario has.",
+        "complete the links, play the scenario in a test, or correct what failed.",
+    ),
+    Check(
+        "hazard-assumption",
+        "Each assumption of use covers a hazard",
+        "Every assumption of use is named by a hazard.",
+        "whether anybody keeps to it.",
+        "name it in a hazard, or remove it.",
+    ),
+    Check(
+        "hazard-priority",
+        "Safety has priority",
+        "The priority of a requirement is not lower than design/safety_case.toml derives from the "
+        "level of its safety goals.",
+        "requirements without a goal.",
+        "raise the priority.",
     ),
     Check(
         "suspect-requirement",

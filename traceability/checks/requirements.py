@@ -6,13 +6,26 @@ What its links depend on is as a person reviewed it.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from itertools import pairwise
+from pathlib import Path
 
+from traceability.metrics import METHODS
 from traceability.model.evidence import reasons
 from traceability.model.facts import Facts
 from traceability.model.results import RESULTS, RUNS
 from traceability.model.reverse import methods_without, tests_without
 from traceability.model.reviews import REVIEWS
-from traceability.model.schema import HOST, Finding, Justified, Model, Place
+from traceability.model.schema import (
+    HOST,
+    SOURCE_KINDS,
+    Finding,
+    Justified,
+    Model,
+    Place,
+    Requirement,
+)
+from traceability.products import PRODUCTS
 from traceability.sources import files_below
 
 TAGGED = ("src", "extensions", "tests")
@@ -21,6 +34,7 @@ MORE_THAN_ONE = re.compile(
     re.MULTILINE,
 )
 PRIORITIES = ("high", "medium", "low")
+LEVELS = ("system", "software", "driver")
 _VERBS = {"method": "satisfies", "test": "verifies"}
 
 
@@ -39,18 +53,19 @@ def check(model: Model, facts: Facts) -> list[Finding]:
     return [finding for part in parts for finding in part(model)] + [
         *_unknown(model, facts),
         *_listed_ids(facts),
+        *_attributes(model, facts),
+        *_sources(model, facts),
     ]
 
 
 def _texts(model: Model) -> list[Finding]:
-    """A requirement is one sentence with a shall, and says why it is and how it is verified."""
+    """A requirement is one sentence with a shall, and says why it is."""
     found: list[Finding] = []
     for requirement in model.requirements.values():
         parts = {
             "sentence with 'shall'": " shall " in requirement.text,
             "@rationale": requirement.rationale,
             "@source": requirement.source,
-            "@verification": requirement.verification,
             f"@priority ({', '.join(PRIORITIES)})": requirement.priority in PRIORITIES,
         }
         found += [
@@ -64,6 +79,71 @@ def _texts(model: Model) -> list[Finding]:
             if not there
         ]
     return found
+
+
+def _attributes(model: Model, _facts: Facts) -> Iterator[Finding]:
+    """Level, product and method of verification have known values that fit the requirement."""
+    for requirement in model.requirements.values():
+        wrong = []
+        if requirement.level not in LEVELS:
+            wrong.append(f"no @level ({', '.join(LEVELS)})")
+        if requirement.method not in METHODS:
+            wrong.append(f"no @method ({', '.join(METHODS)})")
+        elif not _has_way(requirement):
+            wrong.append(f"the @method {requirement.method} and nothing that shows it")
+        if not requirement.products:
+            wrong.append("no @product (all, or names of products)")
+        unknown = set(requirement.products) - {"all", *PRODUCTS}
+        wrong += [f"a @product {name}, which does not exist" for name in sorted(unknown)]
+        for words in wrong:
+            text = f"{requirement.id} has {words}"
+            yield Finding(
+                requirement.place, "req-attribute", text, "write it below the @requirement"
+            )
+
+
+def _has_way(requirement: Requirement) -> bool:
+    if requirement.method == "test":
+        return bool(requirement.verified_by)
+    return requirement.method == "inspection" or bool(
+        requirement.evidence or requirement.verified_by
+    )
+
+
+def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Each source is a reference to something that exists."""
+    protocol = facts.root / "docs" / "protocol.rst"
+    names = {
+        "paper": {place.id for place in model.paper_places},
+        "goal": set(model.safety.goals),
+        "protocol": set(headings(protocol)),
+        "data sheet": set(model.safety.data_sheets),
+    }
+    for requirement in model.requirements.values():
+        for source in requirement.sources:
+            if not source.kind:
+                text = f"the source of {requirement.id} has no kind: {source.name}"
+                mend = f"begin it with one of: {', '.join(f'{kind}:' for kind in SOURCE_KINDS)}"
+            elif source.kind in names and source.name not in names[source.kind]:
+                named = f"{source.kind}: {source.name}"
+                text = f"{requirement.id} has the source {named}, which does not exist"
+                mend = "correct the name"
+            elif source.kind == "goal" and source.name not in requirement.goals:
+                text = f"{requirement.id} has the source {source.name} and no @goal {source.name}"
+                mend = "write the @goal, or remove the source"
+            else:
+                continue
+            yield Finding(requirement.place, "req-source", text, mend)
+
+
+def headings(page: Path) -> list[str]:
+    """The headings of a hand-written page."""
+    lines = page.read_text(encoding="utf-8").splitlines() if page.exists() else []
+    return [
+        above.strip()
+        for above, line in pairwise(lines)
+        if above.strip() and re.fullmatch(r"[=\-~]{3,}", line)
+    ]
 
 
 def _without(model: Model) -> list[Finding]:

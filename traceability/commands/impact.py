@@ -59,7 +59,11 @@ def lines_of(found: Impact) -> list[str]:
         title = titles[min(distance, 2)]
         lines += ["", f"{title}: {counted(len(names), 'module')}"]
         lines += reasons(names) if distance < 2 else wrapped([one.id for one in names])
-    for noun, reached in (("requirement", found.requirements), ("pattern", found.patterns)):
+    for noun, reached in (
+        ("requirement", found.requirements),
+        ("safety goal", found.goals),
+        ("pattern", found.patterns),
+    ):
         lines += ["", f"look at again: {counted(len(reached), noun)}"]
         lines += reasons(reached)
     lines += ["", f"run again: {counted(len(found.tests), 'test')}"]

@@ -9,7 +9,7 @@ from traceability.model.schema import Method, Model, Module, Place
 
 ROOT = "@/"
 TWO_HUMPS = re.compile(r"\b[A-Z][a-z0-9]+(?:[A-Z][a-z0-9]*)+\b")
-ID_OR_CODE = re.compile(r"<code>([^<]*)</code>|\b(?:FR|NFR)-\d+\b|" + TWO_HUMPS.pattern)
+ID_OR_CODE = re.compile(r"<code>([^<]*)</code>|\b(?:FR|NFR|SG|HZ|AU)-\d+\b|" + TWO_HUMPS.pattern)
 
 
 def slug(name: str) -> str:
@@ -75,6 +75,15 @@ class Links:
     def requirement(self, identifier: str) -> str | None:
         known = identifier in self.model.requirements
         return f"{ROOT}requirements/{identifier}.html" if known else None
+
+    def safety(self, identifier: str) -> str | None:
+        """A safety goal has a page, a hazard and an assumption of use a place on one."""
+        case = self.model.safety
+        if identifier in case.goals:
+            return f"{ROOT}safety/{identifier}.html"
+        if identifier in case.hazards:
+            return f"{ROOT}safety/hazards.html#{identifier}"
+        return f"{ROOT}safety/index.html#{identifier}" if identifier in case.assumptions else None
 
     def pattern(self, identifier: str) -> str | None:
         return f"{ROOT}patterns/{identifier}.html" if identifier in self.model.patterns else None

@@ -25,6 +25,7 @@ VIEWS = [
 ]
 VERDICTS = {
     "verified": ("ok", "verified"),
+    "partly": ("warn", "partly verified"),
     "suspect": ("warn", "suspect"),
     "failed": ("bad", "failed"),
     "stale": ("warn", "stale"),
@@ -143,6 +144,11 @@ class Names:
         return anchor(self.links.requirement(identifier), identifier, "id")
 
     @kept
+    def safety(self, identifier: str) -> Markup:
+        """A safety goal, a hazard or an assumption of use."""
+        return anchor(self.links.safety(identifier), identifier, "id")
+
+    @kept
     def pat(self, identifier: str) -> Markup:
         return anchor(self.links.pattern(identifier), identifier, "id")
 
@@ -233,7 +239,7 @@ class Names:
                 return str(self.test(word))
             if code is not None and "::" in word and self.links.find_method(word.strip("()")):
                 return str(self.meth(word.strip("()")))
-            return whole
+            return str(self.safety(word)) if self.links.safety(word) else whole
 
         return Markup(ID_OR_CODE.sub(name, html))
 

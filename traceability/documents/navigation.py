@@ -138,10 +138,15 @@ def understand(model: Model) -> list[Entry]:
 
 
 def verify(portal: Portal) -> list[Entry]:
-    requirements = portal.model.requirements
+    requirements, case = portal.model.requirements, portal.model.safety
     trees = sum(requirement.tree is not None for requirement in requirements.values())
+    safety = [
+        Entry("safety", "Safety case", "safety/index.html", "", len(case.goals)),
+        Entry("safety_cost", "What it cost to add safety", "safety/cost.html"),
+    ]
     return [
         Entry("requirements", "Requirements", "requirements/index.html", "R", len(requirements)),
+        *(safety if case.goals else []),
         Entry("trees", "Invocation trees", "trees.html", "", trees),
         Entry("tests", "Tests", "tests.html", "T", len(portal.model.tests)),
         Entry("mutation", "Mutants", "mutation.html"),

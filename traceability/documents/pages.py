@@ -26,6 +26,7 @@ from traceability.documents.requirement_pages import (
     requirement_page,
     requirements_page,
 )
+from traceability.documents.safety_pages import safety_pages
 from traceability.documents.source_pages import source_page, sources_page
 from traceability.metrics import read_products
 from traceability.model.reverse import methods_without, tests_without
@@ -55,6 +56,7 @@ def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
         yield partial(source_page, portal, path)
     yield from overviews(portal)
     yield from paper_views(portal)
+    yield from safety_pages(portal)
     for module in portal.designs:
         yield partial(module_page, portal, module)
     for application in model.patterns.values():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,7 +15,7 @@ from markupsafe import Markup
 from traceability.documents import diagrams, names
 from traceability.documents.calls import CallGraph
 from traceability.documents.highlight import Highlighter
-from traceability.documents.links import Links, slug
+from traceability.documents.links import Links, paper_anchor, slug
 from traceability.documents.navigation import Navigation, hand_written
 from traceability.drift.faults import Fault, read_faults
 from traceability.drift.record import Outcome, read_record
@@ -32,6 +33,7 @@ from traceability.model.schema import (
     Place,
     Requirement,
     SharedPipe,
+    SourceReference,
     Test,
     Transition,
     TreeNode,
@@ -41,7 +43,7 @@ SITE = Path(__file__).resolve().parents[2] / "site"
 
 LATER = {"doc-warning", "link-doc", "link-site"}  # Sphinx and the finished site tell
 # They need results of these sources.
-DYNAMIC = {"tree-dynamic", "req-passed", "req-line", "fsm-seen"}
+DYNAMIC = {"tree-dynamic", "req-passed", "req-line", "fsm-seen", "hazard-scenario"}
 
 
 @dataclass
@@ -65,6 +67,11 @@ class Page:
     body: str
     nav: str
     wide: bool = False
+
+
+def heading_anchor(title: str) -> str:
+    """The anchor that Sphinx makes from a heading."""
+    return re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-")
 
 
 class Portal:
@@ -294,6 +301,29 @@ class Portal:
         own = [test for test in tests if test.place.file == file]
         verifying = [t for t in tests if t.place.file != file and wanted.intersection(t.verifies)]
         return [*own, *verifying]
+
+    def source_of(self, source: SourceReference) -> Markup:
+        """Where a requirement comes from, with a link to what has a page here."""
+        if not source.kind:
+            return self.names.text(source.name)
+        if source.kind == "goal":
+            return Markup("safety goal {}").format(self.names.safety(source.name))
+        if source.kind == "paper":
+            place = next((one for one in self.model.paper_places if one.id == source.name), None)
+            address = f"@/concordance.html#{paper_anchor(source.name)}" if place else None
+            title = f": {place.title}" if place else ""
+            return Markup("paper, {}{}").format(names.anchor(address, source.name), title)
+        if source.kind == "protocol":
+            address = f"@/docs/protocol.html#{heading_anchor(source.name)}"
+            return Markup("protocol, {}").format(names.anchor(address, source.name))
+        return Markup("{}: {}").format(source.kind, self.names.text(source.name))
+
+    def targets_of(self, requirement: Requirement) -> str:
+        """The targets on which a test of the requirement passed in this run."""
+        tests = [self.model.tests[name] for name in requirement.verified_by]
+        passed = {target for test in tests for target in test.gave("passed")}
+        found = [target for target in self.model.results_hashes if target in passed]
+        return f"{', '.join(found) or 'none in this run'}; real board: none yet"
 
     def passed(self, tests: list[Test]) -> int | None:
         """How many runs passed, with results that fit the sources; ``None`` when there are none."""

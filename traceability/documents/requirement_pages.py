@@ -25,7 +25,9 @@ def requirements_page(portal: Portal) -> Page:
         "state": lambda one: [one.state],
         "logic": lambda one: one.logic,
         "pattern": lambda one: one.pattern,
-        "verification": lambda one: one.verification,
+        "method": lambda one: one.method,
+        "level": lambda one: one.level,
+        "goal": lambda one: one.goal,
         "binding": lambda one: one.binding,
     }
     return portal.page(

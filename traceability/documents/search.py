@@ -91,7 +91,18 @@ def entries(portal: Portal) -> list[Entry]:
     for group_ in portal.navigation.groups:
         for entry in group_.entries:
             add("Pages", entry.key, entry.title, group_.title, ROOT + entry.address)
-    return [*found, *paper_entries(model), *written_entries(portal)]
+    return [*found, *safety_entries(portal), *paper_entries(model), *written_entries(portal)]
+
+
+def safety_entries(portal: Portal) -> Iterator[Entry]:
+    """The goals, hazards and assumptions of the safety case."""
+    case = portal.model.safety
+    titles = {one.id: one.title for one in case.goals.values()}
+    titles |= {one.id: one.title for one in case.hazards.values()}
+    titles |= {one.id: one.title for one in case.assumptions.values()}
+    for name, title in titles.items():
+        address = portal.links.safety(name) or ""
+        yield "Safety case", "", name, title, address.removeprefix(ROOT)
 
 
 def paper_entries(model: Model) -> Iterator[Entry]:
@@ -132,6 +143,11 @@ def targets(portal: Portal) -> dict[str, dict[str, str]]:
         },
         "method": {name: str(names.meth(name)) for name in sorted(methods)},
         "requirement": {name: str(names.req(name)) for name in model.requirements},
+        "safety": {
+            name: str(names.safety(name))
+            for items in (model.safety.goals, model.safety.hazards, model.safety.assumptions)
+            for name in items
+        },
         "pattern": {name: str(names.pat(name)) for name in model.patterns},
         "check": {name: str(names.check(name)) for name in portal.checks},
         "test": {name: str(names.test(name)) for name in model.tests},

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass
@@ -85,8 +84,10 @@ class Facets:
     state: str
     logic: list[str]
     pattern: list[str]
-    verification: list[str]
+    method: list[str]
     binding: list[str]
+    level: list[str]
+    goal: list[str]
 
 
 def facets(model: Model, requirement: Requirement) -> Facets:
@@ -101,16 +102,11 @@ def facets(model: Model, requirement: Requirement) -> Facets:
         requirement.state,
         sorted({module.logic for module in modules}),
         sorted({role.application for module in modules for role in module.roles}),
-        ways(requirement),
+        [requirement.method] if requirement.method else [],
         [binding for binding in model.results_hashes if binding in passed],
+        [requirement.level] if requirement.level else [],
+        requirement.goals,
     )
-
-
-def ways(requirement: Requirement) -> list[str]:
-    """The methods of verification: the first words of each sentence that tells them."""
-    text = re.sub(r"<[^>]*>", "", requirement.verification)
-    found = [re.split(r"[,;:.]", part)[0].strip().lower() for part in re.split(r"\.\s+", text)]
-    return list(dict.fromkeys(way for way in found if way))
 
 
 def options(found: Iterable[Facets], pick: Callable[[Facets], list[str]]) -> list[str]:
@@ -147,6 +143,11 @@ def row(model: Model, requirement: Requirement) -> dict[str, Any]:
         "id": requirement.id,
         "section": requirement.section,
         "state": requirement.state,
+        "level": requirement.level,
+        "products": requirement.products,
+        "method": requirement.method,
+        "partly": requirement.partly,
+        "goals": requirement.goals,
         "reasons": requirement.reasons,
         "suspect": [f"{one.kind} {one.name} {one.text}" for one in requirement.suspicions],
         "review": requirement.review
@@ -179,7 +180,8 @@ def junit(model: Model) -> ET.Element:
         suite = sections[requirement.section]
         case = ET.SubElement(suite, "testcase", classname=requirement.section, name=requirement.id)
         if requirement.state != "verified":
-            texts = requirement.reasons + [f"{s.name} {s.text}" for s in requirement.suspicions]
+            texts = [*requirement.reasons, *filter(None, [requirement.partly])]
+            texts += [f"{s.name} {s.text}" for s in requirement.suspicions]
             failure = ET.SubElement(case, "failure", message=requirement.state)
             failure.text = "\n".join(texts)
     for suite in [*sections.values(), top]:

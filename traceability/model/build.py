@@ -23,6 +23,7 @@ from traceability.model.mutation import read_mutation
 from traceability.model.results import read_sizes
 from traceability.model.reverse import justify
 from traceability.model.reviews import add_reviews
+from traceability.model.safety_case import add_safety, read_sources, settle_safety, words_of
 from traceability.model.schema import (
     BINDINGS,
     HOST,
@@ -104,6 +105,7 @@ def build(root: Path) -> Model:
     model.mutation = read_mutation(root, model.sources_hash)
     justify(model, facts.declared.justified)
     add_reviews(model, root, facts.declared.entries)
+    add_safety(model, facts)
     set_states(model)
     model.paper = facts.declared.concordance.entries
     model.paper_places = facts.declared.concordance.places
@@ -411,8 +413,13 @@ def _add_requirements(model: Model, facts: Facts) -> None:
             place=item.place,
             rationale=item.text.one("Rationale"),
             source=item.text.one("Source"),
-            verification=item.text.one("Verification"),
             priority=item.text.one("Priority"),
+            level=item.text.one("Level"),
+            products=words_of(item.text.all("Product")),
+            method=item.text.one("Method"),
+            partly=item.text.one("Partly"),
+            goals=words_of(item.text.all("Goal")),
+            sources=read_sources(item.text.one("Source")),
             evidence=[read_evidence(text, item.place) for text in item.text.all("Evidence")],
         )
     model.requirements = dict(
@@ -510,8 +517,15 @@ def set_states(model: Model) -> None:
         elif requirement.reasons:
             requirement.state = "unverified"
         else:
-            sound = "suspect" if requirement.suspicions else "verified"
-            requirement.state = "stale" if model.results_stale else sound
+            requirement.state = "stale" if model.results_stale else _sound_state(requirement)
+    settle_safety(model)
+
+
+def _sound_state(requirement: Requirement) -> str:
+    """The state of a requirement of which all tests and all evidence hold."""
+    if requirement.suspicions:
+        return "suspect"
+    return "partly" if requirement.partly else "verified"
 
 
 def _reasons(model: Model, requirement: Requirement) -> list[str]:

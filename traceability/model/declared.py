@@ -10,6 +10,7 @@ from pathlib import Path
 from traceability.model.changes import ChangeTexts, read_change_texts
 from traceability.model.concordance import Concordance, read_concordance
 from traceability.model.entries import Entries, Problem
+from traceability.model.safety_case import read_safety_case
 from traceability.model.schema import (
     AllowedUse,
     Apart,
@@ -23,6 +24,7 @@ from traceability.model.schema import (
     ExecutionContext,
     Justified,
     Place,
+    SafetyCase,
     StateMachine,
     Transition,
     TreeNode,
@@ -141,6 +143,7 @@ class Declared:
     concordance: Concordance = field(default_factory=Concordance)
     changes: ChangeTexts = field(default_factory=ChangeTexts)
     figures: list[FigureText] = field(default_factory=list)
+    safety: SafetyCase = field(default_factory=SafetyCase)
 
 
 # The files of a whole design, beside its trees and state machines.
@@ -148,7 +151,7 @@ FILES = (
     *("applications", "architecture", "board_beliefs", "board_findings", "changes"),
     *("clauses", "closed_loop"),
     *("concordance", "execution", "figures", "justified", "modules", "paper", "questions"),
-    *("register_owners", "stack", "uses"),
+    *("register_owners", "safety_case", "stack", "uses"),
 )
 
 
@@ -192,6 +195,7 @@ def read_declared(root: Path) -> Declared:
     ]
     declared.concordance = read_concordance(root, entries)
     declared.changes = read_change_texts(root, entries)
+    declared.safety = read_safety_case(root, entries)
     _modules(design / "modules.toml", entries, declared)
     entries.others()
     for path in files_below(root, ("design", "requirements"), (".toml",)):

@@ -32,6 +32,7 @@ class Impact:
     requirements: list[Reached] = field(default_factory=list)
     patterns: list[Reached] = field(default_factory=list)
     tests: list[Reached] = field(default_factory=list)
+    goals: list[Reached] = field(default_factory=list)  # safety goals
 
     def at(self, distance: int) -> list[Reached]:
         return [one for one in self.modules if one.distance == distance]
@@ -146,6 +147,7 @@ class Impacts:
         near = [one for one in impact.modules if one.distance <= 1]
         impact.requirements = self._requirements(impact, near)
         impact.patterns = self._patterns(near)
+        impact.goals = self._goals(impact)
         impact.tests = self._tests(impact)
         return impact
 
@@ -158,6 +160,15 @@ class Impacts:
                 if one.id in modules:
                     note(found, name, one.distance, f"its tree runs through {one.id}")
         return list(found.values())
+
+    def _goals(self, impact: Impact) -> list[Reached]:
+        """The safety goals that the requirements serve."""
+        found: dict[str, Reached] = {}
+        for one in impact.requirements:
+            known = self.model.requirements.get(one.id)
+            for name in known.goals if known else []:
+                note(found, name, one.distance, f"{one.id} serves it")
+        return sorted(found.values(), key=lambda one: one.distance)
 
     def _patterns(self, near: list[Reached]) -> list[Reached]:
         found: dict[str, Reached] = {}

@@ -31,6 +31,7 @@ class Result:
     message: str
     recordings: list[str] = field(default_factory=list)  # names of the files of recorded calls
     measured: str = ""  # what the test itself tells: its property of this name
+    instances: dict[str, str] = field(default_factory=dict)  # of a parameterised test -> result
 
 
 def read_json(path: Path) -> Any:
@@ -93,11 +94,15 @@ def read_results(root: Path, binding: str) -> dict[str, Result]:
         for test in suite.get("testsuite", []):
             name = plain_name(suite["name"], test["name"])
             result = _result(test)
-            result.recordings.append(f"{suite['name']}.{test['name']}".replace("/", "_"))
+            own = f"{suite['name']}.{test['name']}".replace("/", "_")
+            result.recordings.append(own)
+            if "/" in test["name"]:
+                result.instances[own] = result.result
             known = found.get(name)
             if known is not None:
                 result.milliseconds += known.milliseconds
                 result.recordings += known.recordings
+                result.instances |= known.instances
                 if known.result == "failed":
                     result.result, result.message = known.result, known.message
             found[name] = result

@@ -288,6 +288,7 @@ class BindingResult:
     stale: bool = False
     recordings: list[str] = field(default_factory=list)  # files of recorded calls that it may have
     measured: str = ""  # what the test tells of its run, beside the result
+    instances: dict[str, str] = field(default_factory=dict)  # of a parameterised test -> result
 
 
 @dataclass
@@ -358,8 +359,23 @@ class Suspicion:
 
 
 @dataclass
+class SourceReference:
+    """Where a requirement comes from: ``kind`` is one of ``SOURCE_KINDS``."""
+
+    kind: str
+    name: str
+
+
+# The kinds of sources of a requirement.
+SOURCE_KINDS = ("paper", "goal", "protocol", "data sheet", "decision")
+
+
+@dataclass
 class Requirement:
-    """``state``: "verified", "suspect", "failed", "stale" or "unverified"."""
+    """``state``: "verified", "partly", "suspect", "failed", "stale" or "unverified".
+
+    A requirement that is partly verified says in ``partly`` what no test shows.
+    """
 
     id: str
     text: str
@@ -367,8 +383,13 @@ class Requirement:
     place: Place
     rationale: str = ""
     source: str = ""
-    verification: str = ""
     priority: str = ""
+    level: str = ""  # "system", "software", "driver"
+    products: list[str] = field(default_factory=list)  # "all", or names of products
+    method: str = ""  # of verification: "test", "analysis", "measurement", "inspection"
+    partly: str = ""
+    goals: list[str] = field(default_factory=list)  # safety goals that it serves
+    sources: list[SourceReference] = field(default_factory=list)
     satisfied_by: list[str] = field(default_factory=list)
     verified_by: list[str] = field(default_factory=list)
     tree: TreeNode | None = None
@@ -384,6 +405,142 @@ class Requirement:
     def by_calls(self) -> bool:
         """Whether calls fulfil it: it is functional, or has a tree although it is not."""
         return self.id.startswith("FR-") or self.tree is not None
+
+
+@dataclass
+class SafeState:
+    """A state that the robot goes to, where it is safe and where it is not."""
+
+    id: str
+    says: str
+    safe: str
+    not_safe: str
+    place: Place
+
+
+@dataclass
+class Assumption:
+    """What hardware and people do for safety, because the firmware cannot."""
+
+    id: str
+    title: str
+    text: str
+    by: str
+    confirm: str
+    place: Place
+    hazards: list[str] = field(default_factory=list)
+
+
+@dataclass
+class Hazard:
+    """A situation that can hurt somebody. ``level`` is its AgPLr; empty when it cannot be found."""
+
+    id: str
+    title: str
+    situation: str
+    harm: str
+    severity: str
+    exposure: str
+    avoidance: str
+    goals: list[str]
+    assumptions: list[str]
+    answer: str  # of the firmware
+    place: Place
+    level: str = ""
+
+
+@dataclass
+class SafetyGoal:
+    """``state``: "verified", "open" or "failed". Times in seconds."""
+
+    id: str
+    title: str
+    text: str
+    safe_states: list[str]
+    time: float  # in which harm must be averted
+    formula: str
+    because: str
+    reaction: float  # that the firmware needs
+    reacts: str
+    requirements: list[str]
+    scenarios: list[str]
+    place: Place
+    computed: float | None = None  # by the formula
+    hazards: list[str] = field(default_factory=list)
+    level: str = ""  # the highest of its hazards
+    state: str = "open"
+    reasons: list[str] = field(default_factory=list)  # why it is not verified
+
+
+@dataclass
+class FaultScenario:
+    """A scenario in which something fails, the goals that it is about, the tests that play it."""
+
+    name: str
+    title: str
+    goals: list[str]
+    place: Place
+    tests: list[str] = field(default_factory=list)
+    state: str = "unverified"  # "verified", "failed", "stale" or "unverified"
+
+
+@dataclass
+class Correction:
+    """Files whose edits correct defects; ``for_safety`` of the touched lines do not."""
+
+    paths: list[str]
+    why: str
+    place: Place
+    for_safety: int = 0
+
+
+@dataclass
+class TouchedFile:
+    """Lines of a file of the robot that were edited since the base of the safety case."""
+
+    file: str
+    added: int
+    removed: int
+    corrections: str = ""  # why they are no safety function; empty when they are
+
+    @property
+    def touched(self) -> int:
+        return self.added + self.removed
+
+
+@dataclass
+class SafetyCost:
+    """What the safety functions took, by git; ``None`` of the model when git cannot tell."""
+
+    base: str
+    commit: str
+    files_added: list[str]
+    lines_added: int  # in these files
+    touched: list[TouchedFile]
+    for_safety: int  # lines of the robot that were edited for safety functions
+
+
+@dataclass
+class SafetyCase:
+    """The hazards, the goals against them, and what they assume."""
+
+    base: str = ""  # commit before the first safety function
+    says: str = ""
+    conditions: list[str] = field(default_factory=list)
+    limits: list[str] = field(default_factory=list)
+    risk_source: str = ""
+    levels: list[str] = field(default_factory=list)  # the lowest first
+    graph: dict[str, list[str]] = field(default_factory=dict)  # severity -> rows of levels
+    words: dict[str, str] = field(default_factory=dict)
+    priorities: dict[str, str] = field(default_factory=dict)  # level -> of a requirement
+    safe_states: dict[str, SafeState] = field(default_factory=dict)
+    assumptions: dict[str, Assumption] = field(default_factory=dict)
+    hazards: dict[str, Hazard] = field(default_factory=dict)
+    goals: dict[str, SafetyGoal] = field(default_factory=dict)
+    scenarios: dict[str, FaultScenario] = field(default_factory=dict)
+    corrections: list[Correction] = field(default_factory=list)
+    data_sheets: list[str] = field(default_factory=list)
+    cost: SafetyCost | None = None
 
 
 @dataclass
@@ -824,6 +981,7 @@ class Model:
     designed_modules: list[str] = field(default_factory=list)
     designed_applications: dict[str, str] = field(default_factory=dict)  # id -> pattern
     closed_loop: list[LoopScenario] = field(default_factory=list)
+    safety: SafetyCase = field(default_factory=SafetyCase)
     findings: list[Finding] = field(default_factory=list)
     files: list[str] = field(default_factory=list)  # sources that get a source page
     facts: Facts | None = field(default=None, repr=False)  # for the checks; no document reads it

@@ -67,7 +67,13 @@ def _result_of(found: Result | None, model: Model, binding: str) -> BindingResul
         return BindingResult(stale=stale)
     milliseconds = round(found.milliseconds, 3)
     return BindingResult(
-        found.result, milliseconds, found.message, stale, found.recordings, found.measured
+        found.result,
+        milliseconds,
+        found.message,
+        stale,
+        found.recordings,
+        found.measured,
+        found.instances,
     )
 
 

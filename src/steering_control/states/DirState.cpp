@@ -12,7 +12,7 @@ SteeringState DirState::id() const {
 
 bool DirState::leave(DirController& controller, DirState& off, DirState& fault) {
   const bool abandoned = controller.abandoned();
-  if (!abandoned && !controller.lost()) {
+  if (!abandoned && !controller.lost() && !controller.inconsistent()) {
     return false;
   }
   controller.disable();

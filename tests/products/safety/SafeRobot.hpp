@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 
 #include "sim/host/HostBinding.hpp"
 #include "sim/scenario/HostLine.hpp"
@@ -17,27 +16,15 @@ namespace wr::test {
 /// The product with safety functions in the simulated robot, with a PC and a remote control.
 class SafeRobot : public testing::Test {
  protected:
-  // Widths of pulses of the enable switch [us].
-  static constexpr int kStop = 1000;
-  static constexpr int kPc = 1500;
-  static constexpr int kDrive = 2000;
+  static constexpr sim::EnablePosition kStop = sim::EnablePosition::Stop;
+  static constexpr sim::EnablePosition kPc = sim::EnablePosition::Pc;
+  static constexpr sim::EnablePosition kDrive = sim::EnablePosition::Drive;
 
   SafeRobot() { line.start(); }
 
-  /// Lets a cycle pass, with the pulses of the enable switch.
+  /// Lets a cycle pass.
   void cycle() {
-    const Instant pulse = line.world.nextPulse();
-    while (enable && nextEnable_ + milliseconds(3) < pulse) {
-      line.world.runUntil(nextEnable_);
-      line.world.robot.pins().remoteControl[2].drive(true);
-      line.world.runUntil(nextEnable_ + Microseconds(*enable));
-      line.world.robot.pins().remoteControl[2].drive(false);
-      nextEnable_ = nextEnable_ + milliseconds(20);
-    }
-    line.world.runUntil(pulse);
-    if (!enable) {
-      nextEnable_ = pulse + milliseconds(1);
-    }
+    line.runThroughPulse();
     fastest = std::max(fastest, std::abs(line.robot().velocityRpm(0)));
     for (const Bytes& body : bodies(line.takeSent())) {
       if (const auto sent = reportOf(body)) {
@@ -73,11 +60,13 @@ class SafeRobot : public testing::Test {
 
   /// Lets the PC get to command, and arm the robot.
   void armByPc() {
-    enable = kPc;
+    enable(kPc);
     cycles(2);
     connect();
     order(12, 0);
   }
+
+  void enable(sim::EnablePosition position) { line.remoteControl().setEnable(position); }
 
   void sticks(double velocity, double steering = 0) {
     line.remoteControl().set(sim::Sticks{.velocity = velocity, .steering = steering});
@@ -85,7 +74,7 @@ class SafeRobot : public testing::Test {
 
   /// Lets the remote control arm the robot.
   void armByRc() {
-    enable = kDrive;
+    enable(kDrive);
     sticks(0);
     cycles(8);
   }
@@ -106,11 +95,7 @@ class SafeRobot : public testing::Test {
   PcSender pc;
   PcReport report;
   PcWelcome welcome;
-  std::optional<int> enable;
   double fastest = 0;
-
- private:
-  Instant nextEnable_{1000};
 };
 
 }  // namespace wr::test

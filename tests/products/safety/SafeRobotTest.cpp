@@ -12,7 +12,7 @@ constexpr std::uint8_t kCurrent = 2;
 /// @verifies FR-280
 /// @verifies FR-286
 TEST_F(SafeRobot, FR280_ADeflectedStickAtPowerOnMovesNothing) {
-  enable = kDrive;
+  enable(kDrive);
   sticks(0.5);
   cycles(50);
   EXPECT_DOUBLE_EQ(fastest, 0.0);
@@ -22,7 +22,7 @@ TEST_F(SafeRobot, FR280_ADeflectedStickAtPowerOnMovesNothing) {
 /// @brief Orders of the PC move nothing until neutral ones armed the robot.
 /// @verifies FR-280
 TEST_F(SafeRobot, FR280_OrdersOfThePcMoveNothingUnarmed) {
-  enable = kPc;
+  enable(kPc);
   cycles(2);
   connect();
   order(30, 1000);
@@ -108,13 +108,13 @@ TEST_F(SafeRobot, FR271_TheEmergencyStopHoldsUntilItIsAcknowledged) {
   sticks(0.5);
   cycles(20);
   EXPECT_GT(rpm(), 100);
-  line.world.robot.pins().emergencyStop.drive(true);
+  line.robot().setEmergencyStop(sim::EmergencyStop::Braking);
   cycle();
   EXPECT_EQ(protection().cause, StopCause::EmergencyStop);
   cycles(15);
   EXPECT_FALSE(voltage());
   EXPECT_NEAR(rpm(), 0, 1);
-  line.world.robot.pins().emergencyStop.drive(false);
+  line.robot().setEmergencyStop(sim::EmergencyStop::Released);
   sticks(0);
   cycles(30);
   sticks(0.5);
@@ -122,8 +122,8 @@ TEST_F(SafeRobot, FR271_TheEmergencyStopHoldsUntilItIsAcknowledged) {
   EXPECT_EQ(protection().cause, StopCause::EmergencyStop);
   EXPECT_NEAR(rpm(), 0, 1);
   sticks(0);
-  for (const int position : {kStop, kPc, kDrive}) {
-    enable = position;
+  for (const sim::EnablePosition position : {kStop, kPc, kDrive}) {
+    enable(position);
     cycles(4);
   }
   cycles(8);
@@ -183,14 +183,14 @@ TEST_F(SafeRobot, FR285_TheRemoteControlStopsARobotThatThePcDrives) {
   armByPc();
   order(20, 2000);
   EXPECT_EQ(report.source, 1);
-  enable = kStop;
+  enable(kStop);
   order(2, 2000);
   EXPECT_TRUE(report.stop());
   EXPECT_TRUE(report.held());
   order(20, 2000);
   EXPECT_TRUE(report.stop());
   EXPECT_NEAR(rpm(), 0, 1);
-  enable = kPc;
+  enable(kPc);
   order(20, 2000);
   EXPECT_FALSE(report.stop());
   EXPECT_NEAR(rpm(), 0, 1);
@@ -204,7 +204,7 @@ TEST_F(SafeRobot, FR285_TheRemoteControlStopsARobotThatThePcDrives) {
 TEST_F(SafeRobot, FR285_ASilentEnableSwitchStops) {
   armByPc();
   order(20, 2000);
-  enable.reset();
+  line.remoteControl().set(std::nullopt);
   order(4, 2000);
   EXPECT_TRUE(report.stop());
   order(20, 2000);

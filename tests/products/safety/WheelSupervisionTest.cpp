@@ -64,6 +64,9 @@ TEST_F(SupervisedWheel, FR273_FaultsOfTheWheelAreCauses) {
   WheelMeasurements still = measured(0, 0);
   still.blind = true;
   EXPECT_EQ(halted(still), StopCause::NoMotion);
+  WheelMeasurements late = measured(0, 0);
+  late.reversalLate = true;
+  EXPECT_EQ(halted(late), StopCause::Reversal);
   EXPECT_EQ(halted(measured(0, 0)), StopCause::None);
 }
 

@@ -178,6 +178,7 @@ def test_a_receiver_that_keeps_the_last_pulses_fails(mcu: Any, control: Path, im
     off = step(go(mcu, control, images, last=name), name)
     assert off.verdict == "fail"
     assert "fail-safe of the receiver" in off.advice
+    assert mcu.transmitter  # it is on again for the steps that follow
 
 
 def test_a_product_without_remote_control_has_no_steps_for_it(
@@ -358,12 +359,12 @@ def test_a_person_is_led_and_ctrl_c_stops_the_robot(mcu: Any, tmp_path: Path) ->
         mcu.left_end = False
         person.reads("PASS: seen pressed and released")
         person.reads("press the right end stop by hand")
-        person.types("")
-        time.sleep(0.2)
         person.types("s")
         person.reads("SKIP: skipped by the operator")
         person.reads("press the emergency stop")
         person.types("")
+        time.sleep(0.2)
+        assert not mcu.latched
         mcu.control("estop press")
         person.reads("release the emergency stop")
         mcu.control("estop release")

@@ -10,13 +10,18 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from weeding_robot_client.bring_up import BringUp, Record, perform
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import Order, Quantity, Report, WheelSetPoint
+from weeding_robot_client.operators import Control, SimulatedOperator
+from weeding_robot_client.orders import Orders, acknowledge, arm, connect
+from weeding_robot_client.script import Wish
 
 ROOT = Path(__file__).parents[3]
 PROGRAMS = ROOT / "build" / "host" / "sim"
 IMAGE = ROOT / "build" / "k64" / "weeding_robot_paper.bin"
 VELOCITY = WheelSetPoint(Quantity.VELOCITY, 40.0)
+STILL = WheelSetPoint(Quantity.VELOCITY, 0.0)
 
 
 def build(preset: str, target: str) -> None:
@@ -43,7 +48,8 @@ def program(request: pytest.FixtureRequest) -> list[Path | str]:
 def robot(program: list[Path | str], tmp_path: Path) -> Iterator[Path]:
     """A robot that was just switched on; its remote control is silent."""
     path = tmp_path / "pc-link"
-    process = subprocess.Popen([*program, "--link", path], stdout=subprocess.DEVNULL)
+    words = [*program, "--link", path, "--control", tmp_path / "control"]
+    process = subprocess.Popen(words, stdout=subprocess.DEVNULL)
     end = time.monotonic() + 10
     while not path.exists() and time.monotonic() < end:
         time.sleep(0.005)
@@ -53,16 +59,37 @@ def robot(program: list[Path | str], tmp_path: Path) -> Iterator[Path]:
     assert process.wait(10) == 0
 
 
-def order(number: int, stop: bool = False) -> Order:
-    return Order(number, -3.0, (VELOCITY,) * 4, stop)
+@pytest.fixture
+def world(robot: Path) -> Iterator[Control]:
+    """The control socket of the robot."""
+    control = Control(robot.parent / "control")
+    yield control
+    control.close()
 
 
-def drive(link: Link, reports: int, first: int = 1, stop: bool = False) -> list[Report]:
+def order(number: int, stop: bool = False, wheel: WheelSetPoint = VELOCITY) -> Order:
+    return Order(number, -3.0, (wheel, wheel, wheel, wheel), stop)
+
+
+def armed(link: Link) -> None:
+    """Arms the robot with neutral orders."""
+    orders = Orders(link)
+    assert connect(orders)
+    assert arm(orders) is None
+
+
+def drive(
+    link: Link,
+    reports: int,
+    first: int = 1,
+    stop: bool = False,
+    wheel: WheelSetPoint = VELOCITY,
+) -> list[Report]:
     """Sends an order at once after each report, and returns the reports."""
     found: list[Report] = []
     for report in link.reports(5.0):
         found.append(report)
-        link.send(order(first + len(found), stop))
+        link.send(order(first + len(found), stop, wheel))
         if len(found) == reports:
             break
     assert len(found) == reports
@@ -122,9 +149,11 @@ def test_an_order_sent_before_a_clock_pulse_is_in_the_report_of_that_cycle(robot
 
 def test_set_points_come_back_as_ordered_and_the_robot_follows_them(robot: Path) -> None:
     with Link(robot) as link:
+        armed(link)
         report = drive(link, 30)[-1]
+    assert report.armed
     assert report.steering_set_point_degrees == -3.0
-    assert [wheel.set_point for wheel in report.wheels] == [VELOCITY] * 4
+    assert [str(wheel.set_point) for wheel in report.wheels] == ["40 rpm"] * 4
     assert report.steering_degrees == pytest.approx(-3.0, abs=0.5)
     for wheel in report.wheels:
         assert wheel.velocity_rpm == pytest.approx(VELOCITY.value, abs=10)
@@ -138,20 +167,108 @@ def test_cycles_follow_each_other_every_100_ms(robot: Path) -> None:
     assert reports[-1].time_ms - reports[0].time_ms == pytest.approx(1900, abs=60)
 
 
+def test_orders_do_not_move_a_robot_that_is_not_armed(robot: Path) -> None:
+    with Link(robot) as link:
+        reports = drive(link, 25)
+    assert reports[-1].inhibit == "not armed"
+    assert all(abs(wheel.velocity_rpm or 0.0) < 1.0 for wheel in reports[-1].wheels)
+
+
 def test_a_stop_holds_and_outlives_the_connection_until_it_is_released(robot: Path) -> None:
     with Link(robot) as link:
-        drive(link, 15)
+        armed(link)
+        drive(link, 5)
         stopped = drive(link, 5, first=100, stop=True)[-1]
         assert stopped.stop
+        assert stopped.stop_sources == ("PC",)
         assert stopped.held
     time.sleep(1.2)
     with Link(robot) as link:
         again = next(link.reports(5.0))
         assert again.stop
         assert again.held
-        released = drive(link, 10, first=200)[-1]
+        moving = drive(link, 10, first=200)[-1]
+        assert moving.stop, "an order that moves the robot releases no stop"
+        released = drive(link, 15, first=300, wheel=STILL)[-1]
         assert not released.stop
         assert not released.held
+        assert released.armed
+
+
+def test_the_emergency_stop_latches_until_it_is_acknowledged(robot: Path, world: Control) -> None:
+    with Link(robot) as link:
+        armed(link)
+        orders = Orders(link)
+        orders.hold(Wish.of(Quantity.VELOCITY, 40.0), 1.0)
+        world.do("estop press")
+        orders.hold(Wish.of(Quantity.VELOCITY, 40.0), 1.0)
+        assert orders.report is not None
+        assert (orders.report.inhibit, orders.report.stop_cause) == (
+            "protective stop",
+            "emergency stop",
+        )
+        world.do("estop release")
+        orders.hold(Wish(), 1.0)
+        assert orders.report.inhibit == "protective stop"
+        acknowledge(orders)
+        assert arm(orders) is None
+
+
+def test_the_round_trip_of_an_order_is_less_than_two_cycles_and_a_half(robot: Path) -> None:
+    with Link(robot) as link:
+        reports = drive(link, 30)
+    trips = [report.round_trip_ms for report in reports if report.round_trip_ms is not None]
+    assert len(trips) >= 10
+    assert all(0 < trip < 250 for trip in trips)
+
+
+def brought_up(robot: Path, world: Control, images: Path) -> Record:
+    record = Record("2026-01-01T00:00:00", str(robot), simulated=True)
+    with Link(robot) as link:
+        perform(BringUp(link, SimulatedOperator(world), images), record)
+    return record
+
+
+@pytest.fixture
+def images(program: list[Path | str], tmp_path: Path) -> Path:
+    """A folder with the program that runs, in place of the image that was built."""
+    folder = tmp_path / "images"
+    folder.mkdir()
+    (folder / "weeding_robot.bin").symlink_to(program[-1])
+    return folder
+
+
+def test_a_whole_bring_up_passes(robot: Path, world: Control, images: Path) -> None:
+    record = brought_up(robot, world, images)
+    assert [(step.step, step.seen) for step in record.steps if step.verdict != "pass"] == []
+
+
+@pytest.mark.parametrize(
+    ("fault", "finding"),
+    [
+        ("leads 1", "the motor leads are swapped"),
+        ("hall-swapped 1", "the Hall pair is swapped"),
+        ("hall 1", "the Hall sensors gave no edges"),
+        ("block 1", "no motion"),
+    ],
+)
+def test_a_bring_up_finds_a_wheel_that_is_connected_wrongly(
+    robot: Path, world: Control, images: Path, fault: str, finding: str
+) -> None:
+    world.do(f"fault {fault}")
+    record = brought_up(robot, world, images)
+    failed = {step.step: step.seen for step in record.steps if step.verdict != "pass"}
+    assert list(failed) == ["wheel 1, front right"]
+    assert finding in failed["wheel 1, front right"]
+
+
+def test_a_bring_up_finds_a_receiver_without_fail_safe(
+    robot: Path, world: Control, images: Path
+) -> None:
+    world.do("rc failsafe hold")
+    record = brought_up(robot, world, images)
+    failed = [step.step for step in record.steps if step.verdict != "pass"]
+    assert failed == ["remote control: transmitter off"]
 
 
 def test_orders_that_end_lead_to_reconnecting_which_holds(robot: Path) -> None:

@@ -26,13 +26,13 @@ def test_each_scenario_orders_for_1000_cycles_after_its_start(name: str) -> None
 
 
 def test_the_orders_have_the_values_of_the_paper() -> None:
-    first = [wish.value for wish in wishes(orders_of(scenario("velocity")), None)][8:]
+    first = [wish.wheels[3].value for wish in wishes(orders_of(scenario("velocity")), None)][8:]
     assert first == [0.0] * 500 + [50.0] * 500
     second = list(wishes(orders_of(scenario("velocity_and_steering")), None))[8:]
-    assert {wish.value for wish in second} == {50.0}
+    assert {point.value for wish in second for point in wish.wheels} == {50.0}
     assert {wish.steering_degrees for wish in second} == {32.0, -32.0}
     for name in ("steps", "steps_and_steering"):
-        steps = [wish.value for wish in wishes(orders_of(scenario(name)), None)]
+        steps = [wish.wheels[3].value for wish in wishes(orders_of(scenario(name)), None)]
         levels = [value for before, value in zip([-1.0, *steps], steps, strict=False)
                   if value != before]  # fmt: skip
         assert levels == [0, 50, 100, 150, 200, 250, 300, 250, 200, 150, 100, 50, 0]

@@ -163,7 +163,10 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
     ),
     "edge of an input not acknowledged": (
         "interrupt-storm",
-        (Change("K64Port.cpp", "    flags.write(port::ISFR.bit(number_));\n", ""),),
+        (
+            Change("K64Port.cpp", "    flags.write(port::ISFR.bit(number_));\n", ""),
+            Change("K64Port.cpp", "    ++edges_;\n", ""),  # else the bound of edges ends it
+        ),
     ),
     "vector of the Hall sensors missing": (
         "reset-request",

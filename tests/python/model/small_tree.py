@@ -15,9 +15,13 @@ FILES = {
 
 @rationale A lost message is not yet a lost link.
 
-@source The paper.
+@source decision: how orders are read.
 
-@verification Test.
+@level system
+
+@product all
+
+@method test
 
 @priority high
 */

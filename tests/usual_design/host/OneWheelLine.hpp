@@ -32,6 +32,12 @@ class OneWheelLine final : public RobotLine {
   explicit OneWheelLine(More&... more)
       : pins(scheduler_), physics_(kSeed), binding_(pins, physics_), design_(devices(), more...) {
     port.setClock(time);
+    [[maybe_unused]] const auto setClockOf = [this](auto& device) {
+      if constexpr (requires { device.setClock(time); }) {
+        device.setClock(time);
+      }
+    };
+    (setClockOf(more), ...);
     binding_.measure();
     cycleTimer_.connect([this] { design_.cycleTimerExpired(); });
     tickTimer_.connect([this] { design_.tickTimerExpired(); });

@@ -1,0 +1,103 @@
+"""req-attribute, req-source: level, product, method and source of each requirement."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from tests.python.model.small_case import make_model, write_case
+from traceability.checks.requirements import _attributes, _sources, headings
+from traceability.model.evidence import read_evidence
+from traceability.model.safety_case import read_sources
+from traceability.model.schema import Model, PaperPlace, Place, Requirement
+
+WHERE = Place("design/paper.toml", 1)
+
+
+def requirement_of(root: Path) -> tuple[Model, Requirement]:
+    write_case(root)
+    model = make_model(root)
+    return model, model.requirements["FR-1"]
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "says"),
+    [
+        ("level", "system", ""),
+        ("level", "robot", "FR-1 has no @level (system, software, driver)"),
+        ("level", "", "FR-1 has no @level (system, software, driver)"),
+        ("products", ["weeding_robot", "weeding_robot_pc"], ""),
+        ("products", [], "FR-1 has no @product (all, or names of products)"),
+        ("products", ["mower"], "FR-1 has a @product mower, which does not exist"),
+        ("method", "inspection", ""),
+        ("method", "measurement", ""),  # a test makes it
+        ("method", "belief", "FR-1 has no @method (test, analysis, measurement, inspection)"),
+    ],
+)
+def test_an_attribute_has_a_known_value(
+    tmp_path: Path, name: str, value: object, says: str
+) -> None:
+    model, requirement = requirement_of(tmp_path)
+    setattr(requirement, name, value)
+    facts: Any = SimpleNamespace(root=tmp_path)
+    assert [one.text for one in _attributes(model, facts)] == [says] * bool(says)
+
+
+@pytest.mark.parametrize(
+    ("method", "evidence", "found"),
+    [
+        ("test", True, 1),  # a test must verify it
+        ("analysis", False, 1),
+        ("analysis", True, 0),
+        ("measurement", False, 1),
+        ("measurement", True, 0),
+        ("inspection", False, 0),
+    ],
+)
+def test_the_method_has_something_that_shows_it(
+    tmp_path: Path, method: str, evidence: bool, found: int
+) -> None:
+    model, requirement = requirement_of(tmp_path)
+    requirement.method, requirement.verified_by = method, []
+    requirement.evidence = [read_evidence("checks.uses-board exactly 0", WHERE)] * evidence
+    facts: Any = SimpleNamespace(root=tmp_path)
+    assert len(list(_attributes(model, facts))) == found
+
+
+@pytest.mark.parametrize(
+    ("source", "says"),
+    [
+        ("goal: SG-1", []),
+        ("paper: Section VII; decision: anything at all", []),
+        ("protocol: Frames", []),
+        ("data sheet: Part X", []),
+        ("Safety", ["the source of FR-1 has no kind: Safety"]),
+        ("paper: Section X", ["FR-1 has the source paper: Section X, which does not exist"]),
+        ("goal: SG-5", ["FR-1 has the source goal: SG-5, which does not exist"]),
+        ("protocol: Birds", ["FR-1 has the source protocol: Birds, which does not exist"]),
+        ("data sheet: Part Y", ["FR-1 has the source data sheet: Part Y, which does not exist"]),
+    ],
+)
+def test_a_source_refers_to_what_exists(tmp_path: Path, source: str, says: list[str]) -> None:
+    model, requirement = requirement_of(tmp_path)
+    requirement.sources = read_sources(source)
+    model.paper_places = [PaperPlace("Section VII", "section", "Title", WHERE)]
+    assert [one.text for one in _sources(model, facts_of(tmp_path))] == says
+
+
+def test_a_goal_that_is_the_source_is_named_too(tmp_path: Path) -> None:
+    model, requirement = requirement_of(tmp_path)
+    requirement.sources, requirement.goals = read_sources("goal: SG-1"), []
+    texts = [one.text for one in _sources(model, facts_of(tmp_path))]
+    assert texts == ["FR-1 has the source SG-1 and no @goal SG-1"]
+
+
+def facts_of(root: Path) -> Any:
+    page = root / "docs" / "protocol.rst"
+    page.parent.mkdir(exist_ok=True)
+    page.write_text("PC protocol\n===========\n\nFrames\n------\n\nA text.\n\n---\n")
+    assert headings(page) == ["PC protocol", "Frames"]
+    return SimpleNamespace(root=root)

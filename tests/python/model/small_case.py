@@ -1,0 +1,123 @@
+"""A small safety case: one hazard, one goal, one requirement, one scenario, one assumption."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from traceability.model.declared import Declared
+from traceability.model.entries import Entries
+from traceability.model.safety_case import read_safety_case
+from traceability.model.schema import (
+    HOST,
+    BindingResult,
+    Model,
+    Place,
+    Requirement,
+    Test,
+)
+
+CASE = """\
+base = "0123456"
+data_sheets = ["Part X"]
+
+[item]
+says = "A robot."
+conditions = ["On the flat."]
+limits = ["An example."]
+
+[risk]
+source = "from memory"
+levels = ["QM", "a", "b", "c", "d", "e"]
+S2 = ["QM QM QM QM", "QM QM QM a", "QM QM a b", "QM a b c", "QM b c d"]
+
+[risk.words]
+S2 = "severe"
+
+[risk.priority]
+b = "medium"
+c = "high"
+
+[[safe_state]]
+id = "brake"
+says = "The motors are short-circuited."
+safe = "On the flat."
+not_safe = "On a slope."
+
+[[assumption]]
+id = "AU-1"
+title = "Emergency stop"
+text = "It removes the power."
+by = "machine builder"
+confirm = "Press it."
+
+[[goal]]
+id = "SG-1"
+title = "Stop"
+text = "A stop acts."
+safe_states = ["brake"]
+time = 0.35
+formula = "0.3 / 0.85"
+because = "0.3 m at 0.85 m/s."
+reaction = 0.2
+reacts = "Two cycles."
+requirements = ["FR-1"]
+scenarios = ["lost"]
+
+[[hazard]]
+id = "HZ-1"
+title = "No stop"
+situation = "Somebody orders a stop."
+harm = "A foot is crushed."
+severity = "S2"
+exposure = "E3"
+avoidance = "C3"
+goals = ["SG-1"]
+assumptions = ["AU-1"]
+answer = "A stop acts in every mode."
+
+[[correction]]
+paths = ["src/sensing/"]
+why = "A filter was wrong."
+"""
+SCENARIO = "# The radio is lost.\n# goal SG-1\nseed 1\nat 100 end\n"
+TEST = '/// @brief It stops.\nTEST(Safety, FR1_Stops) {\n  playScenario("lost");\n}\n'
+
+
+def write_case(root: Path, *changes: tuple[str, str]) -> None:
+    """Writes the case, with parts of its text replaced."""
+    text = CASE
+    for old, new in changes:
+        assert old in text, old
+        text = text.replace(old, new, 1)
+    files = {
+        "design/safety_case.toml": text,
+        "sim/scenario/safety/lost.scenario": SCENARIO,
+        "tests/SafetyTest.cpp": TEST,
+    }
+    for name, content in files.items():
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text(content)
+
+
+def make_model(root: Path, result: str | None = "passed", *, fresh: bool = True) -> Model:
+    """A model with the case, and a test that plays its scenario."""
+    entries = Entries(root)
+    declared = Declared(entries=entries, safety=read_safety_case(root, entries))
+    model = Model("0123456789", "0.1", "hash", {HOST: "hash" if fresh else "old"})
+    model.requirements = {
+        "FR-1": Requirement(
+            "FR-1", "A stop shall act.", "Stop", Place("requirements/stop.dox", 5),
+            rationale="It must.", source="goal: SG-1", priority="high", level="system",
+            products=["all"], method="test", goals=["SG-1"], state="verified",
+        )
+    }  # fmt: skip
+    run = BindingResult(result, 1.0, stale=not fresh)
+    model.tests = {
+        "Safety.FR1_Stops": Test(
+            "Safety.FR1_Stops", "Safety", "FR1_Stops", "It stops.",
+            Place("tests/SafetyTest.cpp", 2), ["FR-1"], {HOST: run},
+        )
+    }  # fmt: skip
+    model.requirements["FR-1"].verified_by = ["Safety.FR1_Stops"]
+    model.safety = declared.safety
+    return model

@@ -1,0 +1,222 @@
+"""The safety case: levels, times, links, and what this run shows of the goals."""
+
+from __future__ import annotations
+
+from itertools import product
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from tests.python.model.small_case import make_model, write_case
+from traceability.metrics import methods, safety
+from traceability.model.declared import Declared
+from traceability.model.entries import Entries
+from traceability.model.safety_case import (
+    add_safety,
+    evaluate,
+    level_of,
+    plays,
+    read_safety_case,
+    read_sources,
+    settle_safety,
+    words_of,
+)
+from traceability.model.schema import HOST, Model, SafetyCase
+
+ROOT = Path(__file__).resolve().parents[3]
+
+
+def settled(root: Path, result: str | None = "passed", *, fresh: bool = True) -> Model:
+    model = make_model(root, result, fresh=fresh)
+    facts: Any = SimpleNamespace(root=root, declared=Declared(safety=model.safety))
+    add_safety(model, facts)
+    settle_safety(model)
+    return model
+
+
+def test_a_case_is_read_with_its_links_both_ways(tmp_path: Path) -> None:
+    write_case(tmp_path)
+    entries = Entries(tmp_path)
+    case = read_safety_case(tmp_path, entries)
+    entries.others()
+    assert entries.problems == []
+    assert case.hazards["HZ-1"].level == "c"
+    assert case.goals["SG-1"].hazards == ["HZ-1"]
+    assert case.goals["SG-1"].level == "c"
+    assert case.goals["SG-1"].computed == pytest.approx(0.3529, abs=1e-4)
+    assert case.assumptions["AU-1"].hazards == ["HZ-1"]
+    assert case.scenarios["lost"].goals == ["SG-1"]
+    assert case.scenarios["lost"].title == "The radio is lost."
+
+
+def test_without_the_file_there_is_no_case(tmp_path: Path) -> None:
+    assert read_safety_case(tmp_path, Entries(tmp_path)) == SafetyCase()
+
+
+def test_the_risk_graph_of_the_project_follows_the_sum_of_its_three_estimates() -> None:
+    """The scheme of the standard: each step of an estimate raises the level by one."""
+    case = read_safety_case(ROOT, Entries(ROOT))
+    for s, e, c in product(range(4), range(5), range(4)):
+        rises = s > 0 and c > 0
+        wanted = case.levels[max(0, s + e + c - 5)] if rises else "QM"
+        assert level_of(case, f"S{s}", f"E{e}", f"C{c}") == wanted, (s, e, c)
+
+
+@pytest.mark.parametrize(
+    ("severity", "exposure", "avoidance"),
+    [("S9", "E1", "C1"), ("S2", "E5", "C1"), ("S2", "E1", "C4"), ("", "", "")],
+)
+def test_an_unknown_estimate_has_no_level(
+    tmp_path: Path, severity: str, exposure: str, avoidance: str
+) -> None:
+    write_case(tmp_path)
+    case = read_safety_case(tmp_path, Entries(tmp_path))
+    assert level_of(case, severity, exposure, avoidance) == ""
+
+
+@pytest.mark.parametrize(
+    ("formula", "value"),
+    [
+        ("0.3 / 0.85", 0.352941),
+        ("(2 * 0.1 / (0.1 * 9.81)) ** 0.5", 0.451524),
+        ("1.5 - 0.5 + 1", 2.0),
+        ("1 / 0", None),
+        ("open('x')", None),
+        ("speed / 2", None),
+        ("", None),
+    ],
+)
+def test_a_formula_is_of_numbers_only(formula: str, value: float | None) -> None:
+    assert evaluate(formula) == (value if value is None else pytest.approx(value, abs=1e-6))
+
+
+def test_names_may_be_parted_by_commas_or_spaces() -> None:
+    assert words_of(["SG-1, SG-2", "SG-3 SG-4."]) == ["SG-1", "SG-2", "SG-3", "SG-4"]
+
+
+def test_sources_have_a_kind_and_a_name() -> None:
+    found = read_sources("goal: SG-2; paper: Section VII. ; Safety; protocol: Frames.")
+    assert [(one.kind, one.name) for one in found] == [
+        ("goal", "SG-2"),
+        ("paper", "Section VII"),
+        ("", "Safety"),
+        ("protocol", "Frames"),
+    ]
+
+
+def test_the_title_of_a_scenario_is_its_first_comment(tmp_path: Path) -> None:
+    write_case(tmp_path)
+    path = tmp_path / "sim/scenario/safety/lost.scenario"
+    path.write_text("# The radio\n# is lost.\n# goal SG-1\nseed 1\n\n# It is back.\nat 9 end\n")
+    assert settled(tmp_path).safety.scenarios["lost"].title == "The radio is lost."
+    path.write_text("seed 1\nat 9 end\n")
+    assert settled(tmp_path).safety.scenarios["lost"].title == "lost"
+
+
+@pytest.mark.parametrize(
+    ("body", "runs", "whether"),
+    [
+        ('play("lost")', [], True),
+        ('play("safety/lost.scenario")', [], True),
+        ('play("lost_wheel")', [], False),
+        ("play(GetParam())", ["All_Safety.Plays_lost"], True),
+        ("play(GetParam())", ["All_Safety.Plays_0"], False),
+        ("play(GetParam())", ["All_Safety.Plays_clock_lost"], False),
+    ],
+)
+def test_a_test_plays_the_scenario_that_it_names(body: str, runs: list[str], whether: bool) -> None:
+    assert plays("lost", "Plays", body, runs) is whether
+
+
+def test_a_goal_is_verified_by_its_requirements_and_scenarios(tmp_path: Path) -> None:
+    write_case(tmp_path)
+    model = settled(tmp_path)
+    assert model.safety.scenarios["lost"].tests == ["Safety.FR1_Stops"]
+    assert model.safety.scenarios["lost"].state == "verified"
+    assert model.safety.goals["SG-1"].state == "verified"
+    assert model.safety.goals["SG-1"].reasons == []
+
+
+@pytest.mark.parametrize(
+    ("result", "fresh", "scenario", "goal"),
+    [
+        ("failed", True, "failed", "failed"),
+        ("skipped", True, "unverified", "open"),
+        (None, True, "unverified", "open"),
+        ("passed", False, "stale", "open"),
+        ("failed", False, "stale", "open"),
+        (None, False, "stale", "open"),
+    ],
+)
+def test_a_scenario_that_did_not_pass_in_this_run_leaves_its_goal_open(
+    tmp_path: Path, result: str | None, fresh: bool, scenario: str, goal: str
+) -> None:
+    write_case(tmp_path)
+    model = settled(tmp_path, result, fresh=fresh)
+    assert model.safety.scenarios["lost"].state == scenario
+    assert model.safety.goals["SG-1"].state == goal
+
+
+@pytest.mark.parametrize(("own", "state"), [("passed", "verified"), ("failed", "failed")])
+def test_an_instance_of_a_test_decides_about_its_scenario(
+    tmp_path: Path, own: str, state: str
+) -> None:
+    """Others that fail do not fail this one."""
+    write_case(tmp_path)
+    model = settled(tmp_path, "failed")
+    run = model.tests["Safety.FR1_Stops"].results[HOST]
+    run.instances = {"All_Safety.FR1_Stops_lost": own, "All_Safety.FR1_Stops_found": "failed"}
+    settle_safety(model)
+    assert model.safety.scenarios["lost"].state == state
+
+
+@pytest.mark.parametrize("state", ["partly", "suspect", "stale", "unverified"])
+def test_a_requirement_that_is_not_verified_leaves_its_goal_open(
+    tmp_path: Path, state: str
+) -> None:
+    write_case(tmp_path)
+    model = settled(tmp_path)
+    model.requirements["FR-1"].state = state
+    settle_safety(model)
+    assert model.safety.goals["SG-1"].state == "open"
+    assert "FR-1" in model.safety.goals["SG-1"].reasons[0]
+
+
+def test_a_goal_without_requirements_or_scenarios_is_open(tmp_path: Path) -> None:
+    write_case(
+        tmp_path,
+        ('requirements = ["FR-1"]', "requirements = []"),
+        ('scenarios = ["lost"]', "scenarios = []"),
+    )
+    assert settled(tmp_path).safety.goals["SG-1"].reasons == [
+        "no requirement serves it",
+        "no fault scenario is about it",
+    ]
+
+
+def test_what_was_not_measured_is_null(tmp_path: Path) -> None:
+    write_case(tmp_path)
+    case = settled(tmp_path).safety
+    assert safety(case, fresh=True) == {
+        "safety.goals": 1,
+        "safety.goals_verified": 1,
+        "safety.fault_scenarios": 1,
+        "safety.fault_scenarios_passed": 1,
+        "safety.existing_lines_touched": None,  # there is no history
+    }
+    stale = safety(case, fresh=False)
+    assert stale["safety.goals_verified"] is None
+    assert stale["safety.fault_scenarios_passed"] is None
+
+
+def test_the_methods_of_verification_add_up(tmp_path: Path) -> None:
+    write_case(tmp_path)
+    model = settled(tmp_path)
+    model.requirements["FR-1"].partly = "not all."
+    counts = methods(model.requirements.values())
+    ways = ("by_test", "by_analysis", "by_measurement", "by_inspection")
+    assert sum(counts[f"requirements.{way}"] for way in ways) == len(model.requirements)
+    assert counts["requirements.partly"] == 1
+    assert counts["requirements.reviewed_by_person"] == 0
