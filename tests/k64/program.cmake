@@ -3,7 +3,7 @@
 set(drivers_program ${CMAKE_BINARY_DIR}/drivers/drivers.bin)
 file(GLOB drivers_sources CONFIGURE_DEPENDS
   ${CMAKE_SOURCE_DIR}/src/k64/*.cpp ${CMAKE_SOURCE_DIR}/src/k64/start_up/*.cpp)
-list(FILTER drivers_sources EXCLUDE REGEX "/start_up/(main.*|control_systems)[.]cpp$")
+list(FILTER drivers_sources EXCLUDE REGEX "/start_up/(main.*|control_systems|pool)[.]cpp$")
 list(APPEND drivers_sources
   ${CMAKE_SOURCE_DIR}/src/services/ControlThread.cpp
   ${CMAKE_CURRENT_SOURCE_DIR}/k64/program/drivers.cpp)

@@ -103,8 +103,8 @@ TEST_F(HostBindingTest, AtRestAllIsInTheMiddle) {
     EXPECT_EQ(converted(wheel.current), 2048);
   }
   EXPECT_EQ(converted(pins.steering.angle), 2048);
-  EXPECT_TRUE(pins.steering.leftEnd.level());
-  EXPECT_TRUE(pins.steering.rightEnd.level());
+  EXPECT_FALSE(pins.steering.leftEnd.level());
+  EXPECT_FALSE(pins.steering.rightEnd.level());
 }
 
 /// @brief Each wheel turns as its own pins say.
@@ -146,12 +146,12 @@ TEST_F(HostBindingTest, PulsesTurnTheSteering) {
   EXPECT_EQ(converted(pins.steering.angle), 2048 + 256);
   pulses(1000);
   binding.measure();
-  EXPECT_FALSE(pins.steering.leftEnd.level());
+  EXPECT_TRUE(pins.steering.leftEnd.level());
   pins.steering.direction.set(false);
   pulses(2000);
   binding.measure();
-  EXPECT_TRUE(pins.steering.leftEnd.level());
-  EXPECT_FALSE(pins.steering.rightEnd.level());
+  EXPECT_FALSE(pins.steering.leftEnd.level());
+  EXPECT_TRUE(pins.steering.rightEnd.level());
 }
 
 }  // namespace

@@ -53,19 +53,20 @@ TEST(ClosedLoopOfRobot, FR85_CurrentSettles) {
   play("current_step");
 }
 
-/// @brief From full speed forwards to full speed backwards the wheels stop before they turn.
+/// @brief From full speed forwards to full speed backwards the wheels are slow before they
+/// turn.
 /// @verifies FR-87
 TEST(ClosedLoopOfRobot, FR87_WheelsStopBeforeTheyTurn) {
   play("reversal");
 }
 
-/// @brief A wheel that is blocked is cut off.
+/// @brief The overcurrent trip of a blocked wheel acts, and a stop does not release it.
 /// @verifies FR-128
 TEST(ClosedLoopOfRobot, FR128_BlockedWheelIsCutOff) {
   play("wheel_blocked");
 }
 
-/// @brief A wheel with one dead Hall sensor is found to be blind.
+/// @brief A wheel with one dead Hall sensor is found to be without motion feedback.
 /// @verifies FR-91
 TEST(ClosedLoopOfRobot, FR91_WheelWithADeadSensorIsBlind) {
   play("one_hall_sensor");
