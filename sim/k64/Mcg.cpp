@@ -283,13 +283,10 @@ void Mcg::follow() {
     const auto periods = static_cast<std::int64_t>(1075 * 1'000'000'000'000 / pllReferenceHz());
     locked_.ask(1, failingStep_ == 3 ? kNever : now + 150us + Time(periods));
   } else {
-    const bool lost = locked_.now != 0 && pllRuns();
-    lostLock_ = lostLock_ || lost;
-    locked_ = {};
-    // C8.LOLRE: the loss of the lock resets.
-    if (lost && (c8_ & 0x40U) != 0) {
-      board_.requestReset(Reset::LockLost, "reset-request", "the PLL lost its lock");
+    if (locked_.now != 0 && pllRuns()) {
+      lockIsLost();
     }
+    locked_ = {};
   }
 
   const unsigned clks = c1_ >> 6;
@@ -315,6 +312,20 @@ void Mcg::advance() {
   locked_.settle(now);
   follow();
   board_.clocksChanged();
+}
+
+void Mcg::lockIsLost() {
+  lostLock_ = true;
+  // C8.LOLRE: the loss of the lock resets.
+  if ((c8_ & 0x40U) != 0) {
+    board_.requestReset(Reset::LockLost, "reset-request", "the PLL lost its lock");
+  }
+}
+
+void Mcg::loseLock() {
+  locked_ = {};
+  lockIsLost();
+  follow();
 }
 
 void Mcg::setExternalClock(bool present) {

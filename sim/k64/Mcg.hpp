@@ -27,6 +27,9 @@ class Mcg final : public Peripheral {
   /// @brief Lets the external clock come or go.
   void setExternalClock(bool present);
 
+  /// @brief The PLL loses its lock.
+  void loseLock();
+
   /// @brief Lets each step end that was not there at the start.
   void endFailure() { failingStep_ = 0; }
 
@@ -57,6 +60,7 @@ class Mcg final : public Peripheral {
   [[nodiscard]] Mode mode() const;
   [[nodiscard]] static bool leadsTo(Mode from, Mode to);
   [[nodiscard]] bool settled() const;
+  void lockIsLost();
   void checkChange(Mode before, bool wasSettled);
   void checkFllReference();
   void checkPll();

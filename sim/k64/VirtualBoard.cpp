@@ -55,8 +55,8 @@ constexpr unsigned kConverters = 2;
 constexpr Uart::Kind kUart0{.number = 0, .coreClock = true, .fifo = 0x22, .line = 31};
 constexpr Uart::Kind kUart4{.number = 4, .coreClock = false, .fifo = 0x00, .line = 66};
 
-// Blocks whose registers keep what they are given: K64P144M120SF5RM, chapters OSC, SMC, PMC (LVDSC1,
-// LVDSC2, REGSC), and Memory Protection Unit (MPU).
+// Blocks whose registers keep what they are given: K64P144M120SF5RM, chapters OSC, SMC, PMC
+// (LVDSC1, LVDSC2, REGSC), and Memory Protection Unit (MPU).
 constexpr std::array<PlainRegister, 1> kOsc{{{0x0, 0x00, 0xAF}}};
 constexpr std::array<PlainRegister, 4> kSmc{
     {{0x0, 0x00, 0x2A}, {0x1, 0x00, 0x00}, {0x2, 0x03, 0x27}, {0x3, 0x01, 0x00}}};
@@ -710,6 +710,11 @@ void VirtualBoard::raise(int exception) {
 
 void VirtualBoard::setExternalClock(bool present) {
   parts_->mcg().setExternalClock(present);
+  parts_->renew(parts_->mcg());
+}
+
+void VirtualBoard::loseLock() {
+  parts_->mcg().loseLock();
   parts_->renew(parts_->mcg());
 }
 

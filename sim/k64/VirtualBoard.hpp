@@ -136,6 +136,9 @@ class VirtualBoard {
   /// @brief Lets the external clock of 50 MHz come or go.
   void setExternalClock(bool present);
 
+  /// @brief The PLL loses its lock, and finds it again.
+  void loseLock();
+
   /// @brief Ends the failure of the clock generator that the options asked for.
   void endClockFailure();
 

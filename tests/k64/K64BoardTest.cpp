@@ -232,6 +232,20 @@ TEST(K64BoardOnBoard, FR203_OutputsAreSafeWithin1MillisecondOfALostClock) {
   EXPECT_EQ(robot.askForWelcome().resetCause, kClockLost);
 }
 
+/// @brief When the PLL loses its lock while the robot drives, the outputs are safe within 1 ms, and the next
+/// start reports that the clock was lost.
+/// @verifies FR-203
+TEST(K64BoardOnBoard, FR203_OutputsAreSafeWithin1MillisecondOfALostLock) {
+  BoardRobot robot;
+  driveByPc(robot);
+  robot.board.loseLock();
+  robot.run(milliseconds(1));
+  EXPECT_EQ(robot.board.resets(), 1);
+  EXPECT_EQ(robot.unsafePins(), "");
+  robot.startUp();
+  EXPECT_EQ(robot.askForWelcome().resetCause, kClockLost);
+}
+
 /// @brief Before the first cycle a supply below the higher of the two thresholds resets.
 /// @verifies FR-204
 TEST(K64BoardOnBoard, FR204_LowSupplyResets) {
