@@ -5,7 +5,7 @@
 namespace wr {
 
 HostRobot::HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start,
-                     HostEquipment equipment)
+                     HostEquipment equipment, RetainedStop::Cells* retained)
     : timebase_(timebase),
       equipment_(equipment),
       pins_(scheduler_),
@@ -45,7 +45,7 @@ HostRobot::HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRe
                                                            .velocity = rcVelocity_,
                                                            .direction = rcDirection_}}),
       director_(poolBuilder_, controllerBuilder_),
-      stopMemory_(stopCells_),
+      stopMemory_(retained != nullptr ? *retained : stopCells_),
       safetyDirector_(poolBuilder_, controllerBuilder_,
                       {.timebase = timebase,
                        .edgeTime = timebase,
@@ -71,7 +71,8 @@ std::span<ControlSystemBuilder* const> HostRobot::builders() const {
 
 void HostRobot::construct() {
   if (equipment_ == HostEquipment::Safe) {
-    stopMemory_.begin(ResetCause::PowerOn);
+    // The host names no cause when it is switched on.
+    stopMemory_.begin(start_.cause == ResetCause::Unknown ? ResetCause::PowerOn : start_.cause);
     safetyDirector_.construct();
     pins_.remoteControl[2].connect([this] { safetyDirector_.enablePin().serve(); });
   } else {

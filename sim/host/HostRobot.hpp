@@ -46,8 +46,10 @@ class HostRobot {
   /// @param pcPort line to the PC
   /// @param start why the firmware starts; without it the cause is unknown
   /// @param equipment how much of the firmware it has
+  /// @param retained memory that a reset leaves as it is; without it each start is one of power-on
   HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start = {},
-            HostEquipment equipment = HostEquipment::Whole);
+            HostEquipment equipment = HostEquipment::Whole,
+            RetainedStop::Cells* retained = nullptr);
   HostRobot(const HostRobot&) = delete;
   HostRobot& operator=(const HostRobot&) = delete;
 

@@ -30,7 +30,7 @@ Instant at(Instant begin, std::chrono::nanoseconds offset) {
 }  // namespace
 
 HostWorld::HostWorld(SerialPort& pcPort, HostEquipment equipment)
-    : robot(time, pcPort, {}, equipment),
+    : robot(time, pcPort, {}, equipment, &retained_),
       physics(kSeed),
       pcPort_(pcPort),
       equipment_(equipment),
@@ -63,7 +63,7 @@ void HostWorld::reset(ResetCause cause) {
   edges_.clear();
   std::destroy_at(&binding_);
   std::destroy_at(&robot);
-  std::construct_at(&robot, time, pcPort_, StartRecord{.cause = cause}, equipment_);
+  std::construct_at(&robot, time, pcPort_, StartRecord{.cause = cause}, equipment_, &retained_);
   std::construct_at(&binding_, robot.pins(), physics);
   observeThreads();
   robot.start();

@@ -108,7 +108,7 @@ TEST_F(SafeRobot, FR271_TheEmergencyStopHoldsUntilItIsAcknowledged) {
   sticks(0.5);
   cycles(20);
   EXPECT_GT(rpm(), 100);
-  line.robot().setEmergencyStop(sim::EmergencyStop::Braking);
+  line.robot().setEmergencyStop(sim::EmergencyStop::Brake);
   cycle();
   EXPECT_EQ(protection().cause, StopCause::EmergencyStop);
   cycles(15);
