@@ -36,7 +36,8 @@ HAS = {
     DEFAULT: REMOTE_CONTROL | SAFETY | STOP_MEMORY | ENABLE_SWITCH | {"SafetyDirector"},
     PAPER: REMOTE_CONTROL | {"RobotDirector"},
     "weeding_robot_pc": SAFETY | STOP_MEMORY | {"SafetyPcDirector"},
-    "weeding_robot_pc_bluetooth": SAFETY | {"Bluetooth", "BluetoothLink", "BluetoothDirector"},
+    "weeding_robot_pc_bluetooth": SAFETY
+    | {"Bluetooth", "SignedPort", "SipHash", "K64Random", "BluetoothDirector"},
     "weeding_robot_warning": REMOTE_CONTROL | {"WaitingK", "WarningDirector"},
 }
 DIFFERENT = set().union(*HAS.values())

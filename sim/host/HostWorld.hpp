@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "devices/SerialPort.hpp"
+#include "safety/RetainedStop.hpp"
 #include "sim/host/HostBinding.hpp"
 #include "sim/host/HostRobot.hpp"
 #include "sim/host/HostTimebase.hpp"
@@ -41,6 +42,10 @@ class HostWorld {
   [[nodiscard]] Instant nextPulse() const { return nextPulse_; }
 
   HostTimebase time;
+
+ private:
+
+ public:
   HostRobot robot;
   sim::Robot physics;
   sim::RemoteControl remoteControl;

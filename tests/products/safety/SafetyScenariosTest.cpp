@@ -38,5 +38,59 @@ TEST_P(SafetyScenarios, RobotStopsAsExpected) {
 INSTANTIATE_TEST_SUITE_P(Files, SafetyScenarios, testing::ValuesIn(scenarios()),
                          [](const auto& file) { return file.param; });
 
+/// The product with safety functions in the simulated robot.
+class SafetyScenario : public testing::TestWithParam<const char*> {
+ protected:
+  static std::vector<std::string> failures(const std::string& name) {
+    const Scenario scenario = Scenario::load(std::filesystem::path(WR_SOURCE_DIR) /
+                                             "sim/scenario/safety" / (name + ".scenario"));
+    HostLine robot(HostEquipment::Safe);
+    robot.start();
+    return ScenarioPlayer(scenario, robot).play().failures;
+  }
+};
+
+class StopOfTheRemoteControl : public SafetyScenario {};
+
+/// @brief The enable switch stops the robot while the PC drives, while nobody commands, and while the PC connects.
+/// @verifies FR-285
+TEST_P(StopOfTheRemoteControl, FR285_ActsInEveryModeAndState) {
+  EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
+}
+
+INSTANTIATE_TEST_SUITE_P(States, StopOfTheRemoteControl,
+                         testing::Values("rc_stops_the_pc", "rc_stops_while_reconnecting",
+                                         "rc_stops_while_handshaking", "rc_receiver_silent"),
+                         [](const auto& scenario) { return std::string(scenario.param); });
+
+class FaultOfAPart : public SafetyScenario {};
+
+/// @brief A fault of one wheel, of its leads or of its sensors brakes the whole robot, and it stays at rest.
+/// @verifies FR-270
+TEST_P(FaultOfAPart, FR270_StopsTheWholeRobot) {
+  EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
+}
+
+INSTANTIATE_TEST_SUITE_P(Faults, FaultOfAPart,
+                         testing::Values("swapped_leads", "hall_swapped", "hall_dead",
+                                         "hall_glitches", "hall_misplaced", "current_stuck",
+                                         "wheel_blocked_at_3_volts", "overcurrent_uphill"),
+                         [](const auto& scenario) { return std::string(scenario.param); });
+
+class LimitOfTheRobot : public SafetyScenario {};
+
+/// @brief The robot keeps its limits of speed and acceleration, and a stop outlives a reset.
+/// @verifies FR-282
+/// @verifies FR-283
+/// @verifies FR-290
+TEST_P(LimitOfTheRobot, FR282_IsKept) {
+  EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
+}
+
+INSTANTIATE_TEST_SUITE_P(Limits, LimitOfTheRobot,
+                         testing::Values("acceleration", "full_voltage", "emergency_stop",
+                                         "stop_survives_a_reset", "reset_while_driving"),
+                         [](const auto& scenario) { return std::string(scenario.param); });
+
 }  // namespace
 }  // namespace wr::test
