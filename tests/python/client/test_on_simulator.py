@@ -19,7 +19,7 @@ from weeding_robot_client.script import Wish
 
 ROOT = Path(__file__).parents[3]
 PROGRAMS = ROOT / "build" / "host" / "sim"
-IMAGE = ROOT / "build" / "k64" / "weeding_robot_paper.bin"
+IMAGE = ROOT / "build" / "k64" / "weeding_robot.bin"
 VELOCITY = WheelSetPoint(Quantity.VELOCITY, 40.0)
 STILL = WheelSetPoint(Quantity.VELOCITY, 0.0)
 
@@ -39,8 +39,8 @@ def program(request: pytest.FixtureRequest) -> list[Path | str]:
     name = f"weeding_robot_{request.param}"
     build("host", name)
     if request.param == "host":
-        return [PROGRAMS / name, "--paper"]
-    build("k64", "weeding_robot_paper")
+        return [PROGRAMS / name]
+    build("k64", "weeding_robot")
     return [PROGRAMS / name, "--image", IMAGE]
 
 
