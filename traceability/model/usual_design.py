@@ -17,7 +17,7 @@ CHANGES = FOLDER / "changes"
 USUAL, PATTERNS = "usual", "patterns"
 DESIGNS = {USUAL: "usual design", PATTERNS: "pattern design"}
 TITLES = {
-    "bluetooth": "a Bluetooth reading mode",
+    "bluetooth": "a Bluetooth reading mode, without authentication",
     "waiting_k": "a state that warns, WaitingK",
     "wheel_algorithm": "a new algorithm of the wheel",
 }
