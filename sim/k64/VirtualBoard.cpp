@@ -55,7 +55,7 @@ constexpr unsigned kConverters = 2;
 constexpr Uart::Kind kUart0{.number = 0, .coreClock = true, .fifo = 0x22, .line = 31};
 constexpr Uart::Kind kUart4{.number = 4, .coreClock = false, .fifo = 0x00, .line = 66};
 
-// Blocks whose registers keep what they are given: K64P144M120SF5RM, chapters OSC, SMC, PMC
+// Blocks whose registers keep the written values: K64P144M120SF5RM, chapters OSC, SMC, PMC
 // (LVDSC1, LVDSC2, REGSC), and Memory Protection Unit (MPU).
 constexpr std::array<PlainRegister, 1> kOsc{{{0x0, 0x00, 0xAF}}};
 constexpr std::array<PlainRegister, 4> kSmc{

@@ -129,7 +129,7 @@ class DirController final {
   /// @satisfies FR-111
   void watch();
 
-  /// @brief Tells whether the steering does not move with the steps of the motor. It decides when 200 ms
+  /// @brief Checks whether the steering does not move with the steps of the motor. It decides when 200 ms
   /// have passed and the steps amount to 0.6 degrees, and then begins to watch again. States call
   /// it.
   /// @return true when the steering moved less than half as far as the steps should have turned it

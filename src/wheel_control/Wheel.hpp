@@ -78,7 +78,7 @@ class Wheel final {
   void release();
 
  private:
-  /// What the overcurrent trip has done.
+  /// State of the overcurrent trip.
   enum class Trip : std::uint8_t {
     None,      ///< nothing
     Tripped,   ///< the driver is off

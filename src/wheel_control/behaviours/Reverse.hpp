@@ -12,7 +12,7 @@ namespace wr {
 /// @function Extends a behaviour: when the demand opposes the present orientation the wheel is stopped,
 /// then its orientation changes, and then the extended behaviour goes on.
 ///
-/// @secret How it is found that a wheel is slow, and what must happen before its orientation changes.
+/// @secret How it is found that a wheel is slow, and the conditions under which its orientation changes.
 ///
 /// @role{wheel-behaviours, Concrete Strategy}
 /// @role{behaviour-extensions, Concrete Decorator}
