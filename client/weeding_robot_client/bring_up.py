@@ -38,7 +38,7 @@ DESCRIPTION = """\
 Leads you through the checks of a new robot, one step after the other: port, connection, image,
 reset cause, inputs, end stops, remote control, emergency stop. Only then it turns one wheel at a
 time with 1 V, finds swapped motor leads and Hall sensors, and tries the stop while a wheel turns.
-Each step says what to do and what is expected; 's' and Enter skips a step that waits for you.
+Each step states the action and the expected result; 's' and Enter skips a step that waits for you.
 No motor is switched on before the emergency stop has passed and you have confirmed that the wheels
 are off the ground. Ctrl-C stops the robot. The result is written to a record of this date, in JSON
 and Markdown.
@@ -87,7 +87,7 @@ class SkipError(RuntimeError):
 
 
 class FailError(RuntimeError):
-    """A step failed: what was seen, and the next action."""
+    """A step failed: the observation and the next action."""
 
     def __init__(self, seen: str, advice: str = "") -> None:
         super().__init__(seen)
@@ -150,7 +150,7 @@ class Record:
 
 @dataclass(frozen=True)
 class Step:
-    """One step: its check returns what was seen, or raises FailError or SkipError."""
+    """One step: its check returns the observation, or raises FailError or SkipError."""
 
     name: str
     expected: str
@@ -273,7 +273,7 @@ class BringUp:
             ),
         ]
 
-    # ---- what the steps are made of ------------------------------------------
+    # ---- parts of the steps --------------------------------------------------
 
     def idle(self) -> None:
         self.orders.service(self._wish)
@@ -561,7 +561,7 @@ class BringUp:
 
 @dataclass(frozen=True)
 class Motion:
-    """What one wheel did with a low voltage forwards."""
+    """Reaction of one wheel to a low voltage forwards."""
 
     wheel: int
     counts: int

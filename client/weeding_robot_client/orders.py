@@ -22,7 +22,7 @@ Observer = Callable[[Report], None]
 
 
 def order_ids() -> Iterator[int]:
-    """1 to 65535, again and again; 0 stands for orders of the remote control."""
+    """1 to 65535, again and again; 0 means an order of the remote control."""
     return itertools.cycle(range(1, 0x10000))
 
 

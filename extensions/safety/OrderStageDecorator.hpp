@@ -8,7 +8,7 @@ namespace wr {
 
 /// @brief A stage that extends another stage.
 ///
-/// @function Passes what it does not extend on to the stage that it wraps. Derived classes change the
+/// @function Passes the operations that it does not extend on to the wrapped stage. Derived classes change the
 /// orders that they extend.
 ///
 /// @secret Which calls of the wrapped stage pass unchanged.

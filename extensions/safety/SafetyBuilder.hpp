@@ -21,7 +21,7 @@ namespace wr {
 
 /// @brief Builds the robot with its safety functions as one control system.
 ///
-/// @function Calls each step of the builders of the robot's control systems, wraps what they built in the
+/// @function Calls each step of the builders of the robot's control systems, wraps their products in the
 /// safety functions of the control cycle, and passes ticks on to them.
 ///
 /// @secret Which safety functions wrap the robot, and in which sequence.

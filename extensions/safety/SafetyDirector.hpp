@@ -18,7 +18,7 @@ namespace wr {
 /// @brief Has a robot with safety functions built, and starts it.
 ///
 /// @function Calls the steps of the builders in the right sequence, gives them the reading modes with
-/// safety functions in place of their own, and starts what they built.
+/// safety functions in place of their own, and starts their products.
 ///
 /// @secret Which steps build a robot with safety functions.
 ///

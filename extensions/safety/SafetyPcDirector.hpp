@@ -12,7 +12,7 @@ namespace wr {
 /// @brief Has a robot with safety functions built that only the PC commands, and starts it.
 ///
 /// @function Calls the steps of the builders in the right sequence, gives them the reading mode with
-/// safety functions in place of their own, and starts what they built.
+/// safety functions in place of their own, and starts their products.
 ///
 /// @secret Which steps build a robot with safety functions that has no remote control.
 ///

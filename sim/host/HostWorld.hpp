@@ -43,8 +43,6 @@ class HostWorld {
 
   HostTimebase time;
 
- private:
-
  public:
   HostRobot robot;
   sim::Robot physics;

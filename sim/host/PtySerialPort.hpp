@@ -33,7 +33,7 @@ class PtySerialPort final : public SerialPort {
   [[nodiscard]] const std::string& path() const;
 
   std::size_t read(std::span<std::uint8_t> bytes) override;
-  /// @brief Returns when the pseudo-terminal gave the last byte: it does not tell when the byte came.
+  /// @brief Returns when the pseudo-terminal gave the last byte: the time at which the byte came is unknown.
   [[nodiscard]] Instant receivedAt() const override { return receivedAt_; }
   [[nodiscard]] std::size_t free() const override;
   bool write(std::span<const std::uint8_t> bytes) override;

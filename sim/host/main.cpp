@@ -31,7 +31,7 @@ constexpr const char* kUsage =
 
 // Time that the robot runs without a look at the clock of the machine.
 constexpr wr::Microseconds kSlice = wr::milliseconds(1);
-// Bytes that the line brings in a look at the pseudo-terminal; what is more waits there.
+// Bytes that the line brings in a look at the pseudo-terminal; more bytes wait there.
 constexpr std::size_t kBytes = 64;
 
 wr::HostEquipment equipmentOf(const wr::CommandLine& options) {

@@ -55,7 +55,7 @@ constexpr unsigned kConverters = 2;
 constexpr Uart::Kind kUart0{.number = 0, .coreClock = true, .fifo = 0x22, .line = 31};
 constexpr Uart::Kind kUart4{.number = 4, .coreClock = false, .fifo = 0x00, .line = 66};
 
-// Blocks whose registers keep what they are given: K64P144M120SF5RM, chapters OSC, SMC, PMC
+// Blocks whose registers keep the written values: K64P144M120SF5RM, chapters OSC, SMC, PMC
 // (LVDSC1, LVDSC2, REGSC), and Memory Protection Unit (MPU).
 constexpr std::array<PlainRegister, 1> kOsc{{{0x0, 0x00, 0xAF}}};
 constexpr std::array<PlainRegister, 4> kSmc{
@@ -97,12 +97,12 @@ class VirtualBoard::Parts final : public Surroundings {
                Gpio(*this, pins_[4], ports_[4])},
         byName_{{"SIM", &sim_},        {"MCG", &mcg_},        {"OSC", &osc_},
                 {"SMC", &smc_},        {"PMC", &pmc_},        {"SYSMPU", &sysmpu_},
-                {"WDOG", &wdog_},      {"RCM", &rcm_},        {"RNG", &rng_},        {"PIT", &pit_},
-                {"UART0", &uarts_[0]}, {"UART4", &uarts_[1]}, {"FTM0", &ftms_[0]},
-                {"FTM1", &ftms_[1]},   {"FTM2", &ftms_[2]},   {"FTM3", &ftms_[3]},
-                {"ADC0", &adcs_[0]},   {"ADC1", &adcs_[1]},   {"PORTA", &ports_[0]},
-                {"PORTB", &ports_[1]}, {"PORTC", &ports_[2]}, {"PORTD", &ports_[3]},
-                {"PORTE", &ports_[4]}},
+                {"WDOG", &wdog_},      {"RCM", &rcm_},        {"RNG", &rng_},
+                {"PIT", &pit_},        {"UART0", &uarts_[0]}, {"UART4", &uarts_[1]},
+                {"FTM0", &ftms_[0]},   {"FTM1", &ftms_[1]},   {"FTM2", &ftms_[2]},
+                {"FTM3", &ftms_[3]},   {"ADC0", &adcs_[0]},   {"ADC1", &adcs_[1]},
+                {"PORTA", &ports_[0]}, {"PORTB", &ports_[1]}, {"PORTC", &ports_[2]},
+                {"PORTD", &ports_[3]}, {"PORTE", &ports_[4]}},
         timed_{&mcg_,     &wdog_,    &pit_,     &uarts_[0], &uarts_[1], &ftms_[0],
                &ftms_[1], &ftms_[2], &ftms_[3], &adcs_[0],  &adcs_[1],  &ports_[3]},
         agenda_([this](const Agenda::Level& level) { drive(level.port, level.pin, level.high); }) {

@@ -37,7 +37,7 @@ class DriveTrain {
 
   DriveTrain() { configure({}); }
 
-  /// @brief Sets what the motor is.
+  /// @brief Sets the properties of the motor.
   /// @param motor its parameters
   void configure(const MotorParameters& motor);
 

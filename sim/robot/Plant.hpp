@@ -34,7 +34,7 @@ struct CurrentSensorParameters {
   double offset = 0.0;  ///< A
 };
 
-/// @brief What a robot is made of. The nominal robot is one of many: the bands of varied() hold what
+/// @brief Properties of the parts of a robot. The nominal robot is one of many: the bands of varied() hold what
 /// differs from one robot to the next, with its load and its battery.
 struct Plant {
   std::array<MotorParameters, kWheels> motors{};
@@ -54,7 +54,7 @@ struct Plant {
   [[nodiscard]] static Plant varied(const Noise& noise);
 };
 
-/// @brief What a scenario can fix.
+/// @brief Properties that a scenario can set.
 enum class Parameter : std::uint8_t {
   Supply,         ///< V
   Battery,        ///< ohm

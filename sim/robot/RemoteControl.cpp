@@ -63,7 +63,7 @@ nanoseconds RemoteControl::beginOf(std::size_t channel) const {
   return coincident_ ? nanoseconds(0) : nanoseconds(kSpacing * channel);
 }
 
-// What the receiver sends: what it gets, or what its fail-safe says.
+// Pulses of the receiver: those of the transmitter, or those of its fail-safe.
 std::optional<microseconds> RemoteControl::widthOf(std::size_t channel) {
   std::optional<microseconds>& last = last_.at(channel);
   if (on_) {
@@ -81,7 +81,7 @@ std::optional<microseconds> RemoteControl::widthOf(std::size_t channel) {
   return std::nullopt;
 }
 
-// What the transmitter sends; nothing on a channel that is not connected.
+// Pulses of the transmitter; none on a channel that is not connected.
 std::optional<microseconds> RemoteControl::sentWidth(std::size_t channel) const {
   microseconds jitter{0};
   if (noisy_) {

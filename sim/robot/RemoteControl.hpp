@@ -25,7 +25,7 @@ enum class EnablePosition : std::uint8_t {
   Drive  ///< the remote control drives: 1.9 ms
 };
 
-/// @brief What a receiver sends when its transmitter is off.
+/// @brief Output of a receiver when its transmitter is off.
 enum class FailSafe : std::uint8_t {
   None,    ///< nothing
   Hold,    ///< the last pulses, again and again
@@ -62,7 +62,7 @@ class RemoteControl {
   /// @param position its position from now on
   void setEnable(EnablePosition position) { enable_ = position; }
 
-  /// @brief Chooses what the receiver does when the transmitter is off; None at first.
+  /// @brief Sets the output of the receiver when the transmitter is off; None at first.
   /// @param failSafe its behaviour
   void setFailSafe(FailSafe failSafe) { failSafe_ = failSafe; }
 

@@ -53,7 +53,7 @@ enum class Fault : std::uint8_t {
   RightEnd        ///< the wire of the right end stop is broken
 };
 
-/// @brief What the circuit of the emergency stop does to the motors.
+/// @brief Effect of the emergency stop's circuit on the motors.
 enum class EmergencyStop : std::uint8_t {
   Released,  ///< nothing
   Coast,     ///< it takes the power from all drivers: the motors have no current
@@ -84,11 +84,11 @@ class Robot {
   /// @param seed chooses them
   void setSeed(std::uint32_t seed);
 
-  /// @brief Sets what the robot is made of.
+  /// @brief Sets the properties of the robot's parts.
   /// @param plant its parameters
   void setPlant(const Plant& plant);
 
-  /// @brief Lets the seed choose what the robot is made of, or makes it the nominal robot.
+  /// @brief Lets the seed choose the properties of the robot's parts, or sets the nominal ones.
   /// @param varied true: the seed chooses
   void vary(bool varied);
 
@@ -117,10 +117,10 @@ class Robot {
   void setFault(Fault fault, std::size_t wheel, bool present, double value = 0);
 
   /// @brief Presses or releases the emergency stop.
-  /// @param state what its circuit does
+  /// @param state effect of its circuit
   void setEmergencyStop(EmergencyStop state);
 
-  /// @brief Sets what the firmware puts on the driver of a wheel.
+  /// @brief Sets the firmware's signals on the driver of a wheel.
   /// @param wheel 0 to 3
   /// @param drive duty, orientation, enable
   void setWheel(std::size_t wheel, const WheelDrive& drive);
@@ -137,7 +137,7 @@ class Robot {
   /// @return the edges in this time, in their order; valid until the next step
   std::span<const HallEdge> step();
 
-  /// @brief Starts anew with the greatest velocity.
+  /// @brief Resets the greatest velocity.
   void clearGreatestVelocity() { greatestRpm_ = 0; }
 
   /// @brief Voltage of a current sensor at the begin of the last step.
@@ -224,7 +224,7 @@ class Robot {
   /// @return V
   [[nodiscard]] double supplyVolts() const { return supply_; }
 
-  /// @brief What the robot is made of.
+  /// @brief Returns the properties of the robot's parts.
   /// @return its parameters
   [[nodiscard]] const Plant& plant() const { return plant_; }
 

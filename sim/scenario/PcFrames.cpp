@@ -149,7 +149,7 @@ std::vector<Bytes> bodies(std::span<const std::uint8_t> line) {
     Bytes body = unstuffed(line.subspan(begin, at - begin));
     begin = at + 1;
     if (empty) {
-      continue;  // ends what the line held before the first frame
+      continue;  // ends the bytes on the line before the first frame
     }
     if (body.size() < kHeader + 2 || crcOf(std::span(body).first(body.size() - 2)) !=
                                          (body[body.size() - 2] | (body.back() << 8))) {

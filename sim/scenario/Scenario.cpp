@@ -232,7 +232,7 @@ void Scenario::readLine(const std::string& line, int number, bool& ended) {
 void Scenario::readHead(Words& words) {
   const std::string word = words.take("an action");
   if (!steps_.empty()) {
-    throw Error("a " + word + " stands before all lines that have a time");
+    throw Error("a " + word + " must be before all lines that have a time");
   }
   if (word == "seed") {
     seed_ = words.natural("seed");

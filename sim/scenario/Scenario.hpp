@@ -32,10 +32,10 @@ namespace wr {
 ///     at 61000 end
 ///
 /// Actions of the PC: connect (Hello, and Confirm as soon as the Welcome comes); arm (connect, then
-/// thirteen neutral orders, one in each cycle: this takes 1.5 s); hello; confirm; keepalive; order with
-/// any of 'steering N', 'velocity N', 'tension N', 'current N' (for all wheels, or four numbers,
-/// one for each wheel), 'stop' and 'acknowledge'; replay (the bytes of the last order again); bytes
-/// with pairs of hexadecimal digits. Orders are numbered from 1.
+/// thirteen neutral orders, one in each cycle: this takes 1.5 s); hello; confirm; keepalive; order
+/// with any of 'steering N', 'velocity N', 'tension N', 'current N' (for all wheels, or four
+/// numbers, one for each wheel), 'stop' and 'acknowledge'; replay (the bytes of the last order
+/// again); bytes with pairs of hexadecimal digits. Orders are numbered from 1.
 ///
 /// Actions of the world are listed at readWorldAction(). mark: the fields 'way' and 'max_velocity'
 /// count from here.

@@ -8,7 +8,7 @@
 namespace wr {
 
 /// @brief A pin of the K64 that is read.
-/// @function Tells the level of one pin, and interrupts at both its edges, up to a bound.
+/// @function Reads the level of one pin, and interrupts at both its edges, up to a bound.
 /// @secret How the ports find edges, how one flag is cleared and the others are left, and how an input
 /// with too many edges is kept from interrupting.
 class K64Port final : public EdgeInput {

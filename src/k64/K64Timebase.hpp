@@ -17,7 +17,7 @@ namespace wr {
 class K64Timebase final : public Timebase {
  public:
   /// @brief One time for all signals that an interrupt serves. Its handler records the time at its entry,
-  /// so that what it does for one signal does not make the time of the next one late.
+  /// so that its work for one signal does not make the time of the next one late.
   class EntryTime final : public Timebase {
    public:
     /// @brief Binds the time to the clock that gives it.

@@ -18,7 +18,7 @@ namespace wr {
 /// @datatype
 struct DirTarget {
   Angle angle{};  ///< where it shall be [0.01 degree], -3200 to 3200; without meaning for a hold
-  bool follow = false;  ///< true to go there, false to hold
+  bool follow = false;   ///< true to go there, false to hold
   bool release = false;  ///< true to leave the fault state
 
   /// @brief Tells whether two targets are the same.
@@ -113,8 +113,9 @@ class DirController final {
   [[nodiscard]] bool lost() const;
 
   /// @brief Checks whether the inputs of the steering contradict each other: both end stops are reached, or
-  /// the position differs by more than 3 degrees from the one that the steps of the motor lead to since
-  /// it was switched on. The difference is forgotten with 0.05 degrees in a second. States call it.
+  /// the position differs by more than 3 degrees from the one that the steps of the motor lead to
+  /// since it was switched on. The difference is forgotten with 0.05 degrees in a second. States
+  /// call it.
   /// @return true when they do
   /// @pre The position is not lost.
   /// @isr{yes}
@@ -128,7 +129,7 @@ class DirController final {
   /// @satisfies FR-111
   void watch();
 
-  /// @brief Tells whether the steering does not move with the steps of the motor. It decides when 200 ms
+  /// @brief Checks whether the steering does not move with the steps of the motor. It decides when 200 ms
   /// have passed and the steps amount to 0.6 degrees, and then begins to watch again. States call
   /// it.
   /// @return true when the steering moved less than half as far as the steps should have turned it

@@ -65,10 +65,10 @@ struct Protection {
   /// @brief Part number of a cause that concerns no single wheel.
   static constexpr std::uint8_t kNoWheel = 255;
 
-  Inhibit inhibit = Inhibit::None;     ///< why the set-points are not followed
-  StopCause cause = StopCause::None;   ///< cause of the latched protective stop
-  std::uint8_t wheel = kNoWheel;       ///< wheel that the cause concerns, 0 to 3
-  bool armed = false;                  ///< orders of the present source may move the robot
+  Inhibit inhibit = Inhibit::None;    ///< why the set-points are not followed
+  StopCause cause = StopCause::None;  ///< cause of the latched protective stop
+  std::uint8_t wheel = kNoWheel;      ///< wheel that the cause concerns, 0 to 3
+  bool armed = false;                 ///< orders of the present source may move the robot
 
   /// @brief Compares two states of the safety functions.
   friend constexpr bool operator==(const Protection&, const Protection&) = default;

@@ -13,9 +13,10 @@ namespace wr {
 /// @brief One wheel: its motor behind a driver.
 ///
 /// @function Sets tension and orientation of the motor, stops it, and switches its driver off when the
-/// current is too high: the overcurrent trip. An enabled driver puts the duty cycle's share of the supply on the motor,
-/// in the present orientation: the motor can drive and brake in it. Without duty cycle the motor is
-/// short-circuited and brakes. A disabled driver leaves the motor open, and the wheel coasts.
+/// current is too high: the overcurrent trip. An enabled driver puts the duty cycle's share of the
+/// supply on the motor, in the present orientation: the motor can drive and brake in it. Without
+/// duty cycle the motor is short-circuited and brakes. A disabled driver leaves the motor open, and
+/// the wheel coasts.
 ///
 /// @secret How the driver of a motor is made to apply a tension, how a tripped driver brakes, and how an
 /// interrupt and a thread share its state.
@@ -34,8 +35,8 @@ class Wheel final {
   Wheel& operator=(const Wheel&) = delete;
 
   /// @brief Removes all tension from the motor: it is short-circuited and brakes. A wheel calls it once in
-  /// each control cycle of an overcurrent trip: the second call, when the current has decayed, enables
-  /// the driver for braking.
+  /// each control cycle of an overcurrent trip: the second call, when the current has decayed,
+  /// enables the driver for braking.
   /// @post The driver is enabled, unless its overcurrent trip is younger than a cycle or has acted twice.
   /// @satisfies FR-88
   /// @satisfies FR-89
@@ -77,7 +78,7 @@ class Wheel final {
   void release();
 
  private:
-  /// What the overcurrent trip has done.
+  /// State of the overcurrent trip.
   enum class Trip : std::uint8_t {
     None,      ///< nothing
     Tripped,   ///< the driver is off

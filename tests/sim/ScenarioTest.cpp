@@ -116,12 +116,12 @@ TEST(ScenarioTest, ErrorsNameFileAndLine) {
        "text:1: 'big' is not a parameter of the robot: supply, battery, mass, inertia, resistance, "
        "motor-constant, friction, rolling, current-gain, angle-gain"},
       {"plant supply 0\n", "text:1: a parameter of the robot is greater than 0"},
-      {"at 0 hello\nplant nominal\n", "text:2: a plant stands before all lines that have a time"},
+      {"at 0 hello\nplant nominal\n", "text:2: a plant must be before all lines that have a time"},
       {"at 0 expect way 1 within 5\n", "text:1: 'ms' is missing"},
       {"at 0 mend hall 4\n", "text:1: '4' is no wheel from 0 to 3"},
       {"at 0 fault angle 1\n", "text:1: '1' is too much"},
       {"seed x\n", "text:1: 'x' is no seed"},
-      {"at 0 hello\nseed 1\n", "text:2: a seed stands before all lines that have a time"},
+      {"at 0 hello\nseed 1\n", "text:2: a seed must be before all lines that have a time"},
       {"at 0 end\nat 1 hello\n", "text:2: nothing may follow 'end'"},
       {"at 5 hello\nat 4 end\n", "text:1: this is after the end"},
   };

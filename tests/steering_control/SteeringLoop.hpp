@@ -148,8 +148,8 @@ class SteeringLoop {
   std::uint32_t cycle = 0;
   bool ordering = true;  // false: no control cycle comes
   bool acknowledges = false;
-  int moves = 0;         // pauses of more than 100 ms part them
-  int reversals = 0;     // steps to the other side than the step before
+  int moves = 0;      // pauses of more than 100 ms part them
+  int reversals = 0;  // steps to the other side than the step before
 
  private:
   void order() {

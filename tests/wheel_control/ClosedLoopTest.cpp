@@ -193,8 +193,7 @@ Step stepTo(ControlledWheel& wheel, WheelPlant& plant, int target) {
   double sum = 0;
   const int direction = target < 0 ? -1 : 1;
   for (int cycle = 0; cycle < 60; ++cycle) {
-    wheel.control(velocityOf(static_cast<std::int16_t>(target)), plant.velocity(),
-                  plant.current());
+    wheel.control(velocityOf(static_cast<std::int16_t>(target)), plant.velocity(), plant.current());
     plant.cycle(wheel);
     const double error = plant.present().count() - target;
     step.overshoot = std::max(step.overshoot, error * direction);

@@ -102,7 +102,7 @@ class CoupledWheels {
   }
 
  private:
-  static constexpr int kParts = 4;               // of a millisecond
+  static constexpr int kParts = 4;                 // of a millisecond
   static constexpr double kPart = 0.001 / kParts;  // [s]
   static constexpr double kWheelInertia = 0.006;   // at the shaft [kg m2]
   static constexpr double kBodyInertia = 0.13;     // of the robot without wheels, at the shafts

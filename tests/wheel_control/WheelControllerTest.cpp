@@ -174,9 +174,9 @@ TEST_F(WheelControllerTest, FR91_VoltageAndTimeWithoutMotion) {
     one.control(tensionOf(-100));  // a reversal takes two slow cycles
     one.control(tensionOf(-100));
     one.control(tensionOf(0));
-    const auto stand = [&one, tension] {
+    const auto stand = [&one, applied = tensionOf(tension)] {
       one.measure(Velocity(), Current());
-      one.controller.control(tensionOf(tension), one.position);
+      one.controller.control(applied, one.position);
     };
     for (int i = 0; i < 3 && one.controller.applied() != Tension(tension); ++i) {
       stand();

@@ -11,7 +11,8 @@
 namespace wr::test {
 
 /// Motor, gear and a quarter of the robot, as a train of first order with friction and a load. Its
-/// parameters are its own: a motor and a battery as they may be, not as the controller assumes them.
+/// parameters are its own: a motor and a battery as they may be, not as the controller assumes
+/// them.
 class WheelPlant {
  public:
   double supply = 25.0;      // a charged battery of 24 V [V]
@@ -19,7 +20,7 @@ class WheelPlant {
   double constant = 0.485;   // [V s/rad], and [N m/A]
   double inertia = 0.039;    // at the shaft [kg m2]
   double friction = 0;       // torque at the shaft against the motion [N m]
-  double load = 0;           // torque at the shaft that is always there, positive against forwards [N m]
+  double load = 0;  // torque at the shaft that is always there, positive against forwards [N m]
 
   /// Lets a cycle pass with the voltage that the driver applies to the motor.
   void cycle(const ControlledWheel& wheel) {
@@ -71,8 +72,8 @@ class WheelPlant {
   /// Speed of the shaft now [rad/s].
   [[nodiscard]] double speed() const { return speed_; }
 
-  static constexpr int kParts = 100;       // steps in a cycle
-  static constexpr double kPart = 0.001;   // [s]
+  static constexpr int kParts = 100;      // steps in a cycle
+  static constexpr double kPart = 0.001;  // [s]
 
  private:
   static Velocity toVelocity(double speed) {

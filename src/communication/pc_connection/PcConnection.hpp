@@ -181,7 +181,7 @@ class PcConnection final {
   void writeStart();
 
   /// @brief Sends the payload that the writer holds. Before the first frame it sends a zero byte, which
-  /// ends what a firmware before this start may have left on the line.
+  /// ends an unfinished frame of the firmware before this start.
   /// @return false when the port has no room: nothing is sent
   /// @satisfies FR-247
   /// @satisfies FR-252

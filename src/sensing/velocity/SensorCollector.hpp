@@ -20,8 +20,8 @@ struct HallRecord {
 
 /// @brief Collects the edges of the two Hall sensors of a wheel.
 /// @function Finds the direction of each edge and gives it to a collector of instants. Counts
-/// separately the edges that a turning wheel cannot give. Passes the whole record from the interrupt
-/// to the thread of the wheel.
+/// separately the edges that a turning wheel cannot give. Passes the whole record from the
+/// interrupt to the thread of the wheel.
 /// @secret The sequence of levels that a turning wheel gives, and which edges are implausible.
 /// @role{hall-interrupt, Receiver}
 class SensorCollector final {

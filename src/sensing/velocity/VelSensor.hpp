@@ -38,8 +38,8 @@ class VelSensor final {
   /// next edge would come now, so that an edge at the moment of the measurement changes a falling
   /// velocity by nothing. It is 0 once no edge came for 500 ms.
   /// @errors The velocity is not written, and the value in the pipe grows old, when the function
-  /// refuses it, when more than 3 edges of the cycle were unclear, and when a wheel that turned with
-  /// 30 rpm or more had more than 3 edges that were unclear or reversed its direction.
+  /// refuses it, when more than 3 edges of the cycle were unclear, and when a wheel that turned
+  /// with 30 rpm or more had more than 3 edges that were unclear or reversed its direction.
   /// @isr{no}
   /// @satisfies FR-120
   /// @satisfies FR-122

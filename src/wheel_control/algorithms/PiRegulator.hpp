@@ -20,8 +20,8 @@ struct PiGains {
 /// that comes from a tension that could not be applied is not kept.
 ///
 /// @secret How the integral is limited while the tension is limited, how fractions of a millivolt are
-/// kept, and how a bit that changes in the memory of the integral is corrected: the wheels of a robot
-/// would work against each other for a long time.
+/// kept, and how a bit that changes in the memory of the integral is corrected: the wheels of a
+/// robot would work against each other for a long time.
 class PiRegulator final {
  public:
   /// @brief Makes a regulator without memory.

@@ -17,7 +17,7 @@ constexpr PiGains kGains{.proportional = 4650, .integral = 2094};
 
 // Edges that are lost make the measured velocity too low. It is doubtful when the motor makes more
 // tension than it would make at this velocity, by more than supply, winding and motor constant can
-// differ from what is assumed.
+// differ from the assumed values.
 constexpr std::int32_t kDoubt = 400;     // [mV]
 constexpr std::int32_t kDoubtShare = 3;  // and this part of the tension
 constexpr std::uint8_t kMostDoubts = 5;  // cycles in a row

@@ -24,16 +24,16 @@ class SignedPortTest : public testing::Test {
  protected:
   // The frames that the port gives now.
   std::vector<Bytes> given(SignedPort& from) {
-    std::vector<Bytes> frames;
+    std::vector<Bytes> taken;
     std::array<std::uint8_t, 64> bytes{};
     Bytes frame;
     for (std::size_t count = from.read(bytes); count > 0; count = from.read(bytes)) {
       frame.insert(frame.end(), bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(count));
       if (frame.back() == 0) {
-        frames.push_back(std::exchange(frame, {}));
+        taken.push_back(std::exchange(frame, {}));
       }
     }
-    return frames;
+    return taken;
   }
   std::vector<Bytes> given() { return given(signedPort); }
 

@@ -17,7 +17,7 @@ FILES = {
 namespace wr {
 struct Speed { int count = 0; };
 struct Order { Speed speed; int stop = 0; };
-enum class FieldName : unsigned char { Speed, Stop, Spare };
+enum class FieldName : unsigned char { Speed, Commands, Spare };
 struct Field { FieldName name; };
 class Writer {
  public:
@@ -86,7 +86,7 @@ def model(tmp_path_factory: pytest.TempPathFactory) -> Model:
     for name, parts in {
         "Order": [PartText("speed", "Speed", "how fast"), PartText("stop", "int", "0 or 1")],
         "Speed": [PartText("count", "int", "turns [rpm]")],
-        "FieldName": [PartText(name, "", f"the {name}") for name in ("Speed", "Stop", "Spare")],
+        "FieldName": [PartText(name, "", f"the {name}") for name in ("Speed", "Commands", "Spare")],
     }.items():
         texts.classes[f"wr::{name}"] = ClassText(f"wr::{name}", place, Text(), parts=parts)
     syntax = read_syntax(root, root / "cache")

@@ -48,7 +48,7 @@ def test_addresses_of_the_image_are_without_the_bit_of_the_instruction_set(tmp_p
         'namespace wr { struct Led { void set(); }; void Led::set() { asm("nop"); } }\n'
         'extern "C" void _start() { wr::Led().set(); }\n'
     )
-    image = tmp_path / "build/k64/weeding_robot.elf"
+    image = tmp_path / "build/k64/weeding_robot_paper.elf"
     image.parent.mkdir(parents=True)
     words = ["-mcpu=cortex-m4", "-mthumb", "-O0", "-nostdlib", "-nostartfiles", "-Ttext=0x410"]
     command = ["arm-none-eabi-g++", *words, str(source), "-o", str(image)]

@@ -102,8 +102,7 @@ class UsualDesign {
   void followSetPoint(const WheelSetPoint& setPoint, HallCount position, WheelMeasurements& wheel);
   [[nodiscard]] Tension calculate(const WheelSetPoint& setPoint, Velocity velocity,
                                   Current current);
-  [[nodiscard]] Tension velocityTension(std::int16_t setPoint, Velocity velocity,
-                                        Current current);
+  [[nodiscard]] Tension velocityTension(std::int16_t setPoint, Velocity velocity, Current current);
   [[nodiscard]] Tension currentTension(std::int16_t setPoint, Velocity velocity, Current current);
   void apply(Tension demand, Velocity velocity);
   void lower();

@@ -125,8 +125,8 @@ TEST_F(ReverseTest, FR81_RiseBeginsAtWhatIsLeft) {
 }
 
 /// @brief Whatever is demanded and measured, the output keeps to the three rules: the orientation changes
-/// at a slow wheel and without tension only, the tension rises by 12 V at most, and it falls by 2.4 V
-/// at most while the demand opposes.
+/// at a slow wheel and without tension only, the tension rises by 12 V at most, and it falls by 2.4
+/// V at most while the demand opposes.
 /// @verifies FR-87
 /// @verifies FR-81
 TEST_F(ReverseTest, FR87_FR81_RulesHoldForAnyDemand) {
