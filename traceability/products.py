@@ -37,6 +37,7 @@ HAS = {
     PAPER: REMOTE_CONTROL | {"RobotDirector"},
     "weeding_robot_pc": SAFETY | STOP_MEMORY | {"SafetyPcDirector"},
     "weeding_robot_pc_bluetooth": SAFETY
+    | STOP_MEMORY
     | {"Bluetooth", "SignedPort", "SipHash", "K64Random", "BluetoothDirector"},
     "weeding_robot_warning": REMOTE_CONTROL | {"WaitingK", "WarningDirector"},
 }

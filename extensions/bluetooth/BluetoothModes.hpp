@@ -16,9 +16,18 @@
 #include "devices/Timebase.hpp"
 #include "main_control/operation_modes/BasicMode.hpp"
 #include "main_control/operation_modes/PC.hpp"
+#include "safety/PersistentStop.hpp"
+#include "safety/StopMemory.hpp"
 #include "services/StartRecord.hpp"
 
 namespace wr {
+
+/// @brief The memories of the stops of both sources, which outlive a reset.
+/// @datatype
+struct BluetoothStops {
+  StopMemory& pc;      ///< stop of the PC
+  StopMemory& device;  ///< stop of the Bluetooth device
+};
 
 /// @brief The devices of a Bluetooth connection.
 /// @datatype
@@ -28,6 +37,7 @@ struct BluetoothDevices {
   RandomSource& random;      ///< draws the number of this start
   const Timebase& timebase;  ///< gives the time
   const StartRecord& start;  ///< why the firmware started
+  BluetoothStops stops;      ///< memories of the stops
 };
 
 /// @brief The reading modes of a robot that the PC and a Bluetooth device command; each is the successor
@@ -46,21 +56,25 @@ struct BluetoothModes {
         connection(port, reader, disconnected, devices.start),
         basicPc(pcReader),
         basicBluetooth(reader),
-        pc(basicPc, bluetooth, pcConnection),
-        bluetooth(basicBluetooth, pc, connection, devices.timebase),
+        stopOfPc(basicPc, devices.stops.pc),
+        stopOfBluetooth(basicBluetooth, devices.stops.device),
+        pc(stopOfPc, bluetooth, pcConnection),
+        bluetooth(stopOfBluetooth, pc, connection, devices.timebase),
         all{&pc, &bluetooth} {}
 
-  SerialReader reader;        ///< newest order of the device
-  SignedPort port;            ///< line to the device, with authenticated frames
-  Handshaking handshaking;    ///< the device was welcomed
-  Disconnected disconnected;  ///< no device is connected
-  Connected connected;        ///< the device is connected
-  PcConnection connection;    ///< connection to the device, with the handshake of the PC
-  BasicMode basicPc;          ///< basic mode of the PC
-  BasicMode basicBluetooth;   ///< basic mode of the device
-  PC pc;                      ///< reads from the PC
-  Bluetooth bluetooth;        ///< reads from the device
-  std::array<Mode*, 2> all;   ///< both modes
+  SerialReader reader;             ///< newest order of the device
+  SignedPort port;                 ///< line to the device, with authenticated frames
+  Handshaking handshaking;         ///< the device was welcomed
+  Disconnected disconnected;       ///< no device is connected
+  Connected connected;             ///< the device is connected
+  PcConnection connection;         ///< connection to the device, with the handshake of the PC
+  BasicMode basicPc;               ///< basic mode of the PC
+  BasicMode basicBluetooth;        ///< basic mode of the device
+  PersistentStop stopOfPc;         ///< makes the stop of the PC outlive a reset
+  PersistentStop stopOfBluetooth;  ///< makes the stop of the device outlive a reset
+  PC pc;                           ///< reads from the PC
+  Bluetooth bluetooth;             ///< reads from the device
+  std::array<Mode*, 2> all;        ///< both modes
 };
 
 }  // namespace wr

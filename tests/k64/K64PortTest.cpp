@@ -264,10 +264,11 @@ TEST(K64PortInTheRobot, FR202_ShortPulsesMoveNoWheel) {
   }
 }
 
-/// @brief A wheel that the PC lets turn is measured: its Hall sensors interrupt at each edge.
+/// @brief The wheels that the PC lets turn are measured: their Hall sensors interrupt at each edge.
 /// @verifies FR-144
 TEST(K64PortInTheRobot, FR144_EdgesOfAWheelThatTurnsAreMeasured) {
-  const PcOrder order{.id = 1, .wheels = {{{.quantity = 0, .value = 500}, {}, {}, {}}}};
+  PcOrder order{.id = 1};
+  order.wheels.fill({.quantity = 0, .value = 500});
   BoardRobot robot;
   robot.startUp();
   robot.commandByPc(order);
@@ -275,9 +276,11 @@ TEST(K64PortInTheRobot, FR144_EdgesOfAWheelThatTurnsAreMeasured) {
     robot.order(order);
     robot.cycle();
   }
-  EXPECT_GT(robot.report().position[0], 10);
-  EXPECT_NEAR(robot.report().velocity[0], 500, 100);
-  EXPECT_EQ(robot.report().rejectedEdges[0], 0);
+  for (std::size_t wheel = 0; wheel < 4; ++wheel) {
+    EXPECT_GT(robot.report().position.at(wheel), 10);
+    EXPECT_NEAR(robot.report().velocity.at(wheel), 500, 100);
+    EXPECT_EQ(robot.report().rejectedEdges.at(wheel), 0);
+  }
 }
 
 }  // namespace

@@ -1,13 +1,17 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "services/SystemConstants.hpp"
+#include "support/SignedLine.hpp"
 #include "support/image.hpp"
 #include "system/SteppedRobot.hpp"
 
@@ -18,17 +22,16 @@ constexpr int kN = SystemConstants::instance().waitingCycles();
 constexpr int kBluetooth = 2;
 constexpr int kWaitingK = 4;
 constexpr int kBluetoothPort = 4;
+constexpr std::size_t kKeyAddress = 0x410;  // behind the flash configuration field
+constexpr std::uint8_t kChallenge = 0x83;
+constexpr int kWheelTimer = 0;
+constexpr int kArmingCycles = 12;
 
 // The image of a product on a board of its own. A finding ends the test. Its calls are not
 // recorded: the recordings are those of the image under test.
 class ProductRobot : public SteppedRobot {
  public:
   explicit ProductRobot(const std::string& product) : ProductRobot(imageOf(product)) {}
-
-  // An order over the line of the Bluetooth module.
-  void bluetoothOrder(const PcOrder& order) {
-    line_.board.receiveOn(kBluetoothPort, device_.order(order));
-  }
 
   // Cycles in which nobody orders, until the robot reads in a mode.
   void waitForMode(int mode) {
@@ -38,6 +41,18 @@ class ProductRobot : public SteppedRobot {
     ASSERT_EQ(report().mode, mode);
   }
 
+  // Neutral orders of the PC until the robot is armed.
+  void arm() {
+    commandByPc();
+    for (int cycles = 0; cycles < kArmingCycles; ++cycles) {
+      order({.id = 2});
+      cycle();
+    }
+  }
+
+  // Share of the period in which a wheel has the voltage of the supply.
+  [[nodiscard]] double duty(int wheel) const { return line_.board.pwmDuty(kWheelTimer, wheel); }
+
   // The red light of the board shines while its pin is low.
   [[nodiscard]] bool redLight() const { return !line_.board.pin('B', 22); }
 
@@ -45,6 +60,9 @@ class ProductRobot : public SteppedRobot {
   static std::unique_ptr<BoardLine> imageOf(const std::string& product) {
     std::filesystem::path file = imageFile().replace_filename(product + ".bin");
     std::vector<std::uint8_t> image = readImage(file);
+    if (product == "weeding_robot_pc_bluetooth") {
+      std::ranges::copy(kSharedKey, image.begin() + kKeyAddress);
+    }
     auto robot = std::make_unique<BoardLine>(std::move(image),
                                              k64::Options{.elf = file.replace_extension(".elf")});
     if (!robot->board.runToSleep(std::chrono::milliseconds(50))) {
@@ -58,7 +76,56 @@ class ProductRobot : public SteppedRobot {
       : SteppedRobot(std::move(owner)), line_(line) {}
 
   BoardLine& line_;
-  PcSender device_;
+
+ protected:
+  [[nodiscard]] k64::VirtualBoard& board() { return line_.board; }
+};
+
+// The product with Bluetooth and a device that shares its key. The challenge of the robot gives the
+// device the number of this start.
+class RobotWithDevice final : public ProductRobot {
+ public:
+  RobotWithDevice() : ProductRobot("weeding_robot_pc_bluetooth") {}
+
+  // Connects the PC and the device.
+  void connectBoth() {
+    connect();
+    device_ = SigningDevice(kSharedKey, challenge());
+    send(frames_.hello());
+    silentCycle();
+    const Bytes answer = SigningDevice::bare(board().takeSentOn(kBluetoothPort));
+    send(frames_.confirm(welcomeOf(bodies(answer).at(0)).value().session));
+    silentCycle();
+  }
+
+  // A signed order over the line of the Bluetooth module.
+  void deviceOrder(const PcOrder& order) { send(frames_.order(order)); }
+
+  // The same without a tag.
+  void unsignedOrder(const PcOrder& order) {
+    board().receiveOn(kBluetoothPort, frames_.order(order));
+  }
+
+ private:
+  void send(const Bytes& frame) { board().receiveOn(kBluetoothPort, device_.sign(frame)); }
+
+  // The number of this start: the robot answers a frame without a tag with it.
+  std::uint64_t challenge() {
+    board().receiveOn(kBluetoothPort, frames_.hello());
+    silentCycle();
+    const Bytes body = bodies(board().takeSentOn(kBluetoothPort)).at(0);
+    if (body.at(1) != kChallenge) {
+      throw std::runtime_error("the robot does not answer with a challenge");
+    }
+    std::uint64_t number = 0;
+    for (std::size_t byte = 0; byte < sizeof(number); ++byte) {
+      number |= std::uint64_t{body.at(3 + byte)} << (8 * byte);
+    }
+    return number;
+  }
+
+  SigningDevice device_;
+  PcSender frames_;
 };
 
 class Product : public testing::TestWithParam<const char*> {};
@@ -82,6 +149,30 @@ TEST_P(Product, RunsWithoutFinding) {
   }
 }
 
+/// @brief Each product follows the PC up to its outputs: 6 V of 24 V are a quarter of each period, and a stop ends
+/// the pulses.
+/// @verifies NFR-2
+TEST_P(Product, NFR2_OrderedVoltageComesOutAsPulses) {
+  ProductRobot robot(GetParam());
+  robot.arm();
+  PcOrder quarter{.id = 3};
+  quarter.wheels.fill({.quantity = 1, .value = 6000});
+  for (int cycle = 0; cycle < 3; ++cycle) {
+    robot.order(quarter);
+    robot.cycle();
+  }
+  for (int wheel = 0; wheel < 4; ++wheel) {
+    EXPECT_NEAR(robot.duty(wheel), 0.25, 1e-3) << "wheel " << wheel;
+  }
+  for (int cycle = 0; cycle < 20; ++cycle) {
+    robot.order({.id = 4, .stop = true});
+    robot.cycle();
+  }
+  for (int wheel = 0; wheel < 4; ++wheel) {
+    EXPECT_NEAR(robot.duty(wheel), 0, 0.01) << "wheel " << wheel;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Products, Product,
                          testing::Values("weeding_robot", "weeding_robot_paper", "weeding_robot_pc",
                                          "weeding_robot_pc_bluetooth", "weeding_robot_warning"),
@@ -99,16 +190,16 @@ TEST(ProductOfThePc, NFR1_ReadsFromThePcOnly) {
   robot.commandByPc();
 }
 
-/// @brief Orders over the second serial port command the product with Bluetooth, and the report tells
-/// it.
+/// @brief Signed orders over the second serial port command the product with Bluetooth, and the report tells it.
 /// @verifies FR-150
+/// @verifies FR-260
 TEST(ProductWithBluetooth, FR150_DeviceCommandsOverTheSecondPort) {
-  ProductRobot robot("weeding_robot_pc_bluetooth");
-  robot.connect();
+  RobotWithDevice robot;
+  robot.connectBoth();
   robot.waitForMode(kBluetooth);
   robot.waitForMode(kPc);
-  for (std::uint16_t id = 900; id < 900 + kN; ++id) {
-    robot.bluetoothOrder({.id = id, .steering = -50});
+  for (int order = 0; order < kN; ++order) {
+    robot.deviceOrder({.id = static_cast<std::uint16_t>(900 + order), .steering = -50});
     robot.silentCycle();
   }
   EXPECT_EQ(robot.report().source, kBluetooth);
@@ -116,18 +207,35 @@ TEST(ProductWithBluetooth, FR150_DeviceCommandsOverTheSecondPort) {
   EXPECT_EQ(robot.report().steering, -50);
 }
 
+/// @brief Orders over the second serial port that are not signed are not read.
+/// @verifies FR-262
+TEST(ProductWithBluetooth, FR262_UnsignedOrderIsNotRead) {
+  RobotWithDevice robot;
+  robot.connectBoth();
+  for (int cycles = 0; cycles < 3 * kN; ++cycles) {
+    robot.unsignedOrder({.id = 900, .stop = true});
+    robot.silentCycle();
+    EXPECT_FALSE(robot.report().orderRead());
+    EXPECT_FALSE(robot.report().stop());
+  }
+}
+
 /// @brief A stop over the second serial port acts while the PC commands.
 /// @verifies FR-151
 TEST(ProductWithBluetooth, FR151_StopOfTheDeviceActsInTheModePc) {
-  ProductRobot robot("weeding_robot_pc_bluetooth");
-  robot.commandByPc();
-  robot.bluetoothOrder({.id = 1, .stop = true});
+  RobotWithDevice robot;
+  robot.connectBoth();
+  for (int cycles = 0; cycles < 2 * kN; ++cycles) {
+    robot.order({.id = 1});
+    robot.cycle();
+  }
+  robot.deviceOrder({.id = 1, .stop = true});
   robot.order({.id = 2});
   robot.cycle();
   EXPECT_EQ(robot.report().mode, kPc);
   EXPECT_TRUE(robot.report().stop());
   EXPECT_TRUE(robot.report().held());
-  robot.bluetoothOrder({.id = 3});
+  robot.deviceOrder({.id = 3});
   robot.order({.id = 4});
   robot.cycle();
   EXPECT_FALSE(robot.report().stop());

@@ -32,10 +32,9 @@ from traceability.commands.steps import FailureError, Steps
 from traceability.commands.usual_design import compare
 from traceability.model.bench import (
     BENCH,
-    ELF,
     FOLDER,
-    IMAGE,
     MANUAL,
+    PAPER_BENCH,
     PERIOD_MS,
     SCENARIOS,
     SLOW,
@@ -46,9 +45,11 @@ from traceability.model.bench import (
     measured_with,
     profile,
     read_bench,
+    read_paper_bench,
     spread,
 )
 from traceability.model.results import PLAIN
+from traceability.products import DEFAULT, PAPER, image_of
 
 SECONDS = 600  # for one run
 CORE_PER_MS = 120_000
@@ -79,7 +80,7 @@ def bench(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
         parser.error(f"--seconds {options.seconds} needs --port")
     if options.port:
         return on_board(root, options.port, options.seconds)
-    steps = Steps(root, 5 + len(SCENARIOS))
+    steps = Steps(root, 6 + len(SCENARIOS))
     build_k64(root, steps)
     steps.run("virtual K64", lambda log: build_for_board(root, log, BOARD_PROGRAM))
     if steps.failed:
@@ -87,9 +88,10 @@ def bench(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
     record: dict[str, Any] = {**measured_with(root), "scenarios": {}}
     for paper in SCENARIOS:
         steps.run(paper.title, partial(measure, root, paper, record))
+    steps.run("the paper's design alone", partial(measure_paper, root))
     steps.run("the usual design beside the patterns", partial(compare, root))
     if len(record["scenarios"]) == len(SCENARIOS):
-        keep(root, record)
+        keep(root, BENCH, record)
     for name in ("trace", PLAIN):
         steps.run(f"tests ({name})", partial(run_counted, root, name))
     return 1 if steps.failed else 0
@@ -113,20 +115,33 @@ def add_bench(root: Path, steps: Steps) -> None:
 def measure_all(root: Path, log: TextIO) -> str:
     """Plays the scenarios, unless they were measured with these sources and this image."""
     note = f"{len(SCENARIOS)} scenarios"
-    if read_bench(root) is not None:
+    if read_bench(root) is not None and read_paper_bench(root) is not None:
         return f"{note} (unchanged)"
     (root / BENCH).unlink(missing_ok=True)
     build_for_board(root, log, BOARD_PROGRAM)
     record: dict[str, Any] = {**measured_with(root), "scenarios": {}}
     for paper in SCENARIOS:
         measure(root, paper, record, log)
-    keep(root, record)
+    keep(root, BENCH, record)
+    measure_paper(root, log)
     return note
 
 
-def keep(root: Path, record: dict[str, Any]) -> None:
-    (root / BENCH).parent.mkdir(parents=True, exist_ok=True)
-    (root / BENCH).write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+def measure_paper(root: Path, log: TextIO) -> str:
+    """Plays the scenarios with the product without safety functions: what they cost is the difference."""
+    (root / PAPER_BENCH).unlink(missing_ok=True)
+    record: dict[str, Any] = {**measured_with(root, PAPER), "scenarios": {}}
+    for paper in SCENARIOS:
+        raw, _ = play(root, log, paper.name, MANUAL, product=PAPER)
+        record["scenarios"][paper.name] = {MANUAL: figures(raw)}
+    keep(root, PAPER_BENCH, record)
+    most = max(runs[MANUAL]["report_ms"]["maximum"] for runs in record["scenarios"].values())
+    return f"at most {most:.3f} ms"
+
+
+def keep(root: Path, path: Path, record: dict[str, Any]) -> None:
+    (root / path).parent.mkdir(parents=True, exist_ok=True)
+    (root / path).write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
 
 
 def measure(root: Path, paper: Paper, record: dict[str, Any], log: TextIO) -> str:
@@ -152,15 +167,16 @@ def measure(root: Path, paper: Paper, record: dict[str, Any], log: TextIO) -> st
 
 
 def play(
-    root: Path, log: TextIO, name: str, timing: str, *more: str
+    root: Path, log: TextIO, name: str, timing: str, *more: str, product: str = DEFAULT
 ) -> tuple[dict[str, Any], float]:
     """What the board program measured, and the seconds of one core that it took."""
-    output = root / "build" / "bench" / f"{name}-{timing}.json"
+    output = root / "build" / "bench" / f"{product}-{name}-{timing}.json"
     output.parent.mkdir(parents=True, exist_ok=True)
     output.unlink(missing_ok=True)
     program = root / "build" / "host" / "sim" / BOARD_PROGRAM
     words = [
-        *(str(program), "--image", str(root / IMAGE), "--elf", str(root / ELF)),
+        *(str(program), "--image", str(root / image_of(product, ".bin"))),
+        *("--elf", str(root / image_of(product, ".elf"))),
         *("--scenario", str(root / FOLDER / f"{name}.scenario"), "--timing", timing),
         *("--bench", str(output), *more),
     ]
@@ -168,14 +184,16 @@ def play(
     log.flush()
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     try:
-        code = subprocess.run(
-            words, stdout=log, stderr=log, timeout=SECONDS, check=False
-        ).returncode
+        ended = subprocess.run(
+            words, stdout=log, stderr=subprocess.PIPE, timeout=SECONDS, check=False, text=True
+        )
     except subprocess.TimeoutExpired as error:
         raise FailureError(f"{name} did not end within {SECONDS} s") from error
     user = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
-    if code != 0:
-        raise FailureError(f"{name} ended with exit code {code}")
+    log.write(ended.stderr)
+    if ended.returncode != 0:
+        reason = (ended.stderr.splitlines() or ["no expectation failed"])[0]
+        raise FailureError(f"{product} in {name} ended with exit code {ended.returncode}: {reason}")
     raw: dict[str, Any] = json.loads(output.read_text(encoding="utf-8"))
     return raw, user
 

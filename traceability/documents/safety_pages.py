@@ -8,14 +8,12 @@ from functools import partial
 
 from traceability.documents.portal import Page, Portal
 from traceability.metrics import read_products
-from traceability.model.bench import read_bench
-from traceability.model.results import RESULTS, read_json
+from traceability.model.bench import read_bench, read_paper_bench
 from traceability.model.safety_case import requirements_of, scenarios_of
 from traceability.model.schema import SafetyGoal
 from traceability.products import DEFAULT
 
 PAPER_PRODUCT = "weeding_robot_paper"
-PAPER_BENCH = RESULTS / "bench_paper.json"  # the bench of the product without safety functions
 TIMING = "no-wait-states"
 
 
@@ -101,7 +99,7 @@ def sizes(portal: Portal) -> Iterator[Compared]:
 def cycles(portal: Portal) -> Iterator[Compared]:
     """The longest time from the clock pulse to the report, in each scenario of the bench."""
     safe = read_bench(portal.root)
-    paper = read_json(portal.root / PAPER_BENCH)
+    paper = read_paper_bench(portal.root)
     names = list((safe or {}).get("scenarios", {})) or ["any scenario of the bench"]
     for name in names:
         title = f"longest control cycle, {name.replace('_', ' ')}"

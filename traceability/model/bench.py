@@ -12,10 +12,11 @@ from pathlib import Path
 from typing import Any
 
 from traceability.model.results import RESULTS, read_json
-from traceability.products import DEFAULT, image_of
+from traceability.products import DEFAULT, PAPER, image_of
 from traceability.sources import file_hash, source_hash
 
 BENCH = RESULTS / "bench.json"
+PAPER_BENCH = RESULTS / "bench_paper.json"  # of the product without safety functions
 FOLDER = Path("sim/scenario/bench")
 IMAGE = image_of(DEFAULT, ".bin")
 ELF = image_of(DEFAULT, ".elf")
@@ -93,18 +94,27 @@ SCENARIOS = (
 )
 
 
-def measured_with(root: Path) -> dict[str, str]:
-    """What the figures depend on."""
-    image = root / IMAGE
+def measured_with(root: Path, product: str = DEFAULT) -> dict[str, str]:
+    """What the figures of a product depend on."""
+    image = root / image_of(product, ".bin")
     return {"sources": source_hash(root), "image": file_hash(image) if image.is_file() else ""}
 
 
 def read_bench(root: Path) -> dict[str, Any] | None:
     """The record of the last run, when it is one of these sources and of this image."""
-    record = read_json(root / BENCH)
+    return _read(root, BENCH, DEFAULT)
+
+
+def read_paper_bench(root: Path) -> dict[str, Any] | None:
+    """The same of the product without safety functions."""
+    return _read(root, PAPER_BENCH, PAPER)
+
+
+def _read(root: Path, path: Path, product: str) -> dict[str, Any] | None:
+    record = read_json(root / path)
     if not isinstance(record, dict):
         return None
-    now = measured_with(root)
+    now = measured_with(root, product)
     return record if {key: record.get(key) for key in now} == now else None
 
 

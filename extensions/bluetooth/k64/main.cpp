@@ -12,6 +12,8 @@
 #include "k64/start_up/control_systems.hpp"
 #include "k64/start_up/handlers.hpp"
 #include "k64/start_up/platform.hpp"
+#include "safety/RetainedStop.hpp"
+#include "safety/k64/stop_memory.hpp"
 
 namespace wr {
 
@@ -39,12 +41,16 @@ SipHash::Key readKey() {
   return key;
 }
 
+[[gnu::section(".noinit")]] RetainedStop::Cells deviceStopCells;
+RetainedStop deviceStop(deviceStopCells);
+
 BluetoothDirector director(platform::poolBuilder, controllerBuilder,
                            {.port = bluetoothPort,
                             .key = readKey(),
                             .random = random,
                             .timebase = platform::timebase,
-                            .start = platform::startRecord});
+                            .start = platform::startRecord,
+                            .stops = {.pc = platform::stopMemory, .device = deviceStop}});
 
 }  // namespace
 
@@ -66,6 +72,8 @@ namespace wr {
 
 void runRobot() {
   platform::startDevices();
+  platform::stopMemory.begin(platform::startRecord.cause);
+  deviceStop.begin(platform::startRecord.cause);
   bluetoothPort.start();
   director.construct();
   K64Thread::enable(kSecondPortLine, kInterruptPriority);

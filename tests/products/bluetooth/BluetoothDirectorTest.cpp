@@ -11,10 +11,20 @@ const int kN = SystemConstants::instance().waitingCycles();
 constexpr int kPc = 1;
 constexpr int kBluetooth = 2;
 
+// A memory of a stop.
+class KeptStop final : public StopMemory {
+ public:
+  [[nodiscard]] bool stopped() const override { return value; }
+  void save(bool stopped) override { value = stopped; }
+
+  bool value = false;
+};
+
 // A robot that the PC and a Bluetooth device command. The PC is connected, the mode is PC.
 class BluetoothRobot : public ProductFixture {
  protected:
-  BluetoothRobot() {
+  explicit BluetoothRobot(bool deviceStopped = false) {
+    deviceStop.value = deviceStopped;
     begin(director);
     devicePort.setClock(time);
     connect();
@@ -47,10 +57,16 @@ class BluetoothRobot : public ProductFixture {
 
   HostSerialPort devicePort;
   FixedRandom random{kStartNumber};
-  BluetoothDirector director{
-      poolBuilder,
-      builder,
-      {.port = devicePort, .key = kSharedKey, .random = random, .timebase = time, .start = start}};
+  KeptStop pcStop;
+  KeptStop deviceStop;
+  BluetoothDirector director{poolBuilder,
+                             builder,
+                             {.port = devicePort,
+                              .key = kSharedKey,
+                              .random = random,
+                              .timebase = time,
+                              .start = start,
+                              .stops = {.pc = pcStop, .device = deviceStop}}};
   SigningDevice device;
   PcSender frames;
 };
@@ -136,6 +152,50 @@ TEST_F(BluetoothRobot, FR151_StopOfTheDeviceActsInItsMode) {
   bluetoothOrder(2, true);
   EXPECT_TRUE(cycleWithPc().stop());
   EXPECT_EQ(spy.calls, kHeld);
+}
+
+/// @brief The stop of each source is stored in a memory of its own, and cleared when that source releases it.
+/// @verifies FR-290
+TEST_F(BluetoothRobot, FR290_StopOfEachSourceIsStored) {
+  bluetoothOrder(2, true);
+  cycleWithPc();
+  EXPECT_TRUE(deviceStop.value);
+  EXPECT_FALSE(pcStop.value);
+  bluetoothOrder(3);
+  pcOrder(4, true);
+  cycle();
+  EXPECT_FALSE(deviceStop.value);
+  EXPECT_TRUE(pcStop.value);
+}
+
+// The same robot after a reset that came while a stop of the device was in force.
+class BluetoothRobotAfterAStop : public BluetoothRobot {
+ protected:
+  BluetoothRobotAfterAStop() : BluetoothRobot(true) {}
+};
+
+/// @brief A stop of the device outlives the reset: orders of the PC do not move the robot.
+/// @verifies FR-290
+TEST_F(BluetoothRobotAfterAStop, FR290_OrderOfThePcDoesNotEndIt) {
+  for (std::uint16_t order = 1; order <= 2 * kN; ++order) {
+    pcOrder(order);
+    EXPECT_TRUE(cycle().stop());
+    EXPECT_EQ(spy.calls, kHeld);
+  }
+  EXPECT_TRUE(deviceStop.value);
+}
+
+/// @brief A neutral order of the device, once it is read, ends the stop from before the reset.
+/// @verifies FR-290
+TEST_F(BluetoothRobotAfterAStop, FR290_NeutralOrderOfTheDeviceEndsIt) {
+  for (std::uint16_t order = 1; order <= 3 * kN; ++order) {
+    bluetoothOrder(order);
+    cycleWithPc();
+  }
+  bluetoothOrder(100);
+  EXPECT_FALSE(cycleWithPc().stop());
+  EXPECT_EQ(spy.calls, kControlled);
+  EXPECT_FALSE(deviceStop.value);
 }
 
 /// @brief Noise, and orders and stops without a right tag, change nothing, and the PC goes on.

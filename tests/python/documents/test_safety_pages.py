@@ -14,8 +14,9 @@ from tests.python.model.small_case import make_model, write_case
 from traceability.documents.navigation import verify
 from traceability.documents.pages import all_pages
 from traceability.documents.portal import Portal
-from traceability.documents.safety_pages import PAPER_BENCH, Compared, cycles, longest
+from traceability.documents.safety_pages import Compared, cycles, longest
 from traceability.documents.search import safety_entries
+from traceability.model.bench import PAPER_BENCH
 from traceability.model.declared import Declared
 from traceability.model.safety_case import add_safety, read_sources, settle_safety
 from traceability.model.schema import SafetyCost, TouchedFile
