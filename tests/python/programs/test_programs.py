@@ -63,7 +63,7 @@ RANGES = {"steering": 3200, "velocity": 3000, "current": 10_000, "tension": 24_0
 RANGES_OF_REMOTE_CONTROL = {"set_point": 3000, "steering_set_point": 3200}
 WHEELS = "0123"
 # The greatest difference of one value in one cycle, and that of all but three in a hundred [%].
-ONCE = 3
+ONCE = 4
 USUALLY = 1
 RARE = 0.03  # share of the cycles
 
@@ -92,8 +92,8 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
 ) -> None:
     """It decides the same, a decision that hangs on a measured value at most one cycle earlier or
     later. What it measures and applies differs by at most 1 % of the range in 97 of 100 cycles, and
-    by more than 3 % only in a cycle beside such a decision; while pulses order, by at most 3 %. At the end of a connection, and at that
-    of the scenario, one of the two may have sent a report more."""
+    by more than 4 % only in a cycle beside such a decision; while pulses order, by at most 4 %.
+    At the end of a connection, and at that of the scenario, one may have sent a report more."""
     reports = []
     for binding in ("host", "board"):
         table = tmp_path / f"{binding}.csv"
@@ -111,10 +111,8 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
     differences = [difference(*rows) for rows in common]
     beside = {other for index in shifted for other in (index - 1, index, index + 1)}
     assert max(value for index, value in enumerate(differences) if index not in beside) <= ONCE
-    ordered = [first["mode"] != REMOTE_CONTROL for first, _ in common]
-    larger = sum(
-        value > USUALLY for value, by_pc in zip(differences, ordered, strict=True) if by_pc
-    )
+    by_pc = [first["mode"] != REMOTE_CONTROL for first, _ in common]
+    larger = sum(value > USUALLY for value, of_pc in zip(differences, by_pc, strict=True) if of_pc)
     assert larger <= rare + len(beside)
 
 
