@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <numbers>
 #include <optional>
 
 #include "main_control/MainController.hpp"
@@ -19,7 +20,7 @@ constexpr double kTrack = 1.054;      // [m]
 constexpr std::size_t kDegrees = 33;    // 0 to 32
 constexpr std::int32_t kDegree = 100;   // [0.01 degree]
 constexpr std::int32_t kWhole = 10000;  // share of the wheel on the greatest circle
-constexpr double kRadians = 3.14159265358979 / 180;
+constexpr double kRadians = std::numbers::pi / 180;
 
 // Shares of the wheels at one angle. The front wheel on the outside has the greatest circle.
 struct Shares {
@@ -45,6 +46,11 @@ consteval double tangent(double angle) {
   return fraction / angle;
 }
 
+// A part of the whole, rounded; parts are not negative.
+consteval std::int32_t shareOf(double part) {
+  return (static_cast<std::int32_t>(2 * kWhole * part) + 1) / 2;
+}
+
 consteval Shares sharesAt(std::size_t degrees) {
   if (degrees == 0) {
     return {};
@@ -54,9 +60,9 @@ consteval Shares sharesAt(std::size_t degrees) {
   const double outer = middle + kTrack / 2;
   const double greatest = root(outer * outer + kWheelbase * kWheelbase);
   const double innerFront = root(inner * inner + kWheelbase * kWheelbase);
-  return {.innerFront = static_cast<std::int32_t>(kWhole * innerFront / greatest + 0.5),
-          .innerRear = static_cast<std::int32_t>(kWhole * inner / greatest + 0.5),
-          .outerRear = static_cast<std::int32_t>(kWhole * outer / greatest + 0.5)};
+  return {.innerFront = shareOf(innerFront / greatest),
+          .innerRear = shareOf(inner / greatest),
+          .outerRear = shareOf(outer / greatest)};
 }
 
 consteval std::array<Shares, kDegrees> table() {

@@ -140,7 +140,7 @@ bool WheelSupervision::rejectsEdges(std::uint16_t rejected) {
 void WheelSupervision::record(std::optional<Tension> applied, const WheelSetPoint* followed) {
   tension_ = applied;
   following_ = followed != nullptr;
-  std::shift_left(references_.begin(), references_.end(), 1);
+  std::ranges::rotate(references_, references_.begin() + 1);
   references_.back().reset();
   if (followed != nullptr && followed->quantity == WheelQuantity::Velocity) {
     references_.back() = magnitude(Velocity(followed->value));

@@ -39,7 +39,7 @@ class HostSerialPort final : public SerialPort {
 
  private:
   struct Received {
-    std::uint8_t byte;
+    std::uint8_t byte = 0;
     Instant at;
   };
 

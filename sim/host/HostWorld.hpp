@@ -42,8 +42,6 @@ class HostWorld {
   [[nodiscard]] Instant nextPulse() const { return nextPulse_; }
 
   HostTimebase time;
-
- public:
   HostRobot robot;
   sim::Robot physics;
   sim::RemoteControl remoteControl;

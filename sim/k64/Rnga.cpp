@@ -17,11 +17,23 @@ constexpr std::uint32_t kOneWord = 0x100;  // SR.OREG_LVL
 constexpr std::uint32_t kSize = 0x10000;   // SR.OREG_SIZE: one word
 constexpr std::uint64_t kClocksOfAWord = 256;
 
+constexpr std::uint64_t kSeed = 0x524E4741;
+
 }  // namespace
 
 void Rnga::reset(Reset /*cause*/) {
   control_ = 0;
   underflow_ = false;
+}
+
+// The generator SplitMix64 (G. Steele, D. Lea, C. Flood, 2014), of which the high half is used.
+std::uint32_t Rnga::draw() {
+  ++drawn_;
+  std::uint64_t word = kSeed + drawn_ * 0x9E3779B97F4A7C15;
+  word = (word ^ word >> 30) * 0xBF58476D1CE4E5B9;
+  word = (word ^ word >> 27) * 0x94D049BB133111EB;
+  word ^= word >> 31;
+  return static_cast<std::uint32_t>(word >> 32);
 }
 
 bool Rnga::wordIsReady() const {
@@ -45,7 +57,7 @@ std::uint32_t Rnga::read(std::uint32_t offset, unsigned size) {
         return 0;
       }
       since_ = board_.busClock().count(board_.time());
-      return static_cast<std::uint32_t>(generator_());
+      return draw();
     default:
       unmodelled("RNG", offset);
       return 0;

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 
 #include "sim/k64/Peripheral.hpp"
 
 namespace wr::k64 {
 
-/// @brief Random number generator. Its numbers are those of a seeded generator, so that a run can be
+/// @brief Random number generator. The same numbers come in each run, so that a run can be
 /// repeated.
 /// K64P144M120SF5RM, chapter Random Number Generator Accelerator (RNGA). Registers and bits agree
 /// with the drivers of RIOT (cpu/kinetis/periph/hwrng.c).
@@ -21,8 +20,9 @@ class Rnga final : public Peripheral {
 
  private:
   [[nodiscard]] bool wordIsReady() const;
+  [[nodiscard]] std::uint32_t draw();
 
-  std::mt19937 generator_{0x524E4741};  // goes on over a reset, as noise does
+  std::uint64_t drawn_ = 0;  // words that were drawn; goes on over a reset, as noise does
   std::uint32_t control_ = 0;
   bool underflow_ = false;
   std::uint64_t since_ = 0;  // count of the bus clock when the present word began
