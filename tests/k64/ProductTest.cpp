@@ -1,9 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
-#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -31,7 +29,7 @@ constexpr int kArmingCycles = 12;
 // recorded: the recordings are those of the image under test.
 class ProductRobot : public SteppedRobot {
  public:
-  explicit ProductRobot(const std::string& product) : ProductRobot(imageOf(product)) {}
+  explicit ProductRobot(const std::string& product) : ProductRobot(switchedOn(product)) {}
 
   // Cycles in which nobody orders, until the robot reads in a mode.
   void waitForMode(int mode) {
@@ -57,18 +55,12 @@ class ProductRobot : public SteppedRobot {
   [[nodiscard]] bool redLight() const { return !line_.board.pin('B', 22); }
 
  private:
-  static std::unique_ptr<BoardLine> imageOf(const std::string& product) {
-    std::filesystem::path file = imageFile().replace_filename(product + ".bin");
-    std::vector<std::uint8_t> image = readImage(file);
+  static std::unique_ptr<BoardLine> switchedOn(const std::string& product) {
+    std::vector<std::uint8_t> image = readImage(imageOf(product));
     if (product == "weeding_robot_pc_bluetooth") {
       std::ranges::copy(kSharedKey, image.begin() + kKeyAddress);
     }
-    auto robot = std::make_unique<BoardLine>(std::move(image),
-                                             k64::Options{.elf = file.replace_extension(".elf")});
-    if (!robot->board.runToSleep(std::chrono::milliseconds(50))) {
-      throw std::runtime_error(product + " does not start");
-    }
-    return robot;
+    return switchProductOn(product, std::move(image));
   }
 
   explicit ProductRobot(std::unique_ptr<BoardLine> line) : ProductRobot(*line, line) {}

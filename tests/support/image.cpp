@@ -7,8 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -95,6 +97,20 @@ std::unique_ptr<BoardLine> switchBoardOn(std::vector<std::uint8_t> image, k64::O
   }
   recorder().reset();
   robot->board.record(recorder());
+  return robot;
+}
+
+std::filesystem::path imageOf(const std::string& product) {
+  return imageFile().replace_filename(product + ".bin");
+}
+
+std::unique_ptr<BoardLine> switchProductOn(const std::string& product,
+                                           std::vector<std::uint8_t> image, k64::Options options) {
+  options.elf = imageOf(product).replace_extension(".elf");
+  auto robot = std::make_unique<BoardLine>(std::move(image), std::move(options));
+  if (!robot->board.runToSleep(std::chrono::milliseconds(50))) {
+    throw std::runtime_error(product + " does not start");
+  }
   return robot;
 }
 

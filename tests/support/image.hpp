@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "sim/scenario/BoardLine.hpp"
 
@@ -20,5 +23,17 @@ namespace wr::test {
 /// @brief The same with an image that a test has changed.
 [[nodiscard]] std::unique_ptr<BoardLine> switchBoardOn(std::vector<std::uint8_t> image,
                                                        k64::Options options);
+
+/// @brief Returns the file of the image of a product, which is in the folder of the image under test.
+[[nodiscard]] std::filesystem::path imageOf(const std::string& product);
+
+/// @brief Switches a board on that has the image of a product. Its calls are not recorded: the recordings are
+/// those of the image under test.
+/// @param product name of the product
+/// @param image what its flash holds
+/// @param options what the board does and has; the file with the symbols is added
+[[nodiscard]] std::unique_ptr<BoardLine> switchProductOn(const std::string& product,
+                                                         std::vector<std::uint8_t> image,
+                                                         k64::Options options = {});
 
 }  // namespace wr::test

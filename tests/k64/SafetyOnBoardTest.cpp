@@ -1,0 +1,204 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "services/SystemConstants.hpp"
+#include "sim/scenario/Scenario.hpp"
+#include "sim/scenario/ScenarioPlayer.hpp"
+#include "support/image.hpp"
+#include "system/SteppedRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+using std::chrono::milliseconds;
+
+const std::string kProduct = "weeding_robot";
+const auto kFolder = std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/safety";
+const int kN = SystemConstants::instance().waitingCycles();
+constexpr int kArmingCycles = 12;
+
+// The image with safety functions. A reset is a part of some scenarios: it does not stop the board.
+std::unique_ptr<BoardLine> switchSafeRobotOn() {
+  return switchProductOn(kProduct, readImage(imageOf(kProduct)), {.resetsAreFindings = false});
+}
+
+std::vector<std::string> scenarios() {
+  std::vector<std::string> names;
+  for (const auto& file : std::filesystem::directory_iterator(kFolder)) {
+    names.push_back(file.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+class SafetyScenariosOnBoard : public testing::TestWithParam<std::string> {};
+
+/// @brief After a single fault or a stop the image with safety functions does what the scenario expects.
+TEST_P(SafetyScenariosOnBoard, ImageStopsAsExpected) {
+  const Scenario scenario = Scenario::load(kFolder / (GetParam() + ".scenario"));
+  const std::unique_ptr<BoardLine> robot = switchSafeRobotOn();
+  const auto outcome = ScenarioPlayer(scenario, *robot).play();
+  EXPECT_FALSE(outcome.finding.has_value()) << outcome.finding->text;
+  EXPECT_EQ(outcome.failures, std::vector<std::string>{});
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, SafetyScenariosOnBoard, testing::ValuesIn(scenarios()),
+                         [](const auto& file) { return file.param; });
+
+/// @brief When the clock is lost while the robot drives, the first reset is that of the clock monitor, and the
+/// robot brakes and does not drive again by itself.
+/// @verifies FR-203
+TEST(ClockOfTheSafeRobot, FR203_FirstResetAfterALostClockIsThatOfTheMonitor) {
+  const Scenario scenario = Scenario::load(kFolder / "clock_lost.scenario");
+  const std::unique_ptr<BoardLine> robot = switchSafeRobotOn();
+  std::vector<k64::Event> resets;
+  robot->onEvent([&](const k64::Event& event) {
+    if (event.kind == k64::Event::Kind::Reset) {
+      resets.push_back(event);
+    }
+  });
+  EXPECT_EQ(ScenarioPlayer(scenario, *robot).play().failures, std::vector<std::string>{});
+  ASSERT_FALSE(resets.empty());
+  EXPECT_EQ(resets.front().number, static_cast<std::uint32_t>(k64::Reset::ClockLost));
+  EXPECT_GE(resets.front().at, milliseconds(5000));
+  EXPECT_LE(resets.front().at, milliseconds(5001));
+}
+
+// The image with safety functions, a PC and a remote control.
+class SafeBoard final : public SteppedRobot {
+ public:
+  SafeBoard() : SafeBoard(switchSafeRobotOn()) {}
+
+  void enable(sim::EnablePosition position) { line_.remoteControl().setEnable(position); }
+
+  void sticks(double velocity) {
+    line_.remoteControl().set(sim::Sticks{.velocity = velocity, .steering = 0});
+  }
+
+  // Orders of the PC: one velocity [0.1 rpm] for all wheels.
+  void driveByPc(int velocity, int count) {
+    PcOrder wish{.id = 1};
+    wish.wheels.fill({.quantity = 0, .value = static_cast<std::int16_t>(velocity)});
+    for (int i = 0; i < count; ++i) {
+      order(wish);
+      cycle();
+    }
+  }
+
+  // The PC arms the robot and drives.
+  void letThePcDrive() {
+    enable(sim::EnablePosition::Pc);
+    commandByPc();
+    driveByPc(0, kArmingCycles);
+    driveByPc(1000, 20);
+  }
+
+  // The remote control arms the robot and drives.
+  void letTheRcDrive() {
+    enable(sim::EnablePosition::Drive);
+    line_.remoteControl().setTremor(10);
+    sticks(0);
+    silentCycles(20);
+    sticks(0.5);
+    silentCycles(20);
+  }
+
+ private:
+  explicit SafeBoard(std::unique_ptr<BoardLine> line) : SafeBoard(*line, line) {}
+  SafeBoard(BoardLine& line, std::unique_ptr<BoardLine>& owner)
+      : SteppedRobot(std::move(owner)), line_(line) {}
+
+  BoardLine& line_;
+};
+
+/// Something that the robot does before the switch stops it.
+struct Situation {
+  const char* name;
+  int mode;
+  int state;
+  void (*reach)(SafeBoard& robot);
+};
+
+constexpr int kUnknown = -1;  // no report: no PC is connected
+
+void PrintTo(const Situation& situation, std::ostream* output) {
+  *output << situation.name;
+}
+
+const auto kSituations = std::to_array<Situation>({
+    {"ThePcDrives", kPc, kWorking, [](SafeBoard& robot) { robot.letThePcDrive(); }},
+    {"ThePcMissesACycle", kPc, kWaiting,
+     [](SafeBoard& robot) {
+       robot.letThePcDrive();
+       robot.silentCycle();
+     }},
+    {"ThePcMissesManyCycles", kPc, kWaitingN,
+     [](SafeBoard& robot) {
+       robot.letThePcDrive();
+       robot.silentCycles(kN);
+     }},
+    {"TheRcDrives", kRc, kWorking,
+     [](SafeBoard& robot) {
+       robot.connect();
+       robot.letTheRcDrive();
+     }},
+    {"NoPcIsConnected", kUnknown, kWorking, [](SafeBoard& robot) { robot.letTheRcDrive(); }},
+});
+
+class SwitchOfTheRemoteControl : public testing::TestWithParam<Situation> {};
+
+/// @brief Wherever in the cycle the enable switch is released, all wheels brake within 200 ms, in each mode and
+/// state in which the robot drives, and orders of the PC do not end it.
+/// @verifies FR-285
+TEST_P(SwitchOfTheRemoteControl, FR285_BrakesWithin200Milliseconds) {
+  const Situation& situation = GetParam();
+  for (int phase = 0; phase < 100; phase += 17) {
+    SafeBoard robot;
+    situation.reach(robot);
+    if (situation.mode != kUnknown) {
+      ASSERT_EQ(robot.report().mode, situation.mode);
+      ASSERT_EQ(robot.report().state, situation.state);
+    }
+    ASSERT_FALSE(robot.physics().braking());
+    robot.wait(milliseconds(phase));
+    robot.enable(sim::EnablePosition::Stop);
+    robot.wait(milliseconds(200));
+    EXPECT_TRUE(robot.physics().braking()) << phase << " ms after a cycle";
+    robot.connect();
+    robot.driveByPc(1000, 5);
+    EXPECT_TRUE(robot.report().stop());
+    EXPECT_TRUE(robot.report().held());
+    EXPECT_TRUE(robot.physics().braking());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Situations, SwitchOfTheRemoteControl, testing::ValuesIn(kSituations),
+                         [](const auto& situation) { return std::string(situation.param.name); });
+
+/// @brief While nobody commands, the switch orders the stop too, and an order of the PC moves nothing.
+/// @verifies FR-285
+TEST(SwitchWithoutCommand, FR285_StopsWhileReconnecting) {
+  SafeBoard robot;
+  robot.letThePcDrive();
+  robot.silentCycles(kN + 2);
+  ASSERT_EQ(robot.report().state, kReconnecting);
+  robot.enable(sim::EnablePosition::Stop);
+  robot.silentCycles(2);
+  EXPECT_TRUE(robot.report().stop());
+  robot.driveByPc(1000, 2 * kN);
+  EXPECT_TRUE(robot.report().stop());
+  EXPECT_TRUE(robot.physics().braking());
+}
+
+}  // namespace
+}  // namespace wr::test
