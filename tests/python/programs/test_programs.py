@@ -65,6 +65,8 @@ WHEELS = "0123"
 # The greatest difference of one value in one cycle, and that of all but three in a hundred [%].
 ONCE = 4
 USUALLY = 1
+# A wheel with one Hall sensor measures no velocity that control can follow: its values are chance.
+CHANCE = {"one_hall_sensor"}
 RARE = 0.03  # share of the cycles
 
 
@@ -108,6 +110,8 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
     shifted = shifted_decisions(common)
     rare = math.ceil(len(common) * RARE)
     assert len(shifted) <= rare
+    if example.stem in CHANCE:
+        return
     differences = [difference(*rows) for rows in common]
     beside = {other for index in shifted for other in (index - 1, index, index + 1)}
     assert max(value for index, value in enumerate(differences) if index not in beside) <= ONCE
