@@ -91,9 +91,10 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
     example: Path, tmp_path: Path
 ) -> None:
     """It decides the same, a decision that hangs on a measured value at most one cycle earlier or
-    later. What it measures and applies differs by at most 1 % of the range in 97 of 100 cycles, and
-    by more than 3 % only in a cycle beside such a decision; while pulses order, by at most 3 %. At the end of a connection, and at that
-    of the scenario, one of the two may have sent a report more."""
+    later. Measured and applied values differ by at most 1 % of the range in 97 of 100 cycles, and
+    by more than 3 % only in a cycle next to such a decision; while pulses order, by at most 3 %.
+    At the end of a connection, and at that of the scenario, one of the two may have sent a report
+    more."""
     reports = []
     for binding in ("host", "board"):
         table = tmp_path / f"{binding}.csv"
