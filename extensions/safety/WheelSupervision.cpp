@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <span>
 
 #include "services/SystemConstants.hpp"
 
@@ -140,7 +141,7 @@ bool WheelSupervision::rejectsEdges(std::uint16_t rejected) {
 void WheelSupervision::record(std::optional<Tension> applied, const WheelSetPoint* followed) {
   tension_ = applied;
   following_ = followed != nullptr;
-  std::ranges::rotate(references_, references_.begin() + 1);
+  std::ranges::copy(std::span(references_).subspan<1>(), references_.begin());
   references_.back().reset();
   if (followed != nullptr && followed->quantity == WheelQuantity::Velocity) {
     references_.back() = magnitude(Velocity(followed->value));
