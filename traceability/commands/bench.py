@@ -128,7 +128,7 @@ def measure_all(root: Path, log: TextIO) -> str:
 
 
 def measure_paper(root: Path, log: TextIO) -> str:
-    """Plays the scenarios with the product without safety functions: what they cost is the difference."""
+    """Plays the scenarios with the product without safety functions."""
     (root / PAPER_BENCH).unlink(missing_ok=True)
     record: dict[str, Any] = {**measured_with(root, PAPER), "scenarios": {}}
     for paper in SCENARIOS:

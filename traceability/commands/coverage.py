@@ -54,7 +54,7 @@ def _count(root: Path, log: TextIO) -> dict[str, float]:
 
 
 def remove_stale_notes(root: Path, build: Path, log: TextIO) -> None:
-    """Removes the notes and counts that gcc wrote for sources that exist no longer: gcovr fails with them."""
+    """Removes what gcc wrote for sources that exist no longer: gcovr fails with it."""
     for kind in ("gcno", "gcda"):
         for file in sorted(build.rglob(f"*.cpp.{kind}")):
             if not any(source.exists() for source in _sources(root, build, file)):
