@@ -81,7 +81,7 @@ std::size_t SignedPort::free() const {
 }
 
 bool SignedPort::write(std::span<const std::uint8_t> bytes) {
-  if (!works() || bytes.empty() || bytes.size() > kMaxCoded) {
+  if (!works() || bytes.empty() || bytes.size() > FrameEncoder::kMostBytes) {
     return false;
   }
   const auto frame = bytes.first(bytes.size() - 1);
@@ -149,7 +149,7 @@ bool SignedPort::accept() {
 
 // A flood of wrong frames must not take the room of frames to send.
 void SignedPort::challenge() {
-  if (port_.free() < 2 * kMaxCoded) {
+  if (port_.free() < 2 * FrameEncoder::kMostBytes) {
     return;
   }
   std::array<std::uint8_t, sizeof(std::uint64_t) + sizeof(std::uint32_t)> payload{};

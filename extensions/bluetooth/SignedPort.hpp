@@ -8,7 +8,6 @@
 
 #include "bluetooth/RandomSource.hpp"
 #include "bluetooth/SipHash.hpp"
-#include "communication/framing/Frame.hpp"
 #include "communication/framing/FrameEncoder.hpp"
 #include "devices/SerialPort.hpp"
 #include "units/quantities.hpp"
@@ -34,7 +33,7 @@ class SignedPort final : public SerialPort {
   static constexpr std::size_t kTrailer = 24;
 
   /// @brief Binds the port to its line and its key. Without a random number it receives and sends nothing.
-  /// @param port the line
+  /// @param port line to the Bluetooth module
   /// @param key secret key; a key whose bytes are all 0xFF is no key: nothing is received or sent
   /// @param random draws the number of this start
   SignedPort(SerialPort& port, const SipHash::Key& key, RandomSource& random);
@@ -46,11 +45,13 @@ class SignedPort final : public SerialPort {
   /// @satisfies FR-262
   std::size_t read(std::span<std::uint8_t> bytes) override;
 
-  /// @brief Returns when the last byte of the frame that read() gave came.
+  /// @brief Returns when the last byte of the frame that read() gave was received.
+  /// @return time of its zero byte
   /// @isr{no}
   [[nodiscard]] Instant receivedAt() const override;
 
   /// @brief Returns the room for bytes to send, less the room for counter and tag.
+  /// @return number of bytes of a coded frame that a write can accept now
   /// @isr{no}
   [[nodiscard]] std::size_t free() const override;
 
@@ -61,11 +62,17 @@ class SignedPort final : public SerialPort {
   /// @satisfies FR-263
   bool write(std::span<const std::uint8_t> bytes) override;
 
+  /// @brief Returns how many bytes of the line were lost.
+  /// @return number of lost bytes since start, at most 65535
+  /// @isr{no}
   [[nodiscard]] std::uint16_t lostBytes() const override;
 
  private:
-  using Coded = std::array<std::uint8_t, kMaxCoded + kTrailer>;
+  using Coded = std::array<std::uint8_t, FrameEncoder::kMostBytes + kTrailer>;
 
+  /// @brief Checks whether there is a key and a random number.
+  /// @return true when both are there
+  /// @satisfies FR-265
   [[nodiscard]] bool works() const;
   void collect(std::uint8_t byte);
   [[nodiscard]] bool accept();

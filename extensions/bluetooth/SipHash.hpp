@@ -30,7 +30,8 @@ class SipHash final {
   void add(std::span<const std::uint8_t> bytes);
 
   /// @brief Computes the tag of all bytes that were added.
-  /// @return the tag; a second call returns another value
+  /// @return the tag
+  /// @post A second call returns another value.
   /// @isr{no}
   /// @satisfies FR-261
   [[nodiscard]] std::uint64_t tag();

@@ -264,4 +264,16 @@ FaultKind K64Board::faultOf(std::uint16_t exception) {
   return (status & scb::CFSR_USAGE).any() ? FaultKind::UsageFault : FaultKind::HardFault;
 }
 
+// A word takes 256 clocks of the bus, and a look more than 4.
+std::optional<std::uint32_t> K64Board::randomWord() {
+  constexpr std::uint32_t kMostLooks = 2'000;
+  rng::CR.write(rng::CR_GO | rng::CR_HA | rng::CR_INTM);
+  for (std::uint32_t look = 0; look < kMostLooks; ++look) {
+    if ((rng::SR.read() & rng::SR_OREG_LVL).any()) {
+      return rng::OR.read().value;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace wr

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "services/StartRecord.hpp"
 
@@ -69,6 +70,13 @@ class K64Board {
   /// @isr{no}
   /// @satisfies FR-140
   static void openGates();
+
+  /// @brief Draws a word from the random number generator. Waits for at most 2,000 looks at it.
+  /// @return 32 random bits; nothing when the generator gives none in time
+  /// @pre The clocks of the peripherals run.
+  /// @isr{no}
+  /// @satisfies FR-264
+  [[nodiscard]] static std::optional<std::uint32_t> randomWord();
 
   /// @brief Tells why this start came, and what was recorded before it. The record is told once.
   /// @return cause of the reset, and the fault before it

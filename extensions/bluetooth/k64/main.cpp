@@ -1,10 +1,8 @@
 // The composition of the weeding robot that the PC and a Bluetooth device command.
 
-#include <algorithm>
-#include <tuple>
-
 #include "bluetooth/BluetoothDirector.hpp"
 #include "bluetooth/k64/K64Random.hpp"
+#include "bluetooth/k64/key.hpp"
 #include "construction/MainControllerBuilder.hpp"
 #include "k64/K64Thread.hpp"
 #include "k64/K64Uart.hpp"
@@ -28,25 +26,12 @@ MainControllerBuilder controllerBuilder({.thread = platform::mainThread,
                                          .start = platform::startRecord});
 K64Random random;
 
-// The key is written over these bytes when the image is flashed, so the compiler must not know
-// them.
-[[gnu::section(".bluetooth_key"), gnu::used]] const volatile SipHash::Key::value_type
-    bluetoothKey[std::tuple_size_v<SipHash::Key>] = {0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF,
-                                                     0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF,
-                                                     0xFF, 0xFF, 0xFF, 0xFF};
-
-SipHash::Key readKey() {
-  SipHash::Key key{};
-  std::ranges::copy(bluetoothKey, key.begin());
-  return key;
-}
-
 [[gnu::section(".noinit")]] RetainedStop::Cells deviceStopCells;
 RetainedStop deviceStop(deviceStopCells);
 
 BluetoothDirector director(platform::poolBuilder, controllerBuilder,
                            {.port = bluetoothPort,
-                            .key = readKey(),
+                            .key = bluetoothKey,
                             .random = random,
                             .timebase = platform::timebase,
                             .start = platform::startRecord,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -13,6 +14,9 @@ namespace wr {
 /// @secret How the bytes to send are made in one piece of storage.
 class FrameEncoder final {
  public:
+  /// @brief Most bytes that encode() returns.
+  static constexpr std::size_t kMostBytes = kMaxCoded;
+
   /// @brief Makes an encoder without a frame.
   FrameEncoder() = default;
 

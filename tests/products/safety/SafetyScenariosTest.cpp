@@ -50,6 +50,26 @@ class SafetyScenario : public testing::TestWithParam<const char*> {
   }
 };
 
+const auto kExamples = std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/examples";
+
+class ExamplesWithSafety : public testing::TestWithParam<const char*> {};
+
+/// @brief The robot with safety functions does what the examples expect that are not of the paper's design alone.
+/// @verifies NFR-6
+TEST_P(ExamplesWithSafety, RobotDoesWhatIsExpected) {
+  const Scenario scenario = Scenario::load(kExamples / (std::string(GetParam()) + ".scenario"));
+  HostLine robot(HostEquipment::Safe);
+  robot.start();
+  EXPECT_EQ(ScenarioPlayer(scenario, robot).play().failures, std::vector<std::string>{});
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, ExamplesWithSafety,
+                         testing::Values("current_step", "downhill", "loss_of_the_pc", "rc_drive",
+                                         "steering", "steering_faults", "stop",
+                                         "stop_from_full_speed", "stop_on_a_slope", "tension_step",
+                                         "uphill", "velocity_step", "wheel_blocked"),
+                         [](const auto& file) { return std::string(file.param); });
+
 class StopOfTheRemoteControl : public SafetyScenario {};
 
 /// @brief The enable switch stops the robot while the PC drives, while nobody commands, and while the PC connects.

@@ -67,6 +67,21 @@ TEST_F(WarningRobot, FR152_MessageEndsTheWarning) {
   }
 }
 
+/// @brief While a stop is in force the lamp stays dark, in all states up to the last one.
+/// @verifies FR-152
+TEST_F(WarningRobot, FR152_StopKeepsTheLampDark) {
+  port.arrive(pc.order({.id = 9, .stop = true}));
+  EXPECT_TRUE(cycle().stop());
+  bool passed = false;
+  for (int failed = 0; failed < kN + 2; ++failed) {
+    const PcReport report = cycleWithPc();
+    passed = passed || report.state == kWaitingK;
+    EXPECT_TRUE(report.stop());
+    EXPECT_FALSE(warning.isOn()) << "state " << static_cast<int>(report.state);
+  }
+  EXPECT_TRUE(passed);
+}
+
 /// @brief The remote control commands this robot as well.
 /// @verifies FR-17
 TEST_F(WarningRobot, FR17_RemoteControlFollowsThePc) {

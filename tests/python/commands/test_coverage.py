@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from traceability.commands.coverage import count_coverage
+from traceability.commands.coverage import count_coverage, remove_stale_notes
 from traceability.commands.steps import FailureError
 from traceability.metrics import coverage
 from traceability.model.results import COVERAGE_LINES
@@ -99,3 +99,18 @@ def test_a_run_without_a_line_of_the_design_is_a_failure(root: Path) -> None:
     with pytest.raises(FailureError, match="no line of the design"):
         count(root)
     assert coverage(root) == {}
+
+
+def test_notes_of_a_deleted_source_are_removed(root: Path) -> None:
+    objects = root / "build/trace/src/CMakeFiles/firmware.dir"
+    kept = [objects / "choose.cpp.gcno", objects / "__/generated/Identity.cpp.gcno"]
+    stale = [objects / "gone.cpp.gcno", objects / "gone.cpp.gcda"]
+    generated = root / "build/trace/generated/Identity.cpp"
+    for file in [*kept, *stale, generated]:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(b"")
+    with (root / "log").open("w") as log:
+        remove_stale_notes(root, root / "build/trace", log)
+    assert [file.exists() for file in kept] == [True, True]
+    assert [file.exists() for file in stale] == [False, False]
+    assert "gone.cpp.gcno" in (root / "log").read_text()

@@ -124,7 +124,7 @@ def test_the_metrics_have_the_times_of_both_models() -> None:
 
 
 def test_a_record_of_other_sources_is_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(bench, "measured_with", lambda _root: {"sources": "new", "image": "i"})
+    monkeypatch.setattr(bench, "measured_with", lambda *_given: {"sources": "new", "image": "i"})
     path = tmp_path / bench.BENCH
     path.parent.mkdir(parents=True)
     assert bench.read_bench(tmp_path) is None

@@ -1,0 +1,79 @@
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "products/ProductFixture.hpp"
+#include "safety/RetainedStop.hpp"
+#include "safety/SafetyBuilder.hpp"
+#include "safety/SafetyDirector.hpp"
+#include "safety/SafetyPcDirector.hpp"
+
+namespace wr::test {
+namespace {
+
+/// The directors of the products with safety functions.
+class SafetyDirectors : public ProductFixture {
+ protected:
+  RetainedStop::Cells cells{};
+  RetainedStop memory{cells};
+  HostEdgeInput enablePin{scheduler, false};
+  SafetyDirector director{poolBuilder,
+                          builder,
+                          {.timebase = time,
+                           .edgeTime = time,
+                           .memory = memory,
+                           .enablePin = enablePin,
+                           .velocity = velocity,
+                           .direction = direction}};
+  SafetyPcDirector pcDirector{poolBuilder, builder, memory};
+};
+
+/// @brief A robot with safety functions is built once.
+/// @verifies FR-78
+TEST_F(SafetyDirectors, FR78_ConstructionTwiceEndsTheProgram) {
+  director.construct();
+  EXPECT_DEATH(director.construct(), "assertion 5 failed");
+}
+
+/// @brief A robot that only the PC commands is built once.
+/// @verifies FR-78
+TEST_F(SafetyDirectors, FR78_ConstructionForThePcTwiceEndsTheProgram) {
+  pcDirector.construct();
+  EXPECT_DEATH(pcDirector.construct(), "assertion 5 failed");
+}
+
+/// @brief A robot that is not built cannot start, and has no pin of the enable switch.
+/// @verifies FR-78
+TEST_F(SafetyDirectors, FR78_StartBeforeConstructionEndsTheProgram) {
+  EXPECT_DEATH(director.start(), "assertion 1 failed");
+  EXPECT_DEATH(pcDirector.start(), "assertion 1 failed");
+  EXPECT_DEATH(static_cast<void>(director.enablePin()), "assertion 1 failed");
+}
+
+/// The builder of the safety functions and of one control system.
+class SafetyBuilderTest : public testing::Test {
+ protected:
+  SpyBuilder robot;
+  std::array<ControlSystemBuilder*, 1> systems{&robot};
+  HostScheduler scheduler;
+  HostEdgeInput emergencyStop{scheduler, false};
+  SafetyBuilder builder{{.wheels = {}, .systems = systems, .emergencyStop = emergencyStop}};
+};
+
+/// @brief Before the control systems are built there is nothing to start, to order or to tick.
+/// @verifies FR-78
+TEST_F(SafetyBuilderTest, FR78_UseBeforeConstructionEndsTheProgram) {
+  EXPECT_DEATH(builder.start(), "assertion 1 failed");
+  EXPECT_DEATH(static_cast<void>(builder.system()), "assertion 1 failed");
+  EXPECT_DEATH(static_cast<void>(builder.tickCommand()), "assertion 1 failed");
+}
+
+/// @brief The control systems are wrapped once.
+/// @verifies FR-78
+TEST_F(SafetyBuilderTest, FR78_ConstructionTwiceEndsTheProgram) {
+  builder.buildSystem();
+  EXPECT_DEATH(builder.buildSystem(), "assertion 5 failed");
+}
+
+}  // namespace
+}  // namespace wr::test
