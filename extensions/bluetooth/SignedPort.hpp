@@ -56,7 +56,7 @@ class SignedPort final : public SerialPort {
   [[nodiscard]] std::size_t free() const override;
 
   /// @brief Sends one coded frame with counter and tag, or nothing.
-  /// @param bytes a coded frame with the zero that ends it
+  /// @param bytes bytes of a coded frame with the zero that ends it
   /// @return false when there is no room, no key or no random number: nothing is sent
   /// @isr{no}
   /// @satisfies FR-263

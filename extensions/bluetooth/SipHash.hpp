@@ -30,7 +30,7 @@ class SipHash final {
   void add(std::span<const std::uint8_t> bytes);
 
   /// @brief Computes the tag of all bytes that were added.
-  /// @return the tag
+  /// @return the tag, 64 bits without meaning as a number
   /// @post A second call returns another value.
   /// @isr{no}
   /// @satisfies FR-261

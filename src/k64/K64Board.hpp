@@ -72,7 +72,7 @@ class K64Board {
   static void openGates();
 
   /// @brief Draws a word from the random number generator. Waits for at most 2,000 looks at it.
-  /// @return 32 random bits; nothing when the generator gives none in time
+  /// @return a word of 32 random bits; without meaning as a number; nothing when the generator gives none in time
   /// @pre The clocks of the peripherals run.
   /// @isr{no}
   /// @satisfies FR-264

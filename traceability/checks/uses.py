@@ -71,6 +71,8 @@ def _forbidden(model: Model) -> list[Finding]:
 
 def _extensions(model: Model) -> list[Finding]:
     """The robot knows no extension, and no extension another one, whatever is allowed."""
+    # An extension may build on another one where the design says why; the robot never does.
+    builds_on = {(one.source, one.target) for one in model.allowed_uses if is_extension(one.source)}
     return [
         Finding(
             place,
@@ -79,7 +81,9 @@ def _extensions(model: Model) -> list[Finding]:
             "remove the include or the call: only a composition of the extension binds it",
         )
         for use in model.uses
-        if is_extension(use.target) and _extension(use.source) != _extension(use.target)
+        if is_extension(use.target)
+        and _extension(use.source) != _extension(use.target)
+        and (use.source, use.target) not in builds_on
         for place in use.places
     ]
 

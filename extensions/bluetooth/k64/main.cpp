@@ -1,9 +1,13 @@
 // The composition of the weeding robot that the PC and a Bluetooth device command.
 
+#include <cstdint>
+#include <optional>
+
 #include "bluetooth/BluetoothDirector.hpp"
-#include "bluetooth/k64/K64Random.hpp"
+#include "bluetooth/RandomSource.hpp"
 #include "bluetooth/k64/key.hpp"
 #include "construction/MainControllerBuilder.hpp"
+#include "k64/K64Board.hpp"
 #include "k64/K64Thread.hpp"
 #include "k64/K64Uart.hpp"
 #include "k64/core.hpp"
@@ -24,7 +28,21 @@ MainControllerBuilder controllerBuilder({.thread = platform::mainThread,
                                          .pcPort = platform::pcPort,
                                          .watchdog = platform::watchdog,
                                          .start = platform::startRecord});
-K64Random random;
+// Draws from the random number generator of the microcontroller.
+class BoardRandom final : public RandomSource {
+ public:
+  std::optional<std::uint64_t> draw() override {
+    constexpr unsigned kWordBits = 32;
+    const std::optional<std::uint32_t> high = K64Board::randomWord();
+    const std::optional<std::uint32_t> low = K64Board::randomWord();
+    if (!high || !low) {
+      return std::nullopt;
+    }
+    return std::uint64_t{*high} << kWordBits | *low;
+  }
+};
+
+BoardRandom random;
 
 [[gnu::section(".noinit")]] RetainedStop::Cells deviceStopCells;
 RetainedStop deviceStop(deviceStopCells);
