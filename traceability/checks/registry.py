@@ -240,8 +240,8 @@ _FIXED = [
     Check(
         "uses-extension",
         "Nothing knows an extension",
-        "No file of src includes or calls one of extensions, and no extension another one: so a "
-        "product can leave it out. An entry of design/uses.toml does not change that.",
+        "No file of src includes or calls one of extensions, so a product can leave it out. An "
+        "extension uses another one only where design/uses.toml gives the reason.",
         "what the linker puts into the image of a product; the tests of the products look there.",
         "remove the include or the call: a composition of the extension binds it to the robot.",
     ),

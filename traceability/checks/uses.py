@@ -70,7 +70,7 @@ def _forbidden(model: Model) -> list[Finding]:
 
 
 def _extensions(model: Model) -> list[Finding]:
-    """The robot knows no extension, and no extension another one, whatever is allowed."""
+    """The robot knows no extension, whatever is allowed; an extension names those that it needs."""
     # An extension may build on another one where the design says why; the robot never does.
     builds_on = {(one.source, one.target) for one in model.allowed_uses if is_extension(one.source)}
     return [
