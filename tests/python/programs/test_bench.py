@@ -58,7 +58,7 @@ def rows(image: Path, folder: Path) -> dict[str, float]:
 
 
 def test_a_slowed_algorithm_shows_in_its_row(tmp_path: Path) -> None:
-    before = rows(BUILD / "weeding_robot", tmp_path)
+    before = rows(BUILD / "weeding_robot_paper", tmp_path)
     after = rows(slowed(tmp_path), tmp_path)
     more = {name: count - before.get(name, 0) for name, count in after.items()}
     assert max(more, key=lambda name: more[name]) == "VelocityAlgorithm"
