@@ -231,8 +231,7 @@ def profile_of(
 def owner(frames: Frames) -> tuple[str, str]:
     """Module and function of an instruction: the innermost of the project that it belongs to."""
     for function, file in frames:
-        parts = Path(file).parts
-        if "src" in parts:
+        if {"src", "extensions"}.intersection(Path(file).parts):
             return Path(file).name.split(".")[0], function
     return LIBRARY, frames[-1][0] if frames else "?"
 

@@ -94,6 +94,8 @@ def test_an_instruction_belongs_to_the_innermost_part_of_the_project() -> None:
     ]
     assert owner(inlined) == ("Crc16", "wr::Crc16::add")
     assert owner([("memcpy", "newlib/memcpy.c")]) == (LIBRARY, "memcpy")
+    arming = ("wr::Arming::follow", "/b/extensions/safety/Arming.cpp")
+    assert owner([arming]) == ("Arming", "wr::Arming::follow")
 
 
 def test_the_frames_of_an_address_are_read_innermost_first() -> None:

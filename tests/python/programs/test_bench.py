@@ -16,13 +16,13 @@ ROOT = Path(__file__).parents[3]
 BUILD = ROOT / "build" / "k64"
 ALGORITHM = ROOT / "src/wheel_control/algorithms/VelocityAlgorithm.cpp"
 BUSY = "  for (volatile int i = 0; i < 1000;) {\n    const int next = i + 1;\n    i = next;\n  }\n"
-FEW = "at 50 connect\nfrom 250 to 101050 every 100 order velocity 500\nat 101150 end\n"
+FEW = "at 50 arm\nfrom 1550 to 101050 every 100 order velocity 500\nat 101150 end\n"
 
 
 def slowed(folder: Path) -> Path:
     """The image with a busy loop in an algorithm; its name without suffix."""
     source = folder / ALGORITHM.name
-    begin = "  measured_ = feedback.velocity;\n"
+    begin = "  setPoint_ = setPoint;\n"
     text = ALGORITHM.read_text(encoding="utf-8")
     assert text.count(begin) == 1
     source.write_text(text.replace(begin, begin + BUSY), encoding="utf-8")
@@ -58,7 +58,7 @@ def rows(image: Path, folder: Path) -> dict[str, float]:
 
 
 def test_a_slowed_algorithm_shows_in_its_row(tmp_path: Path) -> None:
-    before = rows(BUILD / "weeding_robot", tmp_path)
+    before = rows(BUILD / "weeding_robot_paper", tmp_path)
     after = rows(slowed(tmp_path), tmp_path)
     more = {name: count - before.get(name, 0) for name, count in after.items()}
     assert max(more, key=lambda name: more[name]) == "VelocityAlgorithm"
