@@ -211,6 +211,25 @@ TEST_F(SafeRobot, FR285_ASilentEnableSwitchStops) {
   EXPECT_NEAR(rpm(), 0, 1);
 }
 
+/// @brief A turn of the switch to "stop" for 40 ms stops a robot that the PC drives, wherever it is in the cycle. The
+/// robot stays at rest until the PC has ordered neutral values.
+/// @verifies FR-285
+TEST_F(SafeRobot, FR285_AShortTurnOfTheSwitchStops) {
+  armByPc();
+  for (const int begin : {5, 20, 35, 50}) {
+    order(20, 1000);
+    EXPECT_NEAR(rpm(), 100, 10) << begin;
+    const Instant pulse = line.world.nextPulse();
+    line.world.runUntil(pulse + milliseconds(begin - 100));
+    enable(kStop);
+    line.world.runUntil(pulse + milliseconds(begin - 60));
+    enable(kPc);
+    order(20, 1000);
+    EXPECT_NEAR(rpm(), 0, 1) << begin;
+    order(12, 0);
+  }
+}
+
 /// @brief Pulses that no longer change stop a driving robot.
 /// @verifies FR-289
 TEST_F(SafeRobot, FR289_HeldPulsesStopTheRobot) {
