@@ -25,7 +25,7 @@ REMOTE_CONTROL = {
 }
 SAFETY = {
     *("SafeSystem", "OrderStageDecorator", "RobotStage", "SafetyBuilder"),
-    *("ProtectiveStop", "WheelSupervision", "Arming", "SetPointRamp", "SpeedLimited"),
+    *("ProtectiveStop", "ContactWatch", "WheelSupervision", "Arming", "SetPointRamp", "SpeedLimited"),
 }
 STOP_MEMORY = {"PersistentStop", "RetainedStop"}
 ENABLE_SWITCH = {

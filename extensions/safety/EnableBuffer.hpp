@@ -11,7 +11,8 @@ namespace wr {
 /// @brief Receives the pulses of the enable switch.
 ///
 /// @function Stores the width of each pulse of the third channel of the remote control with its time. Two
-/// pulses in succession that order a stop are stored apart, so that a later pulse does not hide them.
+/// pulses in succession that order a stop are stored apart, so that a later pulse does not hide
+/// them.
 ///
 /// @secret Where the position of the enable switch is stored, and how many pulses of its stop count.
 ///

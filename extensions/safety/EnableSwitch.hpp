@@ -13,11 +13,10 @@ namespace wr {
 /// @brief Gives the remote control a stop, and lets its operator choose the source of orders.
 ///
 /// @function Reads the enable switch in every cycle. In its position "stop", or without its pulses, a stop
-/// is latched until the switch leaves that position while the velocity stick is centred. A stop between
-/// two cycles acts in the second one. In the
-/// position "PC" the remote control gives no orders. The sequence stop, PC, drive acknowledges
-/// latched faults. A remote control that moves the robot without a change of its pulses ends in a
-/// stop.
+/// is latched until the switch leaves that position while the velocity stick is centred. A stop
+/// between two cycles acts in the second one. In the position "PC" the remote control gives no
+/// orders. The sequence stop, PC, drive acknowledges latched faults. A remote control that moves
+/// the robot without a change of its pulses ends in a stop.
 ///
 /// @secret Which position of the enable switch permits which orders, and when its stop ends.
 ///

@@ -4,7 +4,7 @@
 
 namespace wr {
 
-ProtectiveStop::ProtectiveStop(OrderStage& wrapped, const EdgeInput& emergencyStop)
+ProtectiveStop::ProtectiveStop(OrderStage& wrapped, ContactWatch& emergencyStop)
     : OrderStageDecorator(wrapped), emergencyStop_(emergencyStop) {}
 
 void ProtectiveStop::collect(Measurements& measurements, Outputs& outputs) const {
@@ -40,13 +40,13 @@ void ProtectiveStop::recover(std::uint32_t cycle) {
     wheel.reset();
   }
   wrapped().recover(cycle);
-  if (emergencyStop_.level()) {
+  if (emergencyStop_.open()) {
     latch(StopCause::EmergencyStop, Protection::kNoWheel);
   }
 }
 
 void ProtectiveStop::examine(const SetPoints* followed) {
-  if (emergencyStop_.level()) {
+  if (emergencyStop_.opened()) {
     latch(StopCause::EmergencyStop, Protection::kNoWheel);
   }
   Measurements measurements;

@@ -4,8 +4,12 @@
 
 namespace wr {
 
-SafetyBuilder::Chain::Chain(OrderStage& robot, const EdgeInput& emergencyStop)
-    : protectiveStop(robot, emergencyStop), ramp(protectiveStop), arming(ramp), system(arming) {}
+SafetyBuilder::Chain::Chain(OrderStage& robot, const EdgeInput& contact)
+    : emergencyStop(contact),
+      protectiveStop(robot, emergencyStop),
+      ramp(protectiveStop),
+      arming(ramp),
+      system(arming) {}
 
 void SafetyBuilder::Ticks::add(Command& command) {
   require(count_ < commands_.size(), AssertId::PoolFull);
@@ -52,6 +56,7 @@ void SafetyBuilder::buildSystem() {
     ticks_.add(builder->tickCommand());
   }
   chain_.emplace(robot_, parts_.emergencyStop);
+  ticks_.add(chain_->emergencyStop);
 }
 
 void SafetyBuilder::start() {

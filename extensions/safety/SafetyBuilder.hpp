@@ -9,6 +9,7 @@
 #include "construction/WheelSystemBuilder.hpp"
 #include "devices/EdgeInput.hpp"
 #include "safety/Arming.hpp"
+#include "safety/ContactWatch.hpp"
 #include "safety/LimitedAlgorithms.hpp"
 #include "safety/ProtectiveStop.hpp"
 #include "safety/RobotStage.hpp"
@@ -58,14 +59,15 @@ class SafetyBuilder final : public ControlSystemBuilder {
 
  private:
   struct Chain {
-    Chain(OrderStage& robot, const EdgeInput& emergencyStop);
+    Chain(OrderStage& robot, const EdgeInput& contact);
+    ContactWatch emergencyStop;
     ProtectiveStop protectiveStop;
     SetPointRamp ramp;
     Arming arming;
     SafeSystem system;
   };
 
-  /// @brief Executes the tick command of every control system.
+  /// @brief Executes the tick command of every control system, and watches the contact.
   class Ticks final : public Command {
    public:
     /// @brief Adds a command.
@@ -74,7 +76,7 @@ class SafetyBuilder final : public ControlSystemBuilder {
     void execute() override;
 
    private:
-    std::array<Command*, RobotStage::kCapacity> commands_{};
+    std::array<Command*, RobotStage::kCapacity + 1> commands_{};
     std::size_t count_ = 0;
   };
 

@@ -39,8 +39,12 @@ class EnableSwitchTest : public ControllerFixture {
   Pipe<Microseconds> enable;
   Pipe<Microseconds> stop;
   SourceMode source;
-  EnableSwitch mode{
-      source, {.velocity = velocity, .direction = direction, .enable = enable, .stop = stop, .timebase = time}};
+  EnableSwitch mode{source,
+                    {.velocity = velocity,
+                     .direction = direction,
+                     .enable = enable,
+                     .stop = stop,
+                     .timebase = time}};
 };
 
 /// @brief Without a pulse since power-on the remote control orders a stop.

@@ -211,6 +211,23 @@ TEST_F(SafeRobot, FR285_ASilentEnableSwitchStops) {
   EXPECT_NEAR(rpm(), 0, 1);
 }
 
+/// @brief An emergency stop that is pressed for 5 ms between two cycles stops the robot, and lasts until it is
+/// acknowledged.
+/// @verifies FR-271
+TEST_F(SafeRobot, FR271_AShortPressStops) {
+  armByPc();
+  order(20, 1000);
+  EXPECT_NEAR(rpm(), 100, 10);
+  const Instant pulse = line.world.nextPulse();
+  line.world.runUntil(pulse + milliseconds(-50));
+  line.robot().setEmergencyStop(sim::EmergencyStop::Brake);
+  line.world.runUntil(pulse + milliseconds(-45));
+  line.robot().setEmergencyStop(sim::EmergencyStop::Released);
+  order(20, 1000);
+  EXPECT_EQ(protection().cause, StopCause::EmergencyStop);
+  EXPECT_NEAR(rpm(), 0, 1);
+}
+
 /// @brief A turn of the switch to "stop" for 40 ms stops a robot that the PC drives, wherever it is in the cycle. The
 /// robot stays at rest until the PC has ordered neutral values.
 /// @verifies FR-285

@@ -110,7 +110,8 @@ TEST_F(RobotOfPool, FR293_TheRobotIsOneControlSystem) {
 class ProtectiveStopTest : public SafetyChain {
  protected:
   FakeEdgeInput contact;
-  ProtectiveStop stop{robot, contact};
+  ContactWatch watch{contact};
+  ProtectiveStop stop{robot, watch};
 
   ProtectiveStopTest() { contact.set(false); }
 
@@ -160,6 +161,40 @@ TEST_F(ProtectiveStopTest, FR271_TheEmergencyStopIsACause) {
   hold(stop);
   contact.set(false);
   expectLatched(StopCause::EmergencyStop, Protection::kNoWheel);
+}
+
+/// @brief An opening of three ticks between two cycles stops in the next cycle; one of two ticks does not.
+/// @verifies FR-271
+TEST_F(ProtectiveStopTest, FR271_AShortOpeningIsLatched) {
+  for (const int ticks : {2, 2, 3}) {
+    EXPECT_EQ(protection(stop).cause, StopCause::None);
+    contact.set(true);
+    for (int tick = 0; tick < ticks; ++tick) {
+      watch.execute();
+    }
+    contact.set(false);
+    watch.execute();
+    order(stop, alike(1000));
+  }
+  EXPECT_EQ(protection(stop).cause, StopCause::EmergencyStop);
+}
+
+/// @brief An opening of the contact before an acknowledgement is over with it.
+/// @verifies FR-291
+TEST_F(ProtectiveStopTest, FR291_AnOpeningBeforeTheAcknowledgementEnds) {
+  contact.set(true);
+  for (int tick = 0; tick < 300; ++tick) {
+    watch.execute();
+    if (tick % 100 == 99) {
+      order(stop, alike(1000));
+    }
+  }
+  contact.set(false);
+  watch.execute();
+  acknowledge(stop);
+  EXPECT_EQ(protection(stop).cause, StopCause::None);
+  order(stop, alike(1000));
+  EXPECT_EQ(protection(stop).cause, StopCause::None);
 }
 
 /// @brief An acknowledgement does not release the protective stop while the contact is open.
@@ -276,7 +311,8 @@ TEST_F(ArmingTest, FR280_AHoldAndAnAcknowledgementDisarm) {
 TEST_F(ArmingTest, FR281_AProtectiveStopIsReportedFirst) {
   FakeEdgeInput contact;
   contact.set(true);
-  ProtectiveStop stop(robot, contact);
+  ContactWatch watch(contact);
+  ProtectiveStop stop(robot, watch);
   Arming outer(stop);
   for (int cycles = 0; cycles < 10; ++cycles) {
     order(outer, alike(0));
