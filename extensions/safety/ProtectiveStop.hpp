@@ -5,6 +5,7 @@
 
 #include "safety/ContactWatch.hpp"
 #include "safety/OrderStageDecorator.hpp"
+#include "safety/RetainedProtection.hpp"
 #include "safety/WheelSupervision.hpp"
 #include "units/Measurements.hpp"
 
@@ -22,7 +23,8 @@ class ProtectiveStop final : public OrderStageDecorator {
   /// @brief Binds the protective stop to the robot.
   /// @param wrapped all control systems of the robot
   /// @param emergencyStop watches the contact of the emergency-stop circuit
-  ProtectiveStop(OrderStage& wrapped, ContactWatch& emergencyStop);
+  /// @param memory stores the protective stop; one from before a reset is latched again
+  ProtectiveStop(OrderStage& wrapped, ContactWatch& emergencyStop, RetainedProtection& memory);
 
   /// @brief Adds the measurements and outputs of the robot, and the state of the protective stop.
   /// @param measurements receives the measurements
@@ -61,9 +63,10 @@ class ProtectiveStop final : public OrderStageDecorator {
   [[nodiscard]] bool latched() const;
 
   ContactWatch& emergencyStop_;
+  RetainedProtection& memory_;
   std::array<WheelSupervision, kWheelCount> wheels_;
-  StopCause cause_ = StopCause::None;
-  std::uint8_t wheel_ = Protection::kNoWheel;
+  StopCause cause_;
+  std::uint8_t wheel_;
 };
 
 }  // namespace wr

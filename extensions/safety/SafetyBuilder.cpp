@@ -4,9 +4,9 @@
 
 namespace wr {
 
-SafetyBuilder::Chain::Chain(OrderStage& robot, const EdgeInput& contact)
-    : emergencyStop(contact),
-      protectiveStop(robot, emergencyStop),
+SafetyBuilder::Chain::Chain(OrderStage& robot, const Parts& parts)
+    : emergencyStop(parts.emergencyStop),
+      protectiveStop(robot, emergencyStop, parts.memory),
       ramp(protectiveStop),
       arming(ramp),
       system(arming) {}
@@ -55,7 +55,7 @@ void SafetyBuilder::buildSystem() {
     robot_.add(builder->system());
     ticks_.add(builder->tickCommand());
   }
-  chain_.emplace(robot_, parts_.emergencyStop);
+  chain_.emplace(robot_, parts_);
   ticks_.add(chain_->emergencyStop);
 }
 

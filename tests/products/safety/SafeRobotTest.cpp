@@ -228,6 +228,32 @@ TEST_F(SafeRobot, FR271_AShortPressStops) {
   EXPECT_NEAR(rpm(), 0, 1);
 }
 
+/// @brief A reset does not release an emergency stop; the remote control acknowledges it afterwards.
+/// @verifies FR-291
+TEST_F(SafeRobot, FR291_AResetDoesNotReleaseAProtectiveStop) {
+  armByRc();
+  line.robot().setEmergencyStop(sim::EmergencyStop::Brake);
+  cycles(2);
+  line.robot().setEmergencyStop(sim::EmergencyStop::Released);
+  cycles(2);
+  line.reset(ResetKind::Pin);
+  armByRc();
+  EXPECT_EQ(protection().cause, StopCause::EmergencyStop);
+  sticks(0.5);
+  cycles(20);
+  EXPECT_NEAR(rpm(), 0, 1);
+  sticks(0);
+  for (const sim::EnablePosition position : {kStop, kPc, kDrive}) {
+    enable(position);
+    cycles(4);
+  }
+  cycles(8);
+  EXPECT_EQ(protection().cause, StopCause::None);
+  sticks(0.5);
+  cycles(30);
+  EXPECT_GT(rpm(), 100);
+}
+
 /// @brief A turn of the switch to "stop" for 40 ms stops a robot that the PC drives, wherever it is in the cycle. The
 /// robot stays at rest until the PC has ordered neutral values.
 /// @verifies FR-285

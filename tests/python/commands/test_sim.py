@@ -77,7 +77,8 @@ def test_resets_are_passed_to_the_virtual_board(root: Path) -> None:
     assert called(root)[5:] == ["--cycles", "9", "--fast", "--resets"]
 
 
-def test_resets_need_the_virtual_board(root: Path) -> None:
+@pytest.mark.usefixtures("root")
+def test_resets_need_the_virtual_board() -> None:
     with pytest.raises(SystemExit):
         cli.main(["sim", "--resets"])
 
