@@ -25,7 +25,15 @@ REMOTE_CONTROL = {
 }
 SAFETY = {
     *("SafeSystem", "OrderStageDecorator", "RobotStage", "SafetyBuilder"),
-    *("ProtectiveStop", "WheelSupervision", "Arming", "SetPointRamp", "SpeedLimited"),
+    *(
+        "ProtectiveStop",
+        "ContactWatch",
+        "RetainedProtection",
+        "WheelSupervision",
+        "Arming",
+        "SetPointRamp",
+        "SpeedLimited",
+    ),
 }
 STOP_MEMORY = {"PersistentStop", "RetainedStop"}
 ENABLE_SWITCH = {

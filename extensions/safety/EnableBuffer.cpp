@@ -1,5 +1,7 @@
 #include "safety/EnableBuffer.hpp"
 
+#include "safety/EnableSwitch.hpp"
+
 namespace wr {
 
 namespace {
@@ -7,18 +9,34 @@ namespace {
 constexpr std::int32_t kMiddle = 1500;         // [us]
 constexpr std::int32_t kFullDeflection = 500;  // [us]: the deflection is in us
 
+// Widths of the pulses of the switch; those out of the range order a stop.
+constexpr Microseconds kShortest(900);
+constexpr Microseconds kLongest(2100);
+
+bool inRange(Microseconds width) {
+  return width >= kShortest && width <= kLongest;
+}
+
 }  // namespace
 
 EnableBuffer::EnableBuffer(InstantCollector& instants, const Function& function,
-                           Pipe<Microseconds>& width)
-    : RcBuffer(instants, function), pipe_(width) {}
+                           Pipe<Microseconds>& width, Pipe<Microseconds>& stop)
+    : RcBuffer(instants, function), pipe_(width), stop_(stop) {}
 
 std::int32_t EnableBuffer::fullDeflection() const {
   return kFullDeflection;
 }
 
 void EnableBuffer::keep(std::int32_t value, Instant at) {
-  pipe_.write(Microseconds(kMiddle + value), at);
+  const Microseconds width(kMiddle + value);
+  if (inRange(width)) {
+    pipe_.write(width, at);
+  }
+  const bool stops = !inRange(width) || width < EnableSwitch::kLeastNoStop;
+  if (stops && stopBefore_) {
+    stop_.write(width, at);
+  }
+  stopBefore_ = stops;
 }
 
 }  // namespace wr

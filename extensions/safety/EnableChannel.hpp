@@ -23,13 +23,14 @@ struct EnableChannel {
   EnableChannel(EdgeInput& input, const Timebase& timebase)
       : period(instants),
         collector(period),
-        buffer(collector, function, width),
+        buffer(collector, function, width, stop),
         pin(input, readPin),
         readPin(buffer, pin, timebase) {
     pin.start();
   }
 
   Pipe<Microseconds> width;  ///< width of its pulses
+  Pipe<Microseconds> stop;   ///< width of the pulses that confirm a stop
   BasicCollector instants;   ///< instants of its edges
   PeriodCollector period;    ///< period of its pulses
   WidthCollector collector;  ///< width of a pulse

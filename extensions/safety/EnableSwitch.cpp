@@ -10,7 +10,6 @@ namespace wr {
 namespace {
 
 // Widths of the pulses of the enable switch. Between the bands the position stays.
-constexpr Microseconds kLeastNoStop(1250);
 constexpr Microseconds kLeastPc(1350);
 constexpr Microseconds kMostPc(1650);
 constexpr Microseconds kLeastDrive(1750);
@@ -75,11 +74,22 @@ EnableSwitch::Position EnableSwitch::positionOf(Microseconds width, Position bef
 
 void EnableSwitch::takePosition(Instant now) {
   const std::optional<Stamped<Microseconds>> pulse = signals_.enable.read();
-  if (pulse && fresh(pulse->at, now)) {
+  const bool confirmed = stopConfirmed();
+  if (!confirmed && pulse && fresh(pulse->at, now)) {
     position_ = positionOf(pulse->value, position_);
   } else {
     position_ = Position::Stop;
   }
+}
+
+// Checks for a stop since the last cycle.
+bool EnableSwitch::stopConfirmed() {
+  const std::optional<Stamped<Microseconds>> pulse = signals_.stop.read();
+  const bool confirmed = pulse && pulse->at != confirmedAt_;
+  if (confirmed) {
+    confirmedAt_ = pulse->at;
+  }
+  return confirmed;
 }
 
 // A receiver whose radio link returns goes from stop to drive at once. Only an operator stays at

@@ -13,10 +13,10 @@ namespace wr {
 /// @brief Gives the remote control a stop, and lets its operator choose the source of orders.
 ///
 /// @function Reads the enable switch in every cycle. In its position "stop", or without its pulses, a stop
-/// is latched until the switch leaves that position while the velocity stick is centred. In the
-/// position "PC" the remote control gives no orders. The sequence stop, PC, drive acknowledges
-/// latched faults. A remote control that moves the robot without a change of its pulses ends in a
-/// stop.
+/// is latched until the switch leaves that position while the velocity stick is centred. A stop
+/// between two cycles acts in the second one. In the position "PC" the remote control gives no
+/// orders. The sequence stop, PC, drive acknowledges latched faults. A remote control that moves
+/// the robot without a change of its pulses ends in a stop.
 ///
 /// @secret Which position of the enable switch permits which orders, and when its stop ends.
 ///
@@ -29,8 +29,12 @@ class EnableSwitch final : public ModeDecorator {
     Pipe<Velocity>& velocity;    ///< position of the velocity stick
     Pipe<Angle>& direction;      ///< position of the direction stick
     Pipe<Microseconds>& enable;  ///< width of the pulses of the enable switch
+    Pipe<Microseconds>& stop;    ///< width of its pulses that confirm a stop
     const Timebase& timebase;    ///< gives the time
   };
+
+  /// @brief Shortest pulse of the switch that orders no stop.
+  static constexpr Microseconds kLeastNoStop{1250};
 
   /// @brief Binds the switch to the mode that it extends. It begins with a stop.
   /// @param wrapped the extended mode
@@ -75,6 +79,7 @@ class EnableSwitch final : public ModeDecorator {
 
   [[nodiscard]] static Position positionOf(Microseconds width, Position before);
   void takePosition(Instant now);
+  [[nodiscard]] bool stopConfirmed();
   void advanceSequence();
   [[nodiscard]] bool deflected(Instant now);
   [[nodiscard]] bool unattended(Instant now);
@@ -82,6 +87,7 @@ class EnableSwitch final : public ModeDecorator {
   Signals signals_;
   RcVigilance vigilance_;
   Position position_ = Position::Stop;
+  Instant confirmedAt_{};  // newest pulse that confirmed a stop
   Sequence sequence_ = Sequence::None;
   std::uint8_t acknowledgements_ = 0;  // orders that still acknowledge
   bool stopped_ = true;

@@ -4,8 +4,13 @@
 
 namespace wr {
 
-ProtectiveStop::ProtectiveStop(OrderStage& wrapped, const EdgeInput& emergencyStop)
-    : OrderStageDecorator(wrapped), emergencyStop_(emergencyStop) {}
+ProtectiveStop::ProtectiveStop(OrderStage& wrapped, ContactWatch& emergencyStop,
+                               RetainedProtection& memory)
+    : OrderStageDecorator(wrapped),
+      emergencyStop_(emergencyStop),
+      memory_(memory),
+      cause_(memory.stored().cause),
+      wheel_(memory.stored().wheel) {}
 
 void ProtectiveStop::collect(Measurements& measurements, Outputs& outputs) const {
   OrderStageDecorator::collect(measurements, outputs);
@@ -36,17 +41,18 @@ void ProtectiveStop::stand(std::uint32_t cycle) {
 void ProtectiveStop::recover(std::uint32_t cycle) {
   cause_ = StopCause::None;
   wheel_ = Protection::kNoWheel;
+  memory_.save({});
   for (WheelSupervision& wheel : wheels_) {
     wheel.reset();
   }
   wrapped().recover(cycle);
-  if (emergencyStop_.level()) {
+  if (emergencyStop_.open()) {
     latch(StopCause::EmergencyStop, Protection::kNoWheel);
   }
 }
 
 void ProtectiveStop::examine(const SetPoints* followed) {
-  if (emergencyStop_.level()) {
+  if (emergencyStop_.opened()) {
     latch(StopCause::EmergencyStop, Protection::kNoWheel);
   }
   Measurements measurements;
@@ -67,6 +73,7 @@ void ProtectiveStop::latch(StopCause cause, std::uint8_t wheel) {
   if (!latched() && cause != StopCause::None) {
     cause_ = cause;
     wheel_ = wheel;
+    memory_.save({.cause = cause, .wheel = wheel});
   }
 }
 

@@ -3,8 +3,9 @@
 #include <array>
 #include <cstdint>
 
-#include "devices/EdgeInput.hpp"
+#include "safety/ContactWatch.hpp"
 #include "safety/OrderStageDecorator.hpp"
+#include "safety/RetainedProtection.hpp"
 #include "safety/WheelSupervision.hpp"
 #include "units/Measurements.hpp"
 
@@ -21,8 +22,9 @@ class ProtectiveStop final : public OrderStageDecorator {
  public:
   /// @brief Binds the protective stop to the robot.
   /// @param wrapped all control systems of the robot
-  /// @param emergencyStop contact of the emergency-stop circuit; a high level means that it is active
-  ProtectiveStop(OrderStage& wrapped, const EdgeInput& emergencyStop);
+  /// @param emergencyStop watches the contact of the emergency-stop circuit
+  /// @param memory stores the protective stop; one from before a reset is latched again
+  ProtectiveStop(OrderStage& wrapped, ContactWatch& emergencyStop, RetainedProtection& memory);
 
   /// @brief Adds the measurements and outputs of the robot, and the state of the protective stop.
   /// @param measurements receives the measurements
@@ -60,10 +62,11 @@ class ProtectiveStop final : public OrderStageDecorator {
   void latch(StopCause cause, std::uint8_t wheel);
   [[nodiscard]] bool latched() const;
 
-  const EdgeInput& emergencyStop_;
+  ContactWatch& emergencyStop_;
+  RetainedProtection& memory_;
   std::array<WheelSupervision, kWheelCount> wheels_;
-  StopCause cause_ = StopCause::None;
-  std::uint8_t wheel_ = Protection::kNoWheel;
+  StopCause cause_;
+  std::uint8_t wheel_;
 };
 
 }  // namespace wr

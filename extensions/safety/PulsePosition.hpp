@@ -9,7 +9,8 @@ namespace wr {
 
 /// @brief The position of a switch that a pulse of the remote control means.
 ///
-/// @function Computes the deflection of the pulse from its middle. It has no neutral range.
+/// @function Computes the deflection of the pulse from its middle. It has no neutral range and no bounds: a
+/// pulse out of range is a position as well.
 ///
 /// @secret Which width of a pulse means which position of a switch.
 ///
@@ -20,8 +21,8 @@ class PulsePosition final : public Function {
   PulsePosition() = default;
 
   /// @brief Computes the deflection.
-  /// @param arguments Raw [width, us] and Offset [middle, us]; Lowest and Highest bound the width [us]
-  /// @return deflection [us]; nothing when an argument is missing or the width is out of bounds.
+  /// @param arguments Raw [width, us] and Offset [middle, us]
+  /// @return deflection [us]; nothing when an argument is missing.
   /// @isr{yes}
   /// @satisfies FR-285
   [[nodiscard]] std::optional<std::int32_t> calculate(const Arguments& arguments) const override;

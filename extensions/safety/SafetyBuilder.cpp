@@ -4,8 +4,12 @@
 
 namespace wr {
 
-SafetyBuilder::Chain::Chain(OrderStage& robot, const EdgeInput& emergencyStop)
-    : protectiveStop(robot, emergencyStop), ramp(protectiveStop), arming(ramp), system(arming) {}
+SafetyBuilder::Chain::Chain(OrderStage& robot, const Parts& parts)
+    : emergencyStop(parts.emergencyStop),
+      protectiveStop(robot, emergencyStop, parts.memory),
+      ramp(protectiveStop),
+      arming(ramp),
+      system(arming) {}
 
 void SafetyBuilder::Ticks::add(Command& command) {
   require(count_ < commands_.size(), AssertId::PoolFull);
@@ -51,7 +55,8 @@ void SafetyBuilder::buildSystem() {
     robot_.add(builder->system());
     ticks_.add(builder->tickCommand());
   }
-  chain_.emplace(robot_, parts_.emergencyStop);
+  chain_.emplace(robot_, parts_);
+  ticks_.add(chain_->emergencyStop);
 }
 
 void SafetyBuilder::start() {

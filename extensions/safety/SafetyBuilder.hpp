@@ -9,8 +9,10 @@
 #include "construction/WheelSystemBuilder.hpp"
 #include "devices/EdgeInput.hpp"
 #include "safety/Arming.hpp"
+#include "safety/ContactWatch.hpp"
 #include "safety/LimitedAlgorithms.hpp"
 #include "safety/ProtectiveStop.hpp"
+#include "safety/RetainedProtection.hpp"
 #include "safety/RobotStage.hpp"
 #include "safety/SafeSystem.hpp"
 #include "safety/SetPointRamp.hpp"
@@ -30,12 +32,13 @@ namespace wr {
 /// @role{steering-system-construction, Concrete Builder}
 class SafetyBuilder final : public ControlSystemBuilder {
  public:
-  /// @brief Builders of the robot and the input of the emergency stop. Each lives as long as this builder.
+  /// @brief Builders of the robot and devices of its safety functions. Each lives as long as this builder.
   /// @datatype
   struct Parts {
     std::span<WheelSystemBuilder> wheels;            ///< builders of the wheels
     std::span<ControlSystemBuilder* const> systems;  ///< builders of all control systems
-    EdgeInput& emergencyStop;  ///< contact of the emergency-stop circuit; high: active
+    EdgeInput& emergencyStop;    ///< contact of the emergency-stop circuit; high: active
+    RetainedProtection& memory;  ///< memory of the protective stop; begin() was called
   };
 
   /// @brief Binds the builder to the builders of the robot.
@@ -58,14 +61,15 @@ class SafetyBuilder final : public ControlSystemBuilder {
 
  private:
   struct Chain {
-    Chain(OrderStage& robot, const EdgeInput& emergencyStop);
+    Chain(OrderStage& robot, const Parts& parts);
+    ContactWatch emergencyStop;
     ProtectiveStop protectiveStop;
     SetPointRamp ramp;
     Arming arming;
     SafeSystem system;
   };
 
-  /// @brief Executes the tick command of every control system.
+  /// @brief Executes the tick command of every control system, and watches the contact.
   class Ticks final : public Command {
    public:
     /// @brief Adds a command.
@@ -74,7 +78,7 @@ class SafetyBuilder final : public ControlSystemBuilder {
     void execute() override;
 
    private:
-    std::array<Command*, RobotStage::kCapacity> commands_{};
+    std::array<Command*, RobotStage::kCapacity + 1> commands_{};
     std::size_t count_ = 0;
   };
 

@@ -21,6 +21,7 @@ void SafetyDirector::construct() {
                  EnableSwitch::Signals{.velocity = devices_.velocity,
                                        .direction = devices_.direction,
                                        .enable = enable_->width,
+                                       .stop = enable_->stop,
                                        .timebase = devices_.timebase},
                  devices_.memory);
   controllerBuilder_.useModes(modes_->rc, modes_->all);

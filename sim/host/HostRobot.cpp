@@ -5,7 +5,7 @@
 namespace wr {
 
 HostRobot::HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start,
-                     HostEquipment equipment, const RetainedStop::Cells& retained)
+                     HostEquipment equipment, const Retained& retained)
     : timebase_(timebase),
       equipment_(equipment),
       pins_(scheduler_),
@@ -27,9 +27,12 @@ HostRobot::HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRe
                         .timebase = timebase}),
       systemBuilders_{&wheelBuilders_[0], &wheelBuilders_[1], &wheelBuilders_[2],
                       &wheelBuilders_[3], &steeringBuilder_},
+      retained_(retained),
+      protectionMemory_(retained_.protection),
       safetyBuilder_({.wheels = wheelBuilders_,
                       .systems = systemBuilders_,
-                      .emergencyStop = pins_.emergencyStop}),
+                      .emergencyStop = pins_.emergencyStop,
+                      .memory = protectionMemory_}),
       safeBuilders_{&safetyBuilder_},
       poolBuilder_(tickTimer_, builders()),
       controllerBuilder_(
@@ -45,8 +48,7 @@ HostRobot::HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRe
                                                            .velocity = rcVelocity_,
                                                            .direction = rcDirection_}}),
       director_(poolBuilder_, controllerBuilder_),
-      stopCells_(retained),
-      stopMemory_(stopCells_),
+      stopMemory_(retained_.stop),
       safetyDirector_(poolBuilder_, controllerBuilder_,
                       {.timebase = timebase,
                        .edgeTime = timebase,
@@ -73,7 +75,9 @@ std::span<ControlSystemBuilder* const> HostRobot::builders() const {
 void HostRobot::construct() {
   if (equipment_ == HostEquipment::Safe) {
     const bool first = start_.cause == ResetCause::Unknown;  // no reset yet
-    stopMemory_.begin(first ? ResetCause::PowerOn : start_.cause);
+    const ResetCause cause = first ? ResetCause::PowerOn : start_.cause;
+    stopMemory_.begin(cause);
+    protectionMemory_.begin(cause);
     safetyDirector_.construct();
     pins_.remoteControl[2].connect([this] { safetyDirector_.enablePin().serve(); });
   } else {

@@ -12,6 +12,7 @@
 #include "construction/WheelSystemBuilder.hpp"
 #include "devices/SerialPort.hpp"
 #include "devices/Timebase.hpp"
+#include "safety/RetainedProtection.hpp"
 #include "safety/RetainedStop.hpp"
 #include "safety/SafetyBuilder.hpp"
 #include "safety/SafetyDirector.hpp"
@@ -41,6 +42,12 @@ class HostRobot {
   /// @brief Priority of the threads of the wheels.
   static constexpr int kWheelPriority = 2;
 
+  /// @brief Memory that a reset leaves as it is.
+  struct Retained {
+    RetainedStop::Cells stop;              ///< stop of the PC
+    RetainedProtection::Cells protection;  ///< protective stop
+  };
+
   /// @brief Constructs the robot and binds it to its devices.
   /// @param timebase gives the time
   /// @param pcPort line to the PC
@@ -48,14 +55,13 @@ class HostRobot {
   /// @param equipment how much of the firmware it has
   /// @param retained memory that the last reset left as it was
   HostRobot(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start = {},
-            HostEquipment equipment = HostEquipment::Whole,
-            const RetainedStop::Cells& retained = {});
+            HostEquipment equipment = HostEquipment::Whole, const Retained& retained = {});
   HostRobot(const HostRobot&) = delete;
   HostRobot& operator=(const HostRobot&) = delete;
 
   /// @brief Returns the memory that a reset leaves as it is.
-  /// @return the memory of the stop
-  [[nodiscard]] const RetainedStop::Cells& retained() const { return stopCells_; }
+  /// @return the memory of the stops
+  [[nodiscard]] const Retained& retained() const { return retained_; }
 
   /// @brief Starts the control cycles.
   void start();
@@ -123,12 +129,13 @@ class HostRobot {
   std::array<WheelSystemBuilder, kWheelCount> wheelBuilders_;
   DirSystemBuilder steeringBuilder_;
   std::array<ControlSystemBuilder*, kWheelCount + 1> systemBuilders_;
+  Retained retained_;
+  RetainedProtection protectionMemory_;
   SafetyBuilder safetyBuilder_;
   std::array<ControlSystemBuilder*, 1> safeBuilders_;
   ControlSystemPoolBuilder poolBuilder_;
   MainControllerBuilder controllerBuilder_;
   RobotDirector director_;
-  RetainedStop::Cells stopCells_;
   RetainedStop stopMemory_;
   SafetyDirector safetyDirector_;
 };

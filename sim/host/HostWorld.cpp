@@ -60,7 +60,7 @@ void HostWorld::beginPeriods() {
 
 // The new firmware is where the old one was, so that all references to the robot stay valid.
 void HostWorld::reset(ResetCause cause) {
-  const RetainedStop::Cells retained = robot.retained();
+  const HostRobot::Retained retained = robot.retained();
   edges_.clear();
   std::destroy_at(&binding_);
   std::destroy_at(&robot);

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "devices/SerialPort.hpp"
-#include "safety/RetainedStop.hpp"
 #include "sim/host/HostBinding.hpp"
 #include "sim/host/HostRobot.hpp"
 #include "sim/host/HostTimebase.hpp"

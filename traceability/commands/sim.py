@@ -57,6 +57,11 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--trace", type=Path, metavar="FILE", help="with --board: write what happened, and when"
     )
+    parser.add_argument(
+        "--resets",
+        action="store_true",
+        help="with --board: go on after a reset that the program causes",
+    )
     parser.set_defaults(run=lambda root, options: sim(root, options, parser))
 
 
@@ -66,6 +71,8 @@ def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
         parser.error(f"--product {options.product} needs --board")
     if options.trace and not options.board:
         parser.error(f"--trace {options.trace} needs --board")
+    if options.resets and not options.board:
+        parser.error("--resets needs --board")
     if options.fast and not (options.board and options.cycles):
         parser.error("--fast needs --board and --cycles")
     if options.reports and not options.scenario:
@@ -110,4 +117,5 @@ def command(root: Path, options: argparse.Namespace) -> list[str]:
     ):
         if value is not None:
             words += [name, str(value)]
-    return [*words, "--fast"] if options.fast else words
+    flags = {"--fast": options.fast, "--resets": options.resets}
+    return words + [name for name, chosen in flags.items() if chosen]

@@ -7,6 +7,7 @@
 #include "k64/start_up/handlers.hpp"
 #include "k64/start_up/platform.hpp"
 #include "safety/SafetyBuilder.hpp"
+#include "safety/k64/stop_memory.hpp"
 
 namespace wr::platform {
 
@@ -14,7 +15,8 @@ namespace {
 
 SafetyBuilder safetyBuilder({.wheels = wheelBuilders,
                              .systems = systemBuilders,
-                             .emergencyStop = emergencyStopContact});
+                             .emergencyStop = emergencyStopContact,
+                             .memory = protectionMemory});
 constexpr std::array<ControlSystemBuilder*, 1> kBuilders{&safetyBuilder};
 
 }  // namespace

@@ -5,9 +5,11 @@ namespace wr::platform {
 namespace {
 
 [[gnu::section(".noinit")]] RetainedStop::Cells stopCells;
+[[gnu::section(".noinit")]] RetainedProtection::Cells protectionCells;
 
 }  // namespace
 
 RetainedStop stopMemory(stopCells);
+RetainedProtection protectionMemory(protectionCells);
 
 }  // namespace wr::platform

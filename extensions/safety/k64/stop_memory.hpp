@@ -1,10 +1,14 @@
 #pragma once
 
+#include "safety/RetainedProtection.hpp"
 #include "safety/RetainedStop.hpp"
 
 namespace wr::platform {
 
 /// @brief Stop of the PC, in memory that a reset leaves as it is.
 extern RetainedStop stopMemory;
+
+/// @brief Protective stop, in memory that a reset leaves as it is.
+extern RetainedProtection protectionMemory;
 
 }  // namespace wr::platform

@@ -37,9 +37,14 @@ class EnableSwitchTest : public ControllerFixture {
   Pipe<Velocity> velocity;
   Pipe<Angle> direction;
   Pipe<Microseconds> enable;
+  Pipe<Microseconds> stop;
   SourceMode source;
-  EnableSwitch mode{
-      source, {.velocity = velocity, .direction = direction, .enable = enable, .timebase = time}};
+  EnableSwitch mode{source,
+                    {.velocity = velocity,
+                     .direction = direction,
+                     .enable = enable,
+                     .stop = stop,
+                     .timebase = time}};
 };
 
 /// @brief Without a pulse since power-on the remote control orders a stop.
@@ -84,6 +89,25 @@ TEST_F(EnableSwitchTest, FR285_TheWrappedModeCanStop) {
   EXPECT_EQ(source.served, 1);
   source.stop = true;
   EXPECT_TRUE(mode.stopOrdered());
+}
+
+/// @brief A confirmed stop between two cycles stops in the next one, also when the newest pulse drives; it ends
+/// with the stick centred.
+/// @verifies FR-285
+/// @verifies FR-286
+TEST_F(EnableSwitchTest, FR285_AStopBetweenTwoCyclesActs) {
+  signals(kDrive);
+  signals(kDrive, 3000);
+  EXPECT_FALSE(mode.stopOrdered());
+  stop.write(Microseconds(1100), time.now());
+  signals(kDrive, 3000);
+  EXPECT_TRUE(mode.stopOrdered());
+  signals(kDrive, 3000);
+  EXPECT_TRUE(mode.stopOrdered());
+  signals(kDrive, 0);
+  EXPECT_FALSE(mode.stopOrdered());
+  signals(kDrive, 3000);
+  EXPECT_FALSE(mode.stopOrdered());
 }
 
 /// @brief Between the bands the position before stays.
@@ -262,7 +286,8 @@ class EnableBufferTest : public testing::Test {
   WidthCollector widths{periods};
   PulsePosition function;
   Pipe<Microseconds> pipe;
-  EnableBuffer buffer{widths, function, pipe};
+  Pipe<Microseconds> stop;
+  EnableBuffer buffer{widths, function, pipe, stop};
 };
 
 /// @brief The width of each pulse is stored with its time.
@@ -286,6 +311,34 @@ TEST_F(EnableBufferTest, FR285_PulsesOutOfRangeAreMissing) {
   EXPECT_FALSE(pulse(2101).has_value());
   pulse(1500, 14000);
   EXPECT_FALSE(pulse(1500).has_value());
+}
+
+/// @brief One pulse of a stop is a disturbance; two in succession confirm it, and pulses after them do not hide it.
+/// @verifies FR-285
+TEST_F(EnableBufferTest, FR285_TwoSuccessivePulsesConfirmAStop) {
+  for (const int width : {1249, 899, 2101}) {
+    const Instant begin = time.now();
+    pulse(1900);
+    pulse(width);
+    pulse(1900);
+    pulse(width);
+    EXPECT_LT(stop.read().value_or(Stamped<Microseconds>()).at, begin + Microseconds(1)) << width;
+    const Instant second = time.now() + Microseconds(width);
+    pulse(width);
+    pulse(1900);
+    ASSERT_TRUE(stop.read().has_value()) << width;
+    EXPECT_EQ(stop.read()->at, second) << width;
+  }
+}
+
+/// @brief Pulses of 1250 us to 2100 us confirm no stop.
+/// @verifies FR-285
+TEST_F(EnableBufferTest, FR285_PulsesThatDriveConfirmNoStop) {
+  pulse(1500);
+  for (const int width : {1250, 1250, 1500, 1900, 2100, 2100}) {
+    pulse(width);
+  }
+  EXPECT_FALSE(stop.read().has_value());
 }
 
 }  // namespace

@@ -211,6 +211,65 @@ TEST_F(SafeRobot, FR285_ASilentEnableSwitchStops) {
   EXPECT_NEAR(rpm(), 0, 1);
 }
 
+/// @brief An emergency stop that is pressed for 5 ms between two cycles stops the robot, and lasts until it is
+/// acknowledged.
+/// @verifies FR-271
+TEST_F(SafeRobot, FR271_AShortPressStops) {
+  armByPc();
+  order(20, 1000);
+  EXPECT_NEAR(rpm(), 100, 10);
+  const Instant pulse = line.world.nextPulse();
+  line.world.runUntil(pulse + milliseconds(-50));
+  line.robot().setEmergencyStop(sim::EmergencyStop::Brake);
+  line.world.runUntil(pulse + milliseconds(-45));
+  line.robot().setEmergencyStop(sim::EmergencyStop::Released);
+  order(20, 1000);
+  EXPECT_EQ(protection().cause, StopCause::EmergencyStop);
+  EXPECT_NEAR(rpm(), 0, 1);
+}
+
+/// @brief A reset does not release an emergency stop; the remote control acknowledges it afterwards.
+/// @verifies FR-291
+TEST_F(SafeRobot, FR291_AResetDoesNotReleaseAProtectiveStop) {
+  armByRc();
+  line.robot().setEmergencyStop(sim::EmergencyStop::Brake);
+  cycles(2);
+  line.robot().setEmergencyStop(sim::EmergencyStop::Released);
+  cycles(2);
+  line.reset(ResetKind::Pin);
+  armByRc();
+  EXPECT_EQ(protection().cause, StopCause::EmergencyStop);
+  sticks(0.5);
+  cycles(20);
+  EXPECT_NEAR(rpm(), 0, 1);
+  sticks(0);
+  for (const sim::EnablePosition position : {kStop, kPc, kDrive}) {
+    enable(position);
+    cycles(4);
+  }
+  cycles(40);
+  EXPECT_EQ(protection().cause, StopCause::None);
+}
+
+/// @brief A turn of the switch to "stop" for 40 ms stops a robot that the PC drives, wherever it is in the cycle. The
+/// robot stays at rest until the PC has ordered neutral values.
+/// @verifies FR-285
+TEST_F(SafeRobot, FR285_AShortTurnOfTheSwitchStops) {
+  armByPc();
+  for (const int begin : {5, 20, 35, 50}) {
+    order(20, 1000);
+    EXPECT_NEAR(rpm(), 100, 10) << begin;
+    const Instant pulse = line.world.nextPulse();
+    line.world.runUntil(pulse + milliseconds(begin - 100));
+    enable(kStop);
+    line.world.runUntil(pulse + milliseconds(begin - 60));
+    enable(kPc);
+    order(20, 1000);
+    EXPECT_NEAR(rpm(), 0, 1) << begin;
+    order(12, 0);
+  }
+}
+
 /// @brief Pulses that no longer change stop a driving robot.
 /// @verifies FR-289
 TEST_F(SafeRobot, FR289_HeldPulsesStopTheRobot) {

@@ -47,6 +47,11 @@ class SafetyChain : public testing::Test {
     system.recover(++number);
   }
 
+  static RetainedProtection& memoryAtPowerOn(RetainedProtection& memory) {
+    memory.begin(ResetCause::PowerOn);
+    return memory;
+  }
+
   static Protection protection(const OrderStage& system) {
     Measurements measurements;
     Outputs outputs;
@@ -110,7 +115,10 @@ TEST_F(RobotOfPool, FR293_TheRobotIsOneControlSystem) {
 class ProtectiveStopTest : public SafetyChain {
  protected:
   FakeEdgeInput contact;
-  ProtectiveStop stop{robot, contact};
+  ContactWatch watch{contact};
+  RetainedProtection::Cells cells{};
+  RetainedProtection memory{cells};
+  ProtectiveStop stop{robot, watch, memoryAtPowerOn(memory)};
 
   ProtectiveStopTest() { contact.set(false); }
 
@@ -160,6 +168,86 @@ TEST_F(ProtectiveStopTest, FR271_TheEmergencyStopIsACause) {
   hold(stop);
   contact.set(false);
   expectLatched(StopCause::EmergencyStop, Protection::kNoWheel);
+}
+
+/// @brief After a reset the protective stop is latched again with its cause and its wheel, until it is acknowledged.
+/// @verifies FR-291
+TEST_F(ProtectiveStopTest, FR291_AProtectiveStopOutlivesAReset) {
+  memory.save({.cause = StopCause::Overspeed, .wheel = 2});
+  memory.begin(ResetCause::Watchdog);
+  ProtectiveStop afterReset(robot, watch, memory);
+  order(afterReset, alike(1000));
+  EXPECT_EQ(spy.calls, kHeld);
+  EXPECT_EQ(protection(afterReset).cause, StopCause::Overspeed);
+  EXPECT_EQ(protection(afterReset).wheel, 2);
+  acknowledge(afterReset);
+  memory.begin(ResetCause::Watchdog);
+  ProtectiveStop released(robot, watch, memory);
+  EXPECT_EQ(protection(released).cause, StopCause::None);
+}
+
+/// @brief The first cause is stored in the cycle that latches it.
+/// @verifies FR-291
+TEST_F(ProtectiveStopTest, FR291_TheCauseIsStored) {
+  EXPECT_EQ(memory.stored(), RetainedProtection::Stop());
+  contact.set(true);
+  order(stop, alike(1000));
+  EXPECT_EQ(memory.stored().cause, StopCause::EmergencyStop);
+  EXPECT_EQ(memory.stored().wheel, Protection::kNoWheel);
+}
+
+/// @brief Power-on releases; after any other reset empty, erased or changed memory is a protective stop.
+/// @verifies FR-291
+TEST(RetainedProtectionTest, FR291_DoubtfulMemoryIsAProtectiveStop) {
+  RetainedProtection::Cells cells{};
+  RetainedProtection memory(cells);
+  memory.begin(ResetCause::Pin);
+  EXPECT_EQ(memory.stored().cause, StopCause::MissingMeasurement);
+  cells = {.value = 0xFFFF'FFFF, .check = 0xFFFF'FFFF};
+  EXPECT_EQ(memory.stored().cause, StopCause::MissingMeasurement);
+  memory.begin(ResetCause::PowerOn);
+  EXPECT_EQ(memory.stored().cause, StopCause::None);
+  const RetainedProtection::Cells whole = cells;
+  for (unsigned bit = 0; bit < 32; ++bit) {
+    cells = {.value = whole.value ^ (1U << bit), .check = whole.check};
+    EXPECT_EQ(memory.stored().cause, StopCause::MissingMeasurement) << bit;
+    cells = {.value = whole.value, .check = whole.check ^ (1U << bit)};
+    EXPECT_EQ(memory.stored().cause, StopCause::MissingMeasurement) << bit;
+  }
+}
+
+/// @brief An opening of three ticks between two cycles stops in the next cycle; one of two ticks does not.
+/// @verifies FR-271
+TEST_F(ProtectiveStopTest, FR271_AShortOpeningIsLatched) {
+  for (const int ticks : {2, 2, 3}) {
+    EXPECT_EQ(protection(stop).cause, StopCause::None);
+    contact.set(true);
+    for (int tick = 0; tick < ticks; ++tick) {
+      watch.execute();
+    }
+    contact.set(false);
+    watch.execute();
+    order(stop, alike(1000));
+  }
+  EXPECT_EQ(protection(stop).cause, StopCause::EmergencyStop);
+}
+
+/// @brief An opening of the contact before an acknowledgement is over with it.
+/// @verifies FR-291
+TEST_F(ProtectiveStopTest, FR291_AnOpeningBeforeTheAcknowledgementEnds) {
+  contact.set(true);
+  for (int tick = 0; tick < 300; ++tick) {
+    watch.execute();
+    if (tick % 100 == 99) {
+      order(stop, alike(1000));
+    }
+  }
+  contact.set(false);
+  watch.execute();
+  acknowledge(stop);
+  EXPECT_EQ(protection(stop).cause, StopCause::None);
+  order(stop, alike(1000));
+  EXPECT_EQ(protection(stop).cause, StopCause::None);
 }
 
 /// @brief An acknowledgement does not release the protective stop while the contact is open.
@@ -276,7 +364,10 @@ TEST_F(ArmingTest, FR280_AHoldAndAnAcknowledgementDisarm) {
 TEST_F(ArmingTest, FR281_AProtectiveStopIsReportedFirst) {
   FakeEdgeInput contact;
   contact.set(true);
-  ProtectiveStop stop(robot, contact);
+  ContactWatch watch(contact);
+  RetainedProtection::Cells cells{};
+  RetainedProtection memory(cells);
+  ProtectiveStop stop(robot, watch, memoryAtPowerOn(memory));
   Arming outer(stop);
   for (int cycles = 0; cycles < 10; ++cycles) {
     order(outer, alike(0));

@@ -72,6 +72,17 @@ def test_a_fast_run_has_no_link(root: Path) -> None:
     assert called(root)[5:] == ["--cycles", "9", "--fast"]
 
 
+def test_resets_are_passed_to_the_virtual_board(root: Path) -> None:
+    assert cli.main(["sim", "--board", "--cycles", "9", "--fast", "--resets"]) == 0
+    assert called(root)[5:] == ["--cycles", "9", "--fast", "--resets"]
+
+
+@pytest.mark.usefixtures("root")
+def test_resets_need_the_virtual_board() -> None:
+    with pytest.raises(SystemExit):
+        cli.main(["sim", "--resets"])
+
+
 @pytest.mark.parametrize("code", [1, 4])
 def test_the_exit_code_of_the_program_is_that_of_the_command(root: Path, code: int) -> None:
     add_program(root, BOARD_PROGRAM, code)

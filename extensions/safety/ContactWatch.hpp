@@ -1,0 +1,51 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "devices/EdgeInput.hpp"
+#include "services/Command.hpp"
+
+namespace wr {
+
+/// @brief Finds an opening of a contact that is shorter than a control cycle.
+///
+/// @function Samples the contact at each tick, and latches that it was open at three successive ticks until
+/// the control cycle reads it.
+///
+/// @secret How long a contact has to be open before that counts, and how an opening is latched.
+///
+/// @role{wheel-timer-interrupt, Concrete Command}
+class ContactWatch final : public Command {
+ public:
+  /// @brief Binds the watch to its contact.
+  /// @param contact the contact; a high level means that it is open
+  explicit ContactWatch(const EdgeInput& contact);
+
+  /// @brief Samples the contact.
+  /// @satisfies FR-271
+  /// @isr{yes}
+  void execute() override;
+
+  /// @brief Checks whether the contact is open, and clears an earlier opening.
+  /// @return true if it is open now.
+  /// @post An opening before this call is forgotten.
+  /// @satisfies FR-291
+  /// @isr{no}
+  [[nodiscard]] bool open();
+
+  /// @brief Checks whether the contact is open now or was open since the last call of this or of open().
+  /// @return true if it is, or was at three successive ticks.
+  /// @satisfies FR-271
+  /// @isr{no}
+  [[nodiscard]] bool opened();
+
+ private:
+  const EdgeInput& contact_;
+  std::uint8_t openTicks_ = 0;  // up to now, in succession
+  std::atomic<bool> latched_{false};
+
+  static_assert(std::atomic<bool>::is_always_lock_free, "an interrupt cannot wait");
+};
+
+}  // namespace wr
