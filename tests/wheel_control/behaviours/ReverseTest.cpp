@@ -66,15 +66,29 @@ TEST_F(ReverseTest, FR87_StopsThenTurns) {
                              {"tension", -5000}}));
 }
 
-/// @brief A cycle that is not slow, in either direction, begins the count again.
+/// @brief A cycle that is neither slow nor along the demand begins the count again.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
-  for (const int velocity : {10, 400, -10, -400, 10}) {
+  for (const int velocity : {10, 400, -10, 400, 10}) {
     apply(-5000, velocity);
   }
   EXPECT_EQ(std::ranges::count(log, "orientation", &CommandLog::value_type::first), 0);
   apply(-5000, 10);
   EXPECT_EQ(std::ranges::count(log, "orientation", &CommandLog::value_type::first), 1);
+}
+
+/// @brief The orientation of a wheel that turns the way of the demand changes after two such cycles, at any
+/// speed; that of one that turns against it does not.
+/// @verifies FR-87
+TEST_F(ReverseTest, FR87_AWheelThatTurnsAlongIsNoReversal) {
+  EXPECT_EQ(apply(-5000, -2000), Tension(0));
+  EXPECT_EQ(apply(-5000, -2000), Tension(-5000));
+  EXPECT_EQ(apply(5000, -400), Tension(-2600));
+  for (int cycle = 0; cycle < 10; ++cycle) {
+    apply(5000, -400);
+  }
+  EXPECT_EQ(apply(5000, 401), Tension(0));
+  EXPECT_EQ(apply(5000, 401), Tension(5000));
 }
 
 /// @brief Slow cycles do not suffice while tension is left.
