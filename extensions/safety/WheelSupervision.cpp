@@ -171,9 +171,11 @@ bool WheelSupervision::staysEqual(std::optional<Current> current) {
   if (!current || current != current_ || magnitude(tension) <= kDriving) {
     current_ = current;
     equalCycles_ = 0;
+    return false;
+  }
+  if (equalCycles_ == 0) {
     leastTension_ = tension;
     greatestTension_ = tension;
-    return false;
   }
   leastTension_ = std::min(leastTension_, tension);
   greatestTension_ = std::max(greatestTension_, tension);
