@@ -12,9 +12,10 @@ namespace wr {
 /// @brief Limits the acceleration of the robot.
 ///
 /// @function Leads the set-points of velocity to the ordered ones by at most 0.5 m/s^2. The wheels share one
-/// factor, so that the ratio of their changes stays as ordered. Other set-points pass unchanged.
+/// factor, so that the ratio of their changes stays as ordered. While a wheel is too fast, the
+/// set-points of all wheels are lowered by one more factor. Other set-points pass unchanged.
 ///
-/// @secret How far a set-point of velocity changes in a cycle.
+/// @secret How far a set-point of velocity changes in a cycle, and how a robot that is too fast slows down.
 class SetPointRamp final : public OrderStageDecorator {
  public:
   /// @brief Binds the ramp to the robot.
@@ -45,6 +46,7 @@ class SetPointRamp final : public OrderStageDecorator {
   [[nodiscard]] std::int32_t greatestChange(const SetPoints& setPoints) const;
 
   std::array<std::int32_t, kWheelCount> ramped_{};  // [0.1 rpm] set-point of each wheel
+  std::int32_t share_ = 1000;                       // [0.001] part of the ordered set-points
 };
 
 }  // namespace wr

@@ -15,12 +15,14 @@ constexpr Velocity kGreatest(3300);  // 10 % above the velocity limit
 // A wheel turns against its voltage.
 constexpr Tension kDriving(1000);
 constexpr Velocity kOpposing(50);
-constexpr Velocity kSlower(10);  // loss of speed in a cycle of a wheel that is about to turn round
+constexpr std::int32_t kOpposingPercent = 50;  // of the induced voltage
+constexpr std::int32_t kDrivingPercent = 40;   // of the voltage, for supply, winding and delay
 constexpr std::uint8_t kOpposingCycles = 2;
 
 // A wheel is faster than its set-point.
-constexpr Velocity kMargin(300);
-constexpr std::int32_t kMarginShare = 5;  // and a fifth of the set-point
+constexpr Velocity kMargin(400);
+constexpr std::int32_t kMarginShare = 4;  // and a quarter of the set-point
+constexpr Velocity kSlower(10);  // loss of speed in a cycle of a wheel that its control brakes
 constexpr std::uint8_t kTooFastCycles = 3;
 
 // Voltage, velocity and current do not match. The share covers a supply of 21 to 29 V, and 15 % of
@@ -32,22 +34,40 @@ constexpr std::uint8_t kDeviatingCycles = 3;
 
 constexpr std::uint8_t kMissingCycles = 3;  // the third one ends more than 0.2 s after the first
 
+// A current that does not follow its voltage.
+constexpr Tension kVoltageRange(1000);
+constexpr std::uint8_t kEqualCycles = 10;
+
 constexpr std::uint16_t kRejectedEdges = 5;
 constexpr std::uint8_t kRejectingCycles = 2;
 
 constexpr std::int32_t kThousand = 1000;
 constexpr std::int32_t kPercent = 100;
+constexpr std::int32_t kHalves = 2;
 
 template <class T>
 constexpr T magnitude(T value) {
   return value < T() ? -value : value;
 }
 
-// Counts the cycles in a row of a condition, and returns whether there are enough.
-bool lasts(bool condition, std::uint8_t& cycles, std::uint8_t limit) {
-  cycles = condition ? static_cast<std::uint8_t>(std::min<std::int32_t>(cycles + 1, limit))
-                     : std::uint8_t{0};
-  return cycles >= limit;
+// Voltage that a velocity induces in the motor.
+Tension induced(Velocity velocity) {
+  return Tension(SystemConstants::instance().motorConstant().count() * velocity.count() /
+                 kThousand);
+}
+
+// Part of a voltage that neither the velocity nor the current explains.
+Tension residual(Tension tension, Velocity velocity, Current current) {
+  return tension - induced(velocity) - Tension(kWinding * current.count() / kThousand);
+}
+
+// Counts the cycles of a condition, a cycle without it takes back half a cycle, and returns whether
+// there are enough.
+bool lasts(bool condition, std::uint8_t& halves, std::uint8_t limit) {
+  const std::int32_t greatest = kHalves * limit;
+  const std::int32_t counted = condition ? halves + kHalves : halves - 1;
+  halves = static_cast<std::uint8_t>(std::clamp<std::int32_t>(counted, 0, greatest));
+  return condition && halves >= greatest;
 }
 
 }  // namespace
@@ -57,11 +77,12 @@ StopCause WheelSupervision::examine(const WheelMeasurements& measured,
   const bool both = measured.velocity && measured.current;
   const Velocity velocity = measured.velocity.value_or(Velocity());
   const bool missing = lasts(following_ && !both, missing_, kMissingCycles);
-  const bool opposing = lasts(opposes(velocity), opposing_, kOpposingCycles);
+  const bool opposing = lasts(opposes(measured), opposing_, kOpposingCycles);
   const bool tooFast = lasts(exceedsReference(velocity), tooFast_, kTooFastCycles);
   const bool deviating = lasts(deviates(measured), deviating_, kDeviatingCycles);
   const bool rejecting = lasts(rejectsEdges(measured.rejectedEdges), rejecting_, kRejectingCycles);
   velocity_ = velocity;
+  const bool constant = staysEqual(measured.current);
   record(applied, followed);
   if (measured.cutOff) {
     return StopCause::Overcurrent;
@@ -81,7 +102,7 @@ StopCause WheelSupervision::examine(const WheelMeasurements& measured,
   if (deviating) {
     return StopCause::Tracking;
   }
-  if (missing) {
+  if (missing || constant) {
     return StopCause::MissingMeasurement;
   }
   return rejecting ? StopCause::HallSignals : StopCause::None;
@@ -91,6 +112,8 @@ void WheelSupervision::reset() {
   tension_.reset();
   rejected_.reset();
   velocity_ = Velocity();
+  current_.reset();
+  equalCycles_ = 0;
   references_ = {};
   following_ = false;
   opposing_ = 0;
@@ -100,12 +123,20 @@ void WheelSupervision::reset() {
   rejecting_ = 0;
 }
 
-bool WheelSupervision::opposes(Velocity velocity) {
-  const Tension tension = tension_.value_or(Tension());
-  const bool driven = magnitude(tension) > kDriving;
-  const bool against = (velocity > Velocity()) != (tension > Tension());
-  const bool turnsRound = magnitude(velocity) + kSlower < magnitude(velocity_);
-  return driven && against && magnitude(velocity) > kOpposing && !turnsRound;
+// A wheel that is dragged against its voltage draws the current that its velocity explains. A wheel
+// that its own motor turns the wrong way draws less.
+bool WheelSupervision::opposes(const WheelMeasurements& measured) const {
+  if (!tension_ || !measured.velocity || !measured.current) {
+    return false;
+  }
+  const Velocity velocity = *measured.velocity;
+  const bool driven = magnitude(*tension_) > kDriving;
+  const bool against = (velocity > Velocity()) != (*tension_ > Tension());
+  const Tension unexplained = residual(*tension_, velocity, *measured.current);
+  const Tension bound = magnitude(induced(velocity)) * kOpposingPercent / kPercent +
+                        magnitude(*tension_) * kDrivingPercent / kPercent;
+  const bool powered = (*tension_ > Tension() ? unexplained : -unexplained) > bound;
+  return driven && against && magnitude(velocity) > kOpposing && powered;
 }
 
 bool WheelSupervision::exceedsReference(Velocity velocity) const {
@@ -116,26 +147,41 @@ bool WheelSupervision::exceedsReference(Velocity velocity) const {
     }
     greatest = std::max(greatest, *reference);
   }
-  return magnitude(velocity) > greatest + greatest / kMarginShare + kMargin;
+  const bool brakes = magnitude(velocity) + kSlower < magnitude(velocity_);
+  return !brakes && magnitude(velocity) > greatest + greatest / kMarginShare + kMargin;
 }
 
 bool WheelSupervision::deviates(const WheelMeasurements& measured) const {
   if (!tension_ || !measured.velocity || !measured.current) {
     return false;
   }
-  const Tension turning(SystemConstants::instance().motorConstant().count() *
-                        measured.velocity->count() / kThousand);
-  const Tension winding(kWinding * measured.current->count() / kThousand);
-  const Tension residual = *tension_ - turning - winding;
-  const Tension greater = std::max(magnitude(*tension_), magnitude(turning));
+  const Tension greater = std::max(magnitude(*tension_), magnitude(induced(*measured.velocity)));
   const Tension bound = kResidual + greater * kResidualPercent / kPercent;
-  return magnitude(residual) > bound;
+  return magnitude(residual(*tension_, *measured.velocity, *measured.current)) > bound;
 }
 
 bool WheelSupervision::rejectsEdges(std::uint16_t rejected) {
   const std::uint16_t before = rejected_.value_or(rejected);
   rejected_ = rejected;
   return tension_.value_or(Tension()) != Tension() && rejected >= before + kRejectedEdges;
+}
+
+// A measured current always varies by some milliamperes.
+bool WheelSupervision::staysEqual(std::optional<Current> current) {
+  const Tension tension = tension_.value_or(Tension());
+  if (!current || current != current_ || magnitude(tension) <= kDriving) {
+    current_ = current;
+    equalCycles_ = 0;
+    return false;
+  }
+  if (equalCycles_ == 0) {
+    leastTension_ = tension;
+    greatestTension_ = tension;
+  }
+  leastTension_ = std::min(leastTension_, tension);
+  greatestTension_ = std::max(greatestTension_, tension);
+  equalCycles_ = static_cast<std::uint8_t>(std::min<std::int32_t>(equalCycles_ + 1, kEqualCycles));
+  return equalCycles_ >= kEqualCycles && greatestTension_ - leastTension_ > kVoltageRange;
 }
 
 void WheelSupervision::record(std::optional<Tension> applied, const WheelSetPoint* followed) {

@@ -47,20 +47,25 @@ class WheelSupervision final {
   void reset();
 
  private:
-  static constexpr std::size_t kReferences = 4;  // cycles of a delayed set-point
+  static constexpr std::size_t kReferences = 10;  // cycles of a delayed set-point
 
-  [[nodiscard]] bool opposes(Velocity velocity);
+  [[nodiscard]] bool opposes(const WheelMeasurements& measured) const;
   [[nodiscard]] bool exceedsReference(Velocity velocity) const;
   [[nodiscard]] bool deviates(const WheelMeasurements& measured) const;
   [[nodiscard]] bool rejectsEdges(std::uint16_t rejected);
+  [[nodiscard]] bool staysEqual(std::optional<Current> current);
   void record(std::optional<Tension> applied, const WheelSetPoint* followed);
 
   std::optional<Tension> tension_;         // voltage during the cycle that ends
   std::optional<std::uint16_t> rejected_;  // implausible Hall edges until the cycle before
   Velocity velocity_{};                    // of the cycle before
+  std::optional<Current> current_;         // of the cycle before
+  Tension leastTension_{};                 // since the current is the same
+  Tension greatestTension_{};
+  std::uint8_t equalCycles_ = 0;
   std::array<std::optional<Velocity>, kReferences> references_{};  // magnitudes of set-points
   bool following_ = false;
-  std::uint8_t opposing_ = 0;  // cycles in a row
+  std::uint8_t opposing_ = 0;  // half cycles
   std::uint8_t tooFast_ = 0;
   std::uint8_t deviating_ = 0;
   std::uint8_t missing_ = 0;

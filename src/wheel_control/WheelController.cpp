@@ -12,9 +12,12 @@ namespace {
 
 constexpr Tension kLeastEffort(1500);        // a tension beyond this is expected to turn a wheel
 constexpr std::int32_t kMostEffort = 45000;  // [mV cycles] 4.5 V s: 6 V for 0.75 s
-constexpr std::int32_t kJitter = 1;          // edges to and fro that one working sensor gives
-constexpr Tension kReversal(500);            // a demand below this needs no orientation of its own
-constexpr std::uint8_t kMostWaiting = 20;    // cycles that a reversal may wait for a slow wheel
+constexpr Tension kSearched(10000);        // up to this, a slow order of velocity searches its load
+constexpr std::int16_t kSlowOrder = 600;   // [0.1 rpm]
+constexpr std::int32_t kSearchShare = 3;   // a voltage that searches counts a third
+constexpr std::int32_t kJitter = 1;        // edges to and fro that one working sensor gives
+constexpr Tension kReversal(500);          // a demand below this needs no orientation of its own
+constexpr std::uint8_t kMostWaiting = 20;  // cycles that a reversal may wait for a slow wheel
 
 // The value of a measurement, unless it has grown old.
 template <class T>
@@ -98,14 +101,19 @@ void WheelController::watchMotion(const WheelSetPoint& setPoint, HallCount posit
   } else if (tension <= kLeastEffort.count() || setPoint == WheelSetPoint::velocity(Velocity(0))) {
     effort_ = std::max(effort_ - kLeastEffort.count(), std::int32_t{0});
   } else {
-    effort_ += tension;
+    const bool searches = setPoint.quantity == WheelQuantity::Velocity &&
+                          std::abs(setPoint.value) <= kSlowOrder && tension <= kSearched.count();
+    effort_ += searches ? tension / kSearchShare : tension;
   }
   blind_ = blind_ || effort_ >= kMostEffort;
 }
 
-// While a reversal waits for the wheel, its demand is not applied.
-void WheelController::watchReversal(Tension demand) {
-  const bool waits = std::abs(demand.count()) >= kReversal.count() && applied_ == Tension();
+// While a reversal waits for the wheel, its demand is not applied. A wheel that is only dragged
+// faster than its set-point waits for nothing.
+void WheelController::watchReversal(const WheelSetPoint& setPoint, Tension demand) {
+  const bool ordered =
+      (setPoint.value > 0 && demand >= kReversal) || (setPoint.value < 0 && demand <= -kReversal);
+  const bool waits = ordered && applied_ == Tension();
   waitingCycles_ = waits ? static_cast<std::uint8_t>(waitingCycles_ + 1) : std::uint8_t{0};
   reversalLate_ = reversalLate_ || waitingCycles_ > kMostWaiting;
 }
@@ -120,7 +128,7 @@ void WheelController::follow(const WheelSetPoint& setPoint, const WheelFeedback&
   const Tension demand = algorithm.calculate(setPoint.value, feedback);
   applied_ = advance_.apply(std::clamp(demand, -kMost, kMost), feedback.velocity);
   algorithm.applied(*applied_);
-  watchReversal(demand);
+  watchReversal(setPoint, demand);
 }
 
 void WheelController::lower() {

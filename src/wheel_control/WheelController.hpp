@@ -111,7 +111,7 @@ class WheelController final {
 
  private:
   void watchMotion(const WheelSetPoint& setPoint, HallCount position);
-  void watchReversal(Tension demand);
+  void watchReversal(const WheelSetPoint& setPoint, Tension demand);
   void follow(const WheelSetPoint& setPoint, const WheelFeedback& feedback);
   void lower();
   void resetAlgorithms();

@@ -192,6 +192,27 @@ TEST_F(WheelControllerTest, FR91_VoltageAndTimeWithoutMotion) {
   }
 }
 
+/// @brief A slow order of velocity, up to 60 rpm, may search for the load of a slope: its voltage, up to 10 V,
+/// counts a third. A faster order has no such time.
+/// @verifies FR-91
+TEST_F(WheelControllerTest, FR91_ASlowOrderMaySearch) {
+  for (const std::int16_t ordered : {std::int16_t{200}, std::int16_t{600}, std::int16_t{610}}) {
+    ControlledWheel one;
+    double effort = 0;  // [V s]
+    for (int cycle = 0; cycle < 200 && !one.controller.blind(); ++cycle) {
+      EXPECT_LT(effort, 4.5) << ordered;
+      const double volts = one.controller.applied().value_or(Tension()).count() / 1000.0;
+      if (volts > 1.5) {
+        effort += volts * 0.1 / (volts <= 10 && ordered <= 600 ? 3 : 1);
+      }
+      one.measure(Velocity(), Current());
+      one.controller.control(velocityOf(ordered), one.position);
+    }
+    EXPECT_TRUE(one.controller.blind()) << ordered;
+    EXPECT_GE(effort, 4.5) << ordered;
+  }
+}
+
 /// @brief A wheel without motion stays stopped through motion and halt, until the release.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_NoMotionUntilReleased) {
@@ -294,6 +315,16 @@ TEST_F(WheelControllerTest, FR87_CreepingWheelCanBeReversed) {
     control(tensionOf(-5000), Velocity(390));
   }
   EXPECT_EQ(controller.applied(), Tension(-5000));
+  EXPECT_FALSE(controller.reversalLate());
+}
+
+/// @brief A wheel that is dragged faster than its set-point, while its demand brakes, is never late.
+/// @verifies FR-222
+TEST_F(WheelControllerTest, FR222_ADraggedWheelIsNeverLate) {
+  for (int cycle = 0; cycle < 50; ++cycle) {
+    control(velocityOf(500), Velocity(900));
+  }
+  EXPECT_EQ(controller.applied(), Tension(0));
   EXPECT_FALSE(controller.reversalLate());
 }
 

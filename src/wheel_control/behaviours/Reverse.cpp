@@ -17,6 +17,11 @@ bool isSlow(Velocity velocity) {
   return velocity < kSlow && velocity > -kSlow;
 }
 
+// A wheel that turns the way of a demand needs no time to change its direction.
+bool turnsAlong(Tension demand, Velocity velocity) {
+  return demand > Tension() ? velocity > Velocity() : velocity < Velocity();
+}
+
 }  // namespace
 
 Reverse::Reverse(WheelBehaviour& wrapped, WheelBehaviour& stop, WheelCommand& setOrientation)
@@ -28,7 +33,7 @@ Tension Reverse::apply(Tension demand, Velocity velocity) {
     applied_ = BehaviourDecorator::apply(agreeing(demand), velocity);
     return applied_;
   }
-  if (!isSlow(velocity)) {
+  if (!isSlow(velocity) && !turnsAlong(demand, velocity)) {
     slowCycles_ = 0;
   } else if (slowCycles_ < kSlowCycles) {
     ++slowCycles_;

@@ -25,9 +25,9 @@ class Reverse final : public BehaviourDecorator {
   Reverse(WheelBehaviour& wrapped, WheelBehaviour& stop, WheelCommand& setOrientation);
 
   /// @brief Has the demand applied when it agrees with the orientation. Otherwise the wheel is stopped
-  /// until its velocity was below 40 rpm in two cycles in a row and no tension is left; then the
-  /// orientation changes. A demand of less than 0.1 V the other way is taken as 0: the noise of a
-  /// measurement must not turn a wheel that rests.
+  /// until, in two cycles in a row, its velocity was below 40 rpm or had the direction of the
+  /// demand, and no tension is left; then the orientation changes. A demand of less than 0.1 V the
+  /// other way is taken as 0: the noise of a measurement must not turn a wheel that rests.
   /// @param demand tension that is demanded [mV], -24000 to 24000, positive forwards
   /// @param velocity measured velocity [0.1 rpm]
   /// @return tension that was applied [mV], positive forwards

@@ -438,6 +438,37 @@ TEST_F(SetPointRampTest, FR282_OtherQuantitiesPass) {
   EXPECT_EQ(first(), 900 + 176);
 }
 
+/// @brief While one wheel is measured faster than 310.0 rpm, in either direction, the set-points of all wheels
+/// fall by 3 % per cycle, down to one half; below, they rise by 1 % per cycle. 310.0 rpm are
+/// permitted.
+/// @verifies FR-282
+TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
+  for (int cycles = 0; cycles < 20; ++cycles) {
+    order(ramp, alike(3000));
+  }
+  for (const int velocity : {3100, -3100}) {
+    spy.measured.wheels[2].velocity = Velocity(velocity);
+    order(ramp, alike(3000));
+    EXPECT_EQ(first(), 3000);
+  }
+  for (const int expected : {2910, 2820}) {
+    spy.measured.wheels[2].velocity = Velocity(expected == 2910 ? 3101 : -3101);
+    order(ramp, alike(3000));
+    EXPECT_EQ(first(), expected);
+    EXPECT_EQ(spy.applied.wheels[3].value, expected);
+  }
+  spy.measured.wheels[2].velocity = Velocity(3100);
+  for (const int expected : {2850, 2880, 2910, 2940, 2970, 3000, 3000}) {
+    order(ramp, alike(3000));
+    EXPECT_EQ(first(), expected);
+  }
+  spy.measured.wheels[2].velocity = Velocity(3200);
+  for (int cycles = 0; cycles < 50; ++cycles) {
+    order(ramp, alike(3000));
+  }
+  EXPECT_EQ(first(), 1500);
+}
+
 /// @brief After a hold and after an acknowledgement the ramp begins at 0.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AHoldBeginsAtZero) {

@@ -80,42 +80,109 @@ TEST_F(SupervisedWheel, FR274_MoreThan330RpmIsACause) {
   EXPECT_EQ(halted(measured(-330.1, 0)), StopCause::Overspeed);
 }
 
-/// @brief A wheel that turns against 1.1 V with 5.1 rpm is a cause in the second cycle; 1.0 V and 5.0 rpm
-/// are not enough.
+/// @brief A wheel whose motor turns it with 5.1 rpm against 1.1 V is a cause in the second cycle; 1.0 V and
+/// 5.0 rpm are not enough.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_TurningAgainstTheVoltageIsACause) {
   EXPECT_EQ(cycle(measured(0, 0), 1.1, 10), StopCause::None);
-  EXPECT_EQ(cycle(measured(-5.1, 1), 1.1, 10), StopCause::None);
-  EXPECT_EQ(cycle(measured(-5.1, 1), 1.1, 10), StopCause::WrongDirection);
+  EXPECT_EQ(cycle(measured(-5.1, 0.3), 1.1, 10), StopCause::None);
+  EXPECT_EQ(cycle(measured(-5.1, 0.3), 1.1, 10), StopCause::WrongDirection);
   wheel.reset();
-  EXPECT_EQ(firstCause(10, measured(-5.0, 1), 1.1, 10), 0);
+  EXPECT_EQ(firstCause(10, measured(-5.0, 0.3), 1.1, 10), 0);
   wheel.reset();
-  EXPECT_EQ(firstCause(10, measured(-5.1, 1), 1.0, 10), 0);
+  EXPECT_EQ(firstCause(10, measured(-5.1, 0.3), 1.0, 10), 0);
   wheel.reset();
-  EXPECT_EQ(firstCause(3, measured(5.1, -1), -1.1, -10), 3);
+  EXPECT_EQ(firstCause(3, measured(5.1, -0.3), -1.1, -10), 3);
   EXPECT_EQ(cause, StopCause::WrongDirection);
 }
 
-/// @brief A wheel that rolls back on a slope and loses more than 1 rpm per cycle is about to turn round:
-/// it is no cause.
+/// @brief At 4 V and 40 rpm against it, 2.647 V may remain unexplained: 40 % of 4 V and half of 2.094 V.
+/// The bound is met by 2.298 A.
 /// @verifies FR-275
-TEST_F(SupervisedWheel, FR275_AWheelThatTurnsRoundIsNoCause) {
-  EXPECT_EQ(halted(measured(-34, 0), 3.0), StopCause::None);
-  for (const double rpm : {-32.9, -21.0, -12.0, -5.5, 1.0}) {
-    EXPECT_EQ(cycle(measured(rpm, 3), 3.0, 17.6), StopCause::None) << rpm;
+TEST_F(SupervisedWheel, FR275_TheCurrentShowsWhoTurnsTheWheel) {
+  EXPECT_EQ(firstCause(20, measured(-40, 2.31), 4, 17.6), 0);
+  EXPECT_EQ(firstCause(20, measured(-40, 2.28), 4, 17.6), 2);
+  EXPECT_EQ(cause, StopCause::WrongDirection);
+}
+
+/// @brief A wheel that a slope drags against its voltage, ever faster, draws (3 V + k v) / 1.5 Ohm: it is
+/// no cause, nor is it with 15 % more resistance and a supply of 21 V.
+/// @verifies FR-275
+TEST_F(SupervisedWheel, FR275_ADraggedWheelIsNoCause) {
+  for (const double share : {1.0, 21.0 / 24 / 1.15}) {
+    wheel.reset();
+    EXPECT_EQ(halted(measured(-4, 2), 3.0), StopCause::None);
+    for (double rpm = 6; rpm < 120; rpm += 3) {
+      EXPECT_EQ(cycle(measured(-rpm, share * (3.0 + rpm * 0.05236) / 1.5), 3.0, 120),
+                StopCause::None)
+          << rpm;
+    }
   }
 }
 
-/// @brief Velocities of more than 30 rpm and 20 % above the set-point are a cause in the third cycle.
+/// @brief Swapped leads turn a wheel with 3 V against its voltage: the current is (3 V - k v) / 1.5 Ohm.
+/// @verifies FR-275
+TEST_F(SupervisedWheel, FR275_SwappedLeadsAreACause) {
+  EXPECT_EQ(cycle(measured(0, 2), 3.0, 30), StopCause::None);
+  EXPECT_EQ(cycle(measured(-25, 1.13), 3.0, 30), StopCause::None);
+  EXPECT_EQ(cycle(measured(-35, 0.78), 3.0, 30), StopCause::WrongDirection);
+}
+
+/// @brief A fault that is present in every second cycle is found: a cycle without it takes back half a
+/// cycle. One in three cycles is not enough.
+/// @verifies FR-275
+TEST_F(SupervisedWheel, FR275_AnIntermittentFaultIsACause) {
+  EXPECT_EQ(cycle(measured(0, 2), 3.0, 30), StopCause::None);
+  EXPECT_EQ(cycle(measured(-30, 0.95), 3.0, 30), StopCause::None);
+  EXPECT_EQ(cycle(measured(0, 2), 3.0, 30), StopCause::None);
+  EXPECT_EQ(cycle(measured(-30, 0.95), 3.0, 30), StopCause::None);
+  EXPECT_EQ(cycle(measured(0, 2), 3.0, 30), StopCause::None);
+  EXPECT_EQ(cycle(measured(-30, 0.95), 3.0, 30), StopCause::WrongDirection);
+  wheel.reset();
+  for (int number = 0; number < 30; ++number) {
+    const bool fault = number % 3 == 1;
+    EXPECT_EQ(cycle(fault ? measured(-30, 0.95) : measured(0, 2), 3.0, 30), StopCause::None);
+  }
+}
+
+/// @brief Velocities of more than 40 rpm and 25 % above the set-point are a cause in the third cycle.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_FasterThanTheSetPointIsACause) {
   const double volts = 150 * 0.05236 + 1.5;
   for (int settling = 0; settling < 5; ++settling) {
     EXPECT_EQ(cycle(measured(100, 1), volts, 100), StopCause::None);
   }
-  EXPECT_EQ(firstCause(20, measured(150.0, 1), volts, 100), 0);
-  EXPECT_EQ(firstCause(20, measured(150.2, 1), volts, 100), 3);
+  EXPECT_EQ(firstCause(20, measured(165.0, 1), volts, 100), 0);
+  EXPECT_EQ(firstCause(20, measured(165.2, 1), volts, 100), 3);
   EXPECT_EQ(cause, StopCause::Overspeed);
+}
+
+/// @brief The greatest of the last ten set-points counts.
+/// @verifies FR-276
+TEST_F(SupervisedWheel, FR276_TheLastTenSetPointsCount) {
+  const double volts = 150 * 0.05236 + 1.5;
+  EXPECT_EQ(firstCause(20, measured(180, 1), volts, 150), 0);
+  EXPECT_EQ(firstCause(20, measured(180, 1), volts, 100), 13);
+  EXPECT_EQ(cause, StopCause::Overspeed);
+}
+
+/// @brief A wheel that is too fast and loses more than 1 rpm in a cycle is braked: it is no cause. One that
+/// loses 1 rpm is.
+/// @verifies FR-276
+TEST_F(SupervisedWheel, FR276_AWheelThatSlowsDownIsNoCause) {
+  EXPECT_EQ(firstCause(10, measured(20, 1), 2.5, 20), 0);
+  EXPECT_EQ(cycle(measured(100, 0), 5.2, 20), StopCause::None);
+  EXPECT_EQ(cycle(measured(110, 0), 5.7, 20), StopCause::None);
+  double noise = 0;
+  for (double rpm = 108.9; rpm > 66; rpm -= 1.1) {
+    noise = 0.001 - noise;
+    EXPECT_EQ(cycle(measured(rpm, noise), rpm * 0.05236, 20), StopCause::None) << rpm;
+  }
+  wheel.reset();
+  EXPECT_EQ(firstCause(10, measured(20, 1), 2.5, 20), 0);
+  EXPECT_EQ(cycle(measured(100, 0), 5.2, 20), StopCause::None);
+  EXPECT_EQ(cycle(measured(99, 0), 5.2, 20), StopCause::None);
+  EXPECT_EQ(cycle(measured(98, 0), 5.2, 20), StopCause::Overspeed);
 }
 
 /// @brief A wheel that follows a falling set-point later by up to 0.4 s is no cause.
@@ -125,7 +192,8 @@ TEST_F(SupervisedWheel, FR276_BrakingIsNoCause) {
   for (int number = 0; number < 40; ++number) {
     setPoints.push_back(std::max(0.0, 300 - number * 17.6));
     const double late = setPoints[static_cast<std::size_t>(std::max(0, number - 4))];
-    EXPECT_EQ(cycle(measured(late, 0), late * 0.05236, setPoints.back()), StopCause::None)
+    const double noise = 0.001 * (number % 2);
+    EXPECT_EQ(cycle(measured(late, noise), late * 0.05236, setPoints.back()), StopCause::None)
         << number;
   }
 }
@@ -194,6 +262,27 @@ TEST_F(SupervisedWheel, FR277_SwappedLeadsAreACause) {
   EXPECT_EQ(cause, StopCause::Tracking);
 }
 
+/// @brief A current that is 1 A in ten changes of cycle while the voltage varies by 1.1 V is a cause in the
+/// cycle of the tenth change; one that varies by 1 mA is none, nor is a voltage that varies by 1.0
+/// V.
+/// @verifies FR-278
+TEST_F(SupervisedWheel, FR278_ACurrentThatStaysTheSameIsACause) {
+  const auto stuckFor = [&](int cycles, double range, double noise) {
+    wheel.reset();
+    for (int number = 1; number <= cycles; ++number) {
+      const double volts = 9.0 + range * (number % 2);
+      if (cycle(measured(150, 1 + noise * (number % 2)), volts, 150) != StopCause::None) {
+        return number;
+      }
+    }
+    return 0;
+  };
+  EXPECT_EQ(stuckFor(10, 1.1, 0), 0);
+  EXPECT_GT(stuckFor(12, 1.1, 0), 0);
+  EXPECT_EQ(stuckFor(50, 1.0, 0), 0);
+  EXPECT_EQ(stuckFor(50, 1.1, 0.001), 0);
+}
+
 /// @brief A measurement that is missing in two cycles is permitted; the third one is a cause.
 /// @verifies FR-278
 TEST_F(SupervisedWheel, FR278_AMissingMeasurementIsACause) {
@@ -201,7 +290,7 @@ TEST_F(SupervisedWheel, FR278_AMissingMeasurementIsACause) {
   missing.current = Current(1000);
   EXPECT_EQ(cycle(measured(150, 1), 9.354, 150), StopCause::None);
   EXPECT_EQ(firstCause(2, missing, 9.354, 150), 0);
-  EXPECT_EQ(cycle(measured(150, 1), 9.354, 150), StopCause::None);
+  EXPECT_EQ(firstCause(4, measured(150, 1), 9.354, 150), 0);
   EXPECT_EQ(firstCause(3, missing, 9.354, 150), 3);
   EXPECT_EQ(cause, StopCause::MissingMeasurement);
   wheel.reset();

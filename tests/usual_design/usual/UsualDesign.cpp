@@ -77,6 +77,9 @@ constexpr Tension kRise(12000);
 constexpr Tension kFall(2400);
 constexpr Tension kLeastEffort(1500);
 constexpr std::int32_t kMostEffort = 45000;
+constexpr Tension kSearched(10000);
+constexpr std::int16_t kSlowOrder = 600;
+constexpr std::int32_t kSearchShare = 3;
 constexpr std::int32_t kJitter = 1;
 constexpr Tension kReversal(500);
 constexpr std::uint8_t kMostWaiting = 20;
@@ -806,7 +809,7 @@ void UsualDesign::followSetPoint(const WheelSetPoint& setPoint, HallCount positi
     case WheelQuantity::Tension:
       break;
   }
-  watchReversal(calculated);
+  watchReversal(setPoint, calculated);
 }
 
 void UsualDesign::watchMotion(const WheelSetPoint& setPoint, HallCount position) {
@@ -816,14 +819,19 @@ void UsualDesign::watchMotion(const WheelSetPoint& setPoint, HallCount position)
     effort_ = 0;
   } else if (tension <= kLeastEffort.count() || setPoint == WheelSetPoint{}) {
     effort_ = std::max(effort_ - kLeastEffort.count(), std::int32_t{0});
+  } else if (setPoint.quantity == WheelQuantity::Velocity &&
+             std::abs(setPoint.value) <= kSlowOrder && tension <= kSearched.count()) {
+    effort_ += tension / kSearchShare;
   } else {
     effort_ += tension;
   }
   blind_ = blind_ || effort_ >= kMostEffort;
 }
 
-void UsualDesign::watchReversal(Tension demand) {
-  const bool waits = std::abs(demand.count()) >= kReversal.count() && applied_ == Tension();
+void UsualDesign::watchReversal(const WheelSetPoint& setPoint, Tension demand) {
+  const bool ordered =
+      (setPoint.value > 0 && demand >= kReversal) || (setPoint.value < 0 && demand <= -kReversal);
+  const bool waits = ordered && applied_ == Tension();
   waitingCycles_ = waits ? static_cast<std::uint8_t>(waitingCycles_ + 1) : std::uint8_t{0};
   reversalLate_ = reversalLate_ || waitingCycles_ > kMostWaiting;
 }
@@ -900,7 +908,8 @@ Tension UsualDesign::currentTension(std::int16_t setPoint, Velocity velocity, Cu
 void UsualDesign::apply(Tension demand, Velocity velocity) {
   const Tension before = applied_.value_or(Tension());
   if (backwards_ ? demand >= kSlight : demand <= -kSlight) {
-    if (!isSlow(velocity)) {
+    const bool along = demand > Tension() ? velocity > Velocity() : velocity < Velocity();
+    if (!isSlow(velocity) && !along) {
       slowCycles_ = 0;
     } else if (slowCycles_ < kSlowCycles) {
       ++slowCycles_;

@@ -109,7 +109,7 @@ class UsualDesign {
   [[nodiscard]] bool plausible(const HallRecord& record) const;
   void release(const WheelMeasurements& wheel);
   void watchMotion(const WheelSetPoint& setPoint, HallCount position);
-  void watchReversal(Tension demand);
+  void watchReversal(const WheelSetPoint& setPoint, Tension demand);
   [[nodiscard]] bool doubtful(Velocity velocity, Current current);
   void driverOff();
   void resetAlgorithms();

@@ -66,15 +66,29 @@ TEST_F(ReverseTest, FR87_StopsThenTurns) {
                              {"tension", -5000}}));
 }
 
-/// @brief A cycle that is not slow, in either direction, begins the count again.
+/// @brief A cycle that is neither slow nor along the demand begins the count again.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
-  for (const int velocity : {10, 400, -10, -400, 10}) {
+  for (const int velocity : {10, 400, -10, 400, 10}) {
     apply(-5000, velocity);
   }
   EXPECT_EQ(std::ranges::count(log, "orientation", &CommandLog::value_type::first), 0);
   apply(-5000, 10);
   EXPECT_EQ(std::ranges::count(log, "orientation", &CommandLog::value_type::first), 1);
+}
+
+/// @brief The orientation of a wheel that turns the way of the demand changes after two such cycles, at any
+/// speed; that of one that turns against it does not.
+/// @verifies FR-87
+TEST_F(ReverseTest, FR87_AWheelThatTurnsAlongIsNoReversal) {
+  EXPECT_EQ(apply(-5000, -2000), Tension(0));
+  EXPECT_EQ(apply(-5000, -2000), Tension(-5000));
+  EXPECT_EQ(apply(5000, -400), Tension(-2600));
+  for (int cycle = 0; cycle < 10; ++cycle) {
+    apply(5000, -400);
+  }
+  EXPECT_EQ(apply(5000, 401), Tension(0));
+  EXPECT_EQ(apply(5000, 401), Tension(5000));
 }
 
 /// @brief Slow cycles do not suffice while tension is left.
@@ -125,8 +139,8 @@ TEST_F(ReverseTest, FR81_RiseBeginsAtWhatIsLeft) {
 }
 
 /// @brief Whatever is demanded and measured, the output keeps to the three rules: the orientation changes
-/// at a slow wheel and without tension only, the tension rises by 12 V at most, and it falls by 2.4
-/// V at most while the demand opposes.
+/// at a wheel that is slow or turns along, and without tension only, the tension rises by 12 V at
+/// most, and it falls by 2.4 V at most while the demand opposes.
 /// @verifies FR-87
 /// @verifies FR-81
 TEST_F(ReverseTest, FR87_FR81_RulesHoldForAnyDemand) {
@@ -141,7 +155,8 @@ TEST_F(ReverseTest, FR87_FR81_RulesHoldForAnyDemand) {
     const int demand = demands(random);
     for (int left = lengths(random); left > 0; --left) {
       const int velocity = velocities(random);
-      slow = std::abs(velocity) < 400 ? slow + 1 : 0;
+      const bool along = demand > 0 ? velocity > 0 : velocity < 0;
+      slow = std::abs(velocity) < 400 || along ? slow + 1 : 0;
       log.clear();
       const int applied = apply(demand, velocity).count();
       ASSERT_LE(std::abs(applied) - std::abs(before), 12000);
