@@ -3,6 +3,7 @@
 #include <array>
 
 #include "products/ProductFixture.hpp"
+#include "safety/RetainedProtection.hpp"
 #include "safety/RetainedStop.hpp"
 #include "safety/SafetyBuilder.hpp"
 #include "safety/SafetyDirector.hpp"
@@ -57,7 +58,10 @@ class SafetyBuilderTest : public testing::Test {
   std::array<ControlSystemBuilder*, 1> systems{&robot};
   HostScheduler scheduler;
   HostEdgeInput emergencyStop{scheduler, false};
-  SafetyBuilder builder{{.wheels = {}, .systems = systems, .emergencyStop = emergencyStop}};
+  RetainedProtection::Cells cells{};
+  RetainedProtection memory{cells};
+  SafetyBuilder builder{
+      {.wheels = {}, .systems = systems, .emergencyStop = emergencyStop, .memory = memory}};
 };
 
 /// @brief Before the control systems are built there is nothing to start, to order or to tick.
