@@ -10,7 +10,7 @@ constexpr std::uint8_t kTicks = 3;  // [ms]
 
 ContactWatch::ContactWatch(const EdgeInput& contact) : contact_(contact) {}
 
-void ContactWatch::execute() {
+void ContactWatch::sample() {
   if (!contact_.level()) {
     openTicks_ = 0;
   } else if (openTicks_ < kTicks) {

@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "devices/EdgeInput.hpp"
-#include "services/Command.hpp"
 
 namespace wr {
 
@@ -14,18 +13,19 @@ namespace wr {
 /// the control cycle reads it.
 ///
 /// @secret How long a contact has to be open before that counts, and how an opening is latched.
-///
-/// @role{wheel-timer-interrupt, Concrete Command}
-class ContactWatch final : public Command {
+class ContactWatch final {
  public:
   /// @brief Binds the watch to its contact.
   /// @param contact the contact; a high level means that it is open
   explicit ContactWatch(const EdgeInput& contact);
 
-  /// @brief Samples the contact.
+  ContactWatch(const ContactWatch&) = delete;
+  ContactWatch& operator=(const ContactWatch&) = delete;
+
+  /// @brief Samples the contact. Each tick calls it.
   /// @satisfies FR-271
   /// @isr{yes}
-  void execute() override;
+  void sample();
 
   /// @brief Checks whether the contact is open, and clears an earlier opening.
   /// @return true if it is open now.

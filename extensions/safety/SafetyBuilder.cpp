@@ -17,7 +17,14 @@ void SafetyBuilder::Ticks::add(Command& command) {
   ++count_;
 }
 
+void SafetyBuilder::Ticks::watch(ContactWatch& contact) {
+  contact_ = &contact;
+}
+
 void SafetyBuilder::Ticks::execute() {
+  if (contact_ != nullptr) {
+    contact_->sample();
+  }
   for (Command* command : std::span(commands_).first(count_)) {
     command->execute();
   }
@@ -56,7 +63,7 @@ void SafetyBuilder::buildSystem() {
     ticks_.add(builder->tickCommand());
   }
   chain_.emplace(robot_, parts_);
-  ticks_.add(chain_->emergencyStop);
+  ticks_.watch(chain_->emergencyStop);
 }
 
 void SafetyBuilder::start() {

@@ -75,11 +75,15 @@ class SafetyBuilder final : public ControlSystemBuilder {
     /// @brief Adds a command.
     /// @param command executed at each tick
     void add(Command& command);
+    /// @brief Sets the contact that is sampled at each tick.
+    /// @param contact the contact
+    void watch(ContactWatch& contact);
     void execute() override;
 
    private:
-    std::array<Command*, RobotStage::kCapacity + 1> commands_{};
+    std::array<Command*, RobotStage::kCapacity> commands_{};
     std::size_t count_ = 0;
+    ContactWatch* contact_ = nullptr;
   };
 
   Parts parts_;

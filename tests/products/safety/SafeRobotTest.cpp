@@ -247,8 +247,11 @@ TEST_F(SafeRobot, FR291_AResetDoesNotReleaseAProtectiveStop) {
     enable(position);
     cycles(4);
   }
-  cycles(40);
+  cycles(8);
   EXPECT_EQ(protection().cause, StopCause::None);
+  sticks(0.5);
+  cycles(12);
+  EXPECT_GT(rpm(), 100);
 }
 
 /// @brief A turn of the switch to "stop" for 40 ms stops a robot that the PC drives, wherever it is in the cycle. The

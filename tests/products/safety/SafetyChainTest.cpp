@@ -223,10 +223,10 @@ TEST_F(ProtectiveStopTest, FR271_AShortOpeningIsLatched) {
     EXPECT_EQ(protection(stop).cause, StopCause::None);
     contact.set(true);
     for (int tick = 0; tick < ticks; ++tick) {
-      watch.execute();
+      watch.sample();
     }
     contact.set(false);
-    watch.execute();
+    watch.sample();
     order(stop, alike(1000));
   }
   EXPECT_EQ(protection(stop).cause, StopCause::EmergencyStop);
@@ -237,13 +237,13 @@ TEST_F(ProtectiveStopTest, FR271_AShortOpeningIsLatched) {
 TEST_F(ProtectiveStopTest, FR291_AnOpeningBeforeTheAcknowledgementEnds) {
   contact.set(true);
   for (int tick = 0; tick < 300; ++tick) {
-    watch.execute();
+    watch.sample();
     if (tick % 100 == 99) {
       order(stop, alike(1000));
     }
   }
   contact.set(false);
-  watch.execute();
+  watch.sample();
   acknowledge(stop);
   EXPECT_EQ(protection(stop).cause, StopCause::None);
   order(stop, alike(1000));
