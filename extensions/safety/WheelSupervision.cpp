@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <span>
+#include <utility>
 
 #include "services/SystemConstants.hpp"
 
@@ -67,7 +68,7 @@ bool lasts(bool condition, std::uint8_t& halves, std::uint8_t limit) {
   const std::int32_t greatest = kHalves * limit;
   const std::int32_t counted = condition ? halves + kHalves : halves - 1;
   halves = static_cast<std::uint8_t>(std::clamp<std::int32_t>(counted, 0, greatest));
-  return condition && halves >= greatest;
+  return condition && std::cmp_greater_equal(halves, greatest);
 }
 
 }  // namespace
