@@ -46,7 +46,7 @@ HAS = {
     "weeding_robot_pc": SAFETY | STOP_MEMORY | {"SafetyPcDirector"},
     "weeding_robot_pc_bluetooth": SAFETY
     | STOP_MEMORY
-    | {"Bluetooth", "SignedPort", "SipHash", "K64Random", "BluetoothDirector"},
+    | {"Bluetooth", "SignedPort", "SipHash", "BluetoothDirector"},
     "weeding_robot_warning": REMOTE_CONTROL | {"WaitingK", "WarningDirector"},
 }
 DIFFERENT = set().union(*HAS.values())
