@@ -39,6 +39,7 @@ FRAME_WITH_FLOATS = 104 + 4
 class Declared:
     faults: list[str] = field(default_factory=list)
     calls: dict[str, str] = field(default_factory=dict)  # function -> pattern of symbols
+    entries: dict[str, int] = field(default_factory=dict)  # class of a chain -> objects in it
 
 
 def read_declared(root: Path) -> Declared:
@@ -49,6 +50,7 @@ def read_declared(root: Path) -> Declared:
     return Declared(
         faults=data.get("faults", []),
         calls={one["from"]: one["to"] for one in data.get("call", [])},
+        entries={name: one["objects"] for one in data.get("chain", []) for name in one["classes"]},
     )
 
 
@@ -69,9 +71,14 @@ def prove(root: Path, model: Model, facts: Facts) -> StackProof | None:
     return proof
 
 
-def most_entries(model: Model) -> dict[str, int]:
-    """Method of a decorator -> how often a chain of calls can enter it at a time."""
-    found: dict[str, int] = {}
+def most_entries(model: Model, declared: Declared) -> dict[str, int]:
+    """Method of a chain of objects -> how often a chain of calls can enter it at a time."""
+    found = {
+        method.id: most
+        for name, most in declared.entries.items()
+        if name in model.modules
+        for method in model.modules[name].methods
+    }
     for application in model.patterns.values():
         if application.pattern != "Decorator":
             continue
@@ -99,7 +106,7 @@ class Prover:
             for call in body.calls:
                 key = (call.place.file, call.place.line)
                 self.written.setdefault(key, []).append((body.id, call))
-        self.most = most_entries(model)
+        self.most = most_entries(model, declared)
         self.proof = StackProof(exception_frame=0)
         self.body = ""  # the command of the thread that is looked at
 
