@@ -7,6 +7,7 @@
 
 #include "sim/host/HostSerialPort.hpp"
 #include "sim/scenario/PcFrames.hpp"
+#include "support/FakeTimebase.hpp"
 #include "support/SignedLine.hpp"
 
 namespace wr::test {
@@ -126,6 +127,36 @@ TEST_F(SignedPortTest, FR263_SentFramesAreSigned) {
     EXPECT_TRUE(device.verifies(counter, sent));
     EXPECT_EQ(Bytes(sent.begin(), sent.end() - 25), Bytes(hello.begin(), hello.end() - 1));
   }
+}
+
+/// @brief The port gives what its line gives: the time of the frame, lost bytes, and room for a frame with its
+/// counter and tag. A frame for which the line has no room is not sent, and does not use up a
+/// counter.
+/// @verifies FR-263
+/// @verifies FR-262
+/// @verifies FR-20
+/// @verifies FR-49
+/// @verifies FR-247
+TEST_F(SignedPortTest, FR263_PassesTimeRoomAndLossOfTheLineOn) {
+  FakeTimebase time;
+  line.setClock(time);
+  time.advance(milliseconds(40));
+  line.arrive(device.sign(frames.hello()));
+  ASSERT_EQ(given().size(), 1U);
+  EXPECT_EQ(signedPort.receivedAt(), Instant(40'000));
+  line.arrive(Bytes(5000, 1));
+  EXPECT_EQ(signedPort.lostBytes(), line.lostBytes());
+  EXPECT_GT(signedPort.lostBytes(), 0);
+  EXPECT_EQ(signedPort.free(), line.free() - SignedPort::kTrailer);
+  const Bytes hello = frames.hello();
+  std::uint32_t sent = 0;
+  while (signedPort.write(hello)) {
+    ++sent;
+  }
+  EXPECT_LT(line.free(), hello.size() + SignedPort::kTrailer);
+  static_cast<void>(line.takeSent());
+  ASSERT_TRUE(signedPort.write(hello));
+  EXPECT_TRUE(device.verifies(sent + 1, line.takeSent()));
 }
 
 /// @brief Without a key, or without a random number, nothing is received or sent, not even a challenge.

@@ -47,6 +47,14 @@ class EnableSwitchTest : public ControllerFixture {
                      .timebase = time}};
 };
 
+/// @brief The switch extends a mode and is none itself: it does not change the mode of the controller.
+/// @verifies FR-17
+TEST_F(EnableSwitchTest, FR17_LeavesTheChangeOfTheModeToTheMode) {
+  const Mode& before = controller.getMode();
+  mode.changeMode(controller);
+  EXPECT_EQ(&controller.getMode(), &before);
+}
+
 /// @brief Without a pulse since power-on the remote control orders a stop.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_BeginsWithAStop) {

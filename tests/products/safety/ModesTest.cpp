@@ -29,6 +29,18 @@ class SteeringGeometryTest : public ControllerFixture {
   SteeringGeometry mode{source};
 };
 
+/// @brief What extends a mode and is none itself does not change the mode of the controller.
+/// @verifies FR-17
+TEST_F(SteeringGeometryTest, FR17_LeavesTheChangeOfTheModeToTheMode) {
+  RetainedStop::Cells cells{};
+  RetainedStop memory{cells};
+  PersistentStop persistent(source, memory);
+  const Mode& before = controller.getMode();
+  mode.changeMode(controller);
+  persistent.changeMode(controller);
+  EXPECT_EQ(&controller.getMode(), &before);
+}
+
 /// @brief Straight on all wheels get the ordered velocity.
 /// @verifies FR-284
 TEST_F(SteeringGeometryTest, FR284_StraightOnAllWheelsAreAlike) {

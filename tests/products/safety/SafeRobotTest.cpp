@@ -19,8 +19,10 @@ TEST_F(SafeRobot, FR280_ADeflectedStickAtPowerOnMovesNothing) {
   EXPECT_FALSE(voltage());
 }
 
-/// @brief Orders of the PC move nothing until neutral ones armed the robot.
+/// @brief Orders of the PC move nothing until neutral ones armed the robot; then the whole robot follows them.
 /// @verifies FR-280
+/// @verifies FR-281
+/// @verifies FR-293
 TEST_F(SafeRobot, FR280_OrdersOfThePcMoveNothingUnarmed) {
   enable(kPc);
   cycles(2);

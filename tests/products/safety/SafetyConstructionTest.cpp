@@ -51,6 +51,24 @@ TEST_F(SafetyDirectors, FR78_StartBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(static_cast<void>(director.enablePin()), "assertion 1 failed");
 }
 
+/// @brief A robot that the PC and the remote control command welcomes the PC and reports; it begins in the mode RC.
+/// @verifies FR-293
+TEST_F(SafetyDirectors, FR293_RobotWithRemoteControlReports) {
+  begin(director);
+  connect();
+  EXPECT_EQ(cycleWithPc().mode, 0);
+  EXPECT_EQ(spy.calls, kHeld);
+}
+
+/// @brief A robot that only the PC commands welcomes it and reports; its mode is PC.
+/// @verifies FR-293
+TEST_F(SafetyDirectors, FR293_RobotForThePcReports) {
+  begin(pcDirector);
+  connect();
+  EXPECT_EQ(cycleWithPc().mode, 1);
+  EXPECT_EQ(spy.calls, kHeld);
+}
+
 /// The builder of the safety functions and of one control system.
 class SafetyBuilderTest : public testing::Test {
  protected:
@@ -70,6 +88,21 @@ TEST_F(SafetyBuilderTest, FR78_UseBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(builder.start(), "assertion 1 failed");
   EXPECT_DEATH(static_cast<void>(builder.system()), "assertion 1 failed");
   EXPECT_DEATH(static_cast<void>(builder.tickCommand()), "assertion 1 failed");
+}
+
+/// @brief The control systems are built, started and ticked as one.
+/// @verifies FR-293
+/// @verifies FR-78
+TEST_F(SafetyBuilderTest, FR293_ControlSystemsAreBuiltAsOne) {
+  builder.buildActuator();
+  builder.buildSensors();
+  builder.buildController();
+  builder.buildSystem();
+  builder.start();
+  builder.tickCommand().execute();
+  builder.system().hold(1);
+  EXPECT_EQ(robot.spy.calls, kHeld);
+  EXPECT_TRUE(builder.system().completed(1));
 }
 
 /// @brief The control systems are wrapped once.
