@@ -129,6 +129,15 @@ TEST_F(SignedPortTest, FR263_SentFramesAreSigned) {
   }
 }
 
+/// @brief A zero byte alone, which ends a frame that a reset has cut, is sent as it is and uses up no counter.
+/// @verifies FR-263
+TEST_F(SignedPortTest, FR263_ZeroByteAloneIsSentAsItIs) {
+  ASSERT_TRUE(signedPort.write(Bytes{0}));
+  EXPECT_EQ(line.takeSent(), Bytes{0});
+  ASSERT_TRUE(signedPort.write(frames.hello()));
+  EXPECT_TRUE(device.verifies(1, line.takeSent()));
+}
+
 /// @brief The port gives what its line gives: the time of the frame, lost bytes, and room for a frame with its
 /// counter and tag. A frame for which the line has no room is not sent, and does not use up a
 /// counter.

@@ -311,6 +311,7 @@ TEST_F(EnableBufferTest, FR285_TheWidthOfAPulseIsStored) {
 /// @brief Pulses from 900 to 2100 us count; others, and those with another period than 15 to 30 ms, count as
 /// missing.
 /// @verifies FR-285
+/// @verifies FR-55
 TEST_F(EnableBufferTest, FR285_PulsesOutOfRangeAreMissing) {
   pulse(1500);
   EXPECT_TRUE(pulse(900).has_value());
