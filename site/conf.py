@@ -1,13 +1,12 @@
-"""Sphinx settings of the pages that people write, and of Doxygen's views.
+"""Sphinx settings of the pages.
 
-traceability.documents.sphinx_pages adds the paths and the navigation.
+portal.sphinx_pages adds the paths, the first page and the navigation.
 """
 
 project = "Weeding robot"
 copyright = ""  # noqa: A001 - the name that Sphinx reads
-extensions = ["breathe", "traceability.documents.extension"]
-root_doc = "doxygen/index"
-exclude_patterns = ["_static", "_doxygen"]
+extensions = ["breathe", "portal.sphinx_extension"]
+exclude_patterns = ["_static", "_doxygen", "_bodies"]
 highlight_language = "none"
 breathe_default_project = "firmware"
 

@@ -1,1 +1,1 @@
-"""The tools of the project: the model, its checks, its documents, and the commands of ./wr."""
+"""The model of the design: readers, model, checks and exports."""

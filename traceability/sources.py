@@ -9,6 +9,8 @@ from pathlib import Path
 # The design: the robot, and what products add to it.
 SRC, EXTENSIONS = "src", "extensions"
 DESIGN = (SRC, EXTENSIONS)
+# The table of frames, and its reader: the build of the simulator makes a header from them.
+FRAMES = ("design/frames.toml", "client/weeding_robot_client/layout.py")
 TESTED = (*DESIGN, "sim", "tests", "CMakeLists.txt", "CMakePresets.json")
 
 
@@ -56,4 +58,5 @@ def source_hash(root: Path) -> str:
     suffixes = (".cpp", ".hpp", ".h", ".cmake", ".txt", ".json", ".S", ".ld")
     paths = files_below(root, TESTED, suffixes)
     python = root / "tests" / "python"
-    return hash_of(root, [path for path in paths if python not in path.parents])
+    tested = [path for path in paths if python not in path.parents]
+    return hash_of(root, [*tested, *files_below(root, FRAMES)])

@@ -622,7 +622,7 @@ class Motion:
         if self.others:
             return (
                 f"not this wheel moved, but {', '.join(self.others)}",
-                "The cables of these wheels are exchanged: connect them as the wiring table says.",
+                "The cables of these wheels are exchanged: connect them as in the wiring table.",
             )
         if self.saw_forward is None:
             return "no motion", "Check driver supply, motor leads and that the wheel turns freely."
@@ -697,13 +697,23 @@ def choose_link(link: Path | None) -> Path | None:
     return None
 
 
+def folder(text: str) -> Path:
+    """Returns the folder with this name, and makes it, so that no record is lost at the end."""
+    path = Path(text)
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise argparse.ArgumentTypeError(f"cannot make {path}: {error.strerror}") from error
+    return path
+
+
 def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--link", type=Path, metavar="PATH", help="serial port (default: that of the board)"
     )
     parser.add_argument(
         "--record",
-        type=Path,
+        type=folder,
         default=DEFAULT_FOLDER,
         metavar="FOLDER",
         help="folder of the records (default: build/bring-up)",

@@ -17,7 +17,7 @@ from weeding_robot_client.keyboard import Hand, raw_keys, read_keys
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import Quantity, Report, Welcome
 from weeding_robot_client.monitor import as_line, shown, status
-from weeding_robot_client.options import add_link, open_link, wheel
+from weeding_robot_client.options import add_link, open_capture, open_link, open_recording, wheel
 from weeding_robot_client.orders import ORDER_EVERY_S, Orders, arm, connect, not_connected
 from weeding_robot_client.reasons import conditions, inhibited
 from weeding_robot_client.recording import Recording
@@ -49,30 +49,40 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    script = None
-    if options.script:
-        try:
-            script = load(options.script)
-        except (OSError, ScriptError) as error:
-            print(error, file=sys.stderr)
-            return 2
-        if options.wheel:
-            print("--wheel is for the keyboard; write 'wheel N' in the script", file=sys.stderr)
-            return 2
-    elif not sys.stdin.isatty():
-        print("the keyboard needs a terminal; name a file with --script", file=sys.stderr)
+    try:
+        script = _script(options)
+    except ScriptError as error:
+        print(error, file=sys.stderr)
+        return 2
+    recording = open_recording(options.csv)
+    capture = open_capture(options.capture)
+    if recording is None or capture is None:
         return 2
     link = open_link(options.link)
     if link is None:
         return 1
-    with link, Recording(options.csv) as recording:
+    with link, recording, capture as link.capture:
         if script:
             return by_script(link, script, recording)
         return by_keyboard(link, recording, tuple(options.wheel) if options.wheel else None)
 
 
+def _script(options: argparse.Namespace) -> Script | None:
+    """Returns the script, or None for the keyboard."""
+    if options.script is None:
+        if not sys.stdin.isatty():
+            raise ScriptError("the keyboard needs a terminal; name a file with --script")
+        return None
+    if options.wheel:
+        raise ScriptError("--wheel is for the keyboard; write 'wheel N' in the script")
+    return load(options.script)
+
+
 def by_script(link: Link, script: Script, recording: Recording) -> int:
-    """Arms the robot and drives by the script. Returns the exit code."""
+    """Arms the robot and drives by the script. Returns the exit code.
+
+    Whatever ends it before the end of the script, the robot is ordered to stop.
+    """
 
     def observe(report: Report) -> None:
         recording.add(report)
@@ -82,7 +92,7 @@ def by_script(link: Link, script: Script, recording: Recording) -> int:
     with ended_by_signals() as requests:
         try:
             return _follow(orders, script, requests)
-        except KeyboardInterrupt:
+        except BaseException:
             orders.stop()
             raise
 

@@ -1,14 +1,18 @@
-"""Layout of the payloads, read from ``design/frames.txt``: the table that the firmware uses too."""
+"""Frames of the PC protocol, read from ``design/frames.toml``: the table that all sides share."""
 
 from __future__ import annotations
 
 import struct
+import tomllib
 import zlib
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
+from typing import Any
 
-TABLE = Path(__file__).resolve().parents[2] / "design" / "frames.txt"
+TABLE = Path(__file__).resolve().parents[2] / "design" / "frames.toml"
+WHEEL_COUNT = 4
 CODES = {
     "u8": "B",
     "i8": "b",
@@ -18,6 +22,16 @@ CODES = {
     "i32": "i",
     "char8": "8s",
 }
+# How the name of a value with this unit ends.
+ENDS = {
+    "degree": "_degrees",
+    "rpm": "_rpm",
+    "V": "_volts",
+    "A": "_amperes",
+    "ms": "_ms",
+    "count": "_counts",
+}
+BY_QUANTITY = "quantity"  # unit of a set-point: that of its quantity
 
 
 class LayoutError(ValueError):
@@ -25,15 +39,110 @@ class LayoutError(ValueError):
 
 
 @dataclass(frozen=True)
+class Entry:
+    """Value of an enumeration."""
+
+    number: int
+    name: str
+    shown: str
+    meaning: str
+    detail: str
+    firmware: str  # enumerator or constant of the firmware
+    unit: str
+    scale: float
+    limit: int | None
+
+
+@dataclass(frozen=True)
+class Enumeration:
+    """Numbers of a field and their names."""
+
+    name: str
+    page: str  # label of the section that explains the values
+    detail: str  # heading of the values' details
+    entries: tuple[Entry, ...]
+
+    def find(self, number: int) -> Entry | None:
+        return next((entry for entry in self.entries if entry.number == number), None)
+
+    def shown(self, number: int) -> str:
+        """Returns the text of a number; the number itself when it has none here."""
+        entry = self.find(number)
+        return entry.shown if entry else f"{self.name} {number}"
+
+
+@dataclass(frozen=True)
+class Bit:
+    name: str
+    number: int
+    meaning: str
+
+
+@dataclass(frozen=True)
+class Field:
+    """Field of a frame, at its offset in the payload."""
+
+    name: str
+    type: str
+    offset: int
+    meaning: str
+    wheel: int | None = None
+    unit: str = ""
+    scale: float = 1
+    limit: int | None = None
+    values: Enumeration | None = None
+    none: int | None = None
+    bits: tuple[Bit, ...] = ()
+    bits_of: Enumeration | None = None
+    valid: tuple[str, ...] = ()
+    counter: bool = False
+
+    @property
+    def size(self) -> int:
+        return struct.calcsize(f"<{CODES[self.type]}")
+
+    def number(self, **bits: bool) -> int:
+        """Returns the number of the field with these bits."""
+        numbers = {bit.name: bit.number for bit in self.bits}
+        return sum(is_set << numbers[name] for name, is_set in bits.items())
+
+    @property
+    def counts(self) -> bool:
+        """Whether it counts events of the link or of the cycle, not of a wheel."""
+        return self.counter and self.wheel is None
+
+    @property
+    def stem(self) -> str:
+        """Name without the number of the wheel."""
+        return self.name if self.wheel is None else self.name.removesuffix(str(self.wheel))
+
+
+@dataclass(frozen=True)
 class Layout:
     """Fields of the payload of one type of frame, in their order on the line."""
 
-    names: tuple[str, ...]
-    form: struct.Struct
+    name: str
+    kind: int
+    sender: str
+    use: str
+    fields: tuple[Field, ...] = field(repr=False)
+
+    @cached_property
+    def form(self) -> struct.Struct:
+        return struct.Struct("<" + "".join(CODES[one.type] for one in self.fields))
 
     @property
     def size(self) -> int:
         return self.form.size
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return tuple(one.name for one in self.fields)
+
+    @property
+    def value_names(self) -> tuple[str, ...]:
+        """Names of the values that decode() returns."""
+        return tuple(self.decode(bytes(self.size)))
 
     def pack(self, **values: int) -> bytes:
         """Returns the payload with these values; every field needs one."""
@@ -42,24 +151,178 @@ class Layout:
         return self.form.pack(*(values[name] for name in self.names))
 
     def unpack(self, payload: bytes) -> dict[str, int]:
-        """Returns the values of a payload; bytes after the known fields are ignored."""
+        """Returns the numbers of a payload; bytes after the known fields are ignored."""
         return dict(zip(self.names, self.form.unpack_from(payload), strict=True))
 
+    def decode(self, payload: bytes) -> dict[str, Any]:
+        """Returns the values of a payload in their units, with the texts of enumerations.
 
-def read_layouts(text: str) -> dict[str, Layout]:
-    """Returns the layout of each frame: lines of frame, field, type and offset, without gaps."""
-    names: dict[str, list[str]] = {}
-    codes: dict[str, str] = {}
-    for line in text.splitlines():
-        frame, name, kind, offset = line.split()
-        code = codes.get(frame, "<")
-        if struct.calcsize(code) != int(offset):
-            raise LayoutError(f"{frame} {name}: not at offset {offset}")
-        codes[frame] = code + CODES[kind]
-        names.setdefault(frame, []).append(name)
-    return {frame: Layout(tuple(names[frame]), struct.Struct(codes[frame])) for frame in names}
+        A field with bits gives a value for each bit. A value that is not valid is None.
+        """
+        numbers = self.unpack(payload)
+        missing = {
+            name
+            for mask in self.fields
+            for bit, name in enumerate(mask.valid)
+            if not numbers[mask.name] >> bit & 1
+        }
+        values: dict[str, Any] = {}
+        for one in self.fields:
+            number = numbers[one.name]
+            if one.bits:
+                values |= {bit.name: bool(number >> bit.number & 1) for bit in one.bits}
+            elif not one.valid:
+                value = None if one.name in missing else self._value(one, number, numbers)
+                values[value_name(one)] = value
+        return values
+
+    def _value(self, one: Field, number: int, numbers: Mapping[str, int]) -> Any:
+        if number == one.none:
+            return None
+        if one.values:
+            entry = one.values.find(number)
+            return entry.shown if entry else f"{one.stem.replace('_', ' ')} {number}"
+        if one.bits_of:
+            return tuple(one.bits_of.shown(bit) for bit in range(8) if number >> bit & 1)
+        if one.unit == BY_QUANTITY:
+            scale = scale_of(self.of(f"{BY_QUANTITY}{one.wheel}"), numbers)
+            return scaled(number, scale)
+        return text_of(number) if one.type == "char8" else scaled(number, one.scale)
+
+    def of(self, name: str) -> Field:
+        return next(one for one in self.fields if one.name == name)
 
 
-_TEXT = TABLE.read_text(encoding="ascii")
-LAYOUTS: Mapping[str, Layout] = read_layouts(_TEXT)
-SCHEMA_HASH = zlib.crc32(_TEXT.encode("ascii"))
+def scale_of(quantity: Field, numbers: Mapping[str, int]) -> float:
+    """Returns the scale of a quantity; 1 for one that has no name here."""
+    assert quantity.values
+    entry = quantity.values.find(numbers[quantity.name])
+    return entry.scale if entry else 1
+
+
+def scaled(number: int, scale: float) -> int | float:
+    """Returns the value in its unit. A division keeps it the nearest number to the decimal."""
+    return number if scale == 1 else number / round(1 / scale)
+
+
+def text_of(raw: Any) -> str:
+    text: str = raw.decode("ascii", "replace")
+    return text
+
+
+def value_name(one: Field) -> str:
+    """Returns the name of a value with its unit, as in velocity0_rpm."""
+    end = ENDS.get(one.unit, "")
+    return one.name if one.name.endswith(end) else one.name + end
+
+
+@dataclass(frozen=True)
+class FrameTable:
+    """All frames, by their names."""
+
+    enumerations: Mapping[str, Enumeration]
+    frames: Mapping[str, Layout]
+
+    @property
+    def schema(self) -> str:
+        """The text whose CRC-32 is the schema hash: a line for each field."""
+        return "".join(
+            f"{frame.name} {one.name} {one.type} {one.offset}\n"
+            for frame in self.frames.values()
+            for one in frame.fields
+        )
+
+    @property
+    def schema_hash(self) -> int:
+        return zlib.crc32(self.schema.encode("ascii"))
+
+
+def read_frames(text: str) -> FrameTable:
+    """Reads a table of frames."""
+    try:
+        table = tomllib.loads(text)
+        enumerations = {item["name"]: _enumeration(item) for item in table.get("enumeration", [])}
+        frames = {item["name"]: _layout(item, enumerations) for item in table["frame"]}
+    except (KeyError, tomllib.TOMLDecodeError) as error:
+        raise LayoutError(f"table of frames: {error}") from error
+    return FrameTable(enumerations, frames)
+
+
+def _enumeration(item: dict[str, Any]) -> Enumeration:
+    entries = tuple(
+        Entry(
+            one["number"],
+            one["name"],
+            one.get("shown", one["name"]),
+            one.get("meaning", ""),
+            one.get("detail", ""),
+            one.get("firmware", f"{item['firmware']}::{one['name']}"),
+            one.get("unit", ""),
+            one.get("scale", 1),
+            one.get("limit"),
+        )
+        for one in item["values"]
+    )
+    return Enumeration(item["name"], item.get("page", ""), item.get("detail", ""), entries)
+
+
+def _layout(item: dict[str, Any], enumerations: Mapping[str, Enumeration]) -> Layout:
+    fields: list[Field] = []
+    for one, wheel in _in_order(item["fields"]):
+        offset = fields[-1].offset + fields[-1].size if fields else 0
+        fields.append(_field(one, wheel, offset, enumerations))
+    names = [one.name for one in fields]
+    unknown = {name for one in fields for name in one.valid} - set(names)
+    if len(set(names)) < len(names) or unknown:
+        raise LayoutError(f"{item['name']}: a name is double, or unknown: {sorted(unknown)}")
+    return Layout(item["name"], item["type"], item["sender"], item["use"], tuple(fields))
+
+
+def _in_order(items: list[dict[str, Any]]) -> Iterator[tuple[dict[str, Any], int | None]]:
+    """Gives each field in the order of the line; a group for the wheels repeats."""
+    group: list[dict[str, Any]] = []
+    for one in [*items, None]:
+        if one is not None and "each" in one:
+            group.append(one)
+            continue
+        for wheel in range(WHEEL_COUNT):
+            yield from ((member, wheel) for member in group)
+        group = []
+        if one is not None:
+            yield one, None
+
+
+def _field(
+    one: dict[str, Any], wheel: int | None, offset: int, known: Mapping[str, Enumeration]
+) -> Field:
+    if one["type"] not in CODES:
+        raise LayoutError(f"{one['name']}: there is no type {one['type']}")
+    return Field(
+        name=one["name"] if wheel is None else f"{one['name']}{wheel}",
+        type=one["type"],
+        offset=offset,
+        meaning=one["meaning"],
+        wheel=wheel,
+        unit=one.get("unit", ""),
+        scale=one.get("scale", 1),
+        limit=one.get("limit"),
+        values=known[one["values"]] if "values" in one else None,
+        none=one.get("none"),
+        bits=tuple(_bits(one.get("bits", []))),
+        bits_of=known[one["bits_of"]] if "bits_of" in one else None,
+        valid=tuple(one.get("valid", ())),
+        counter=one.get("counter", False),
+    )
+
+
+def _bits(items: list[dict[str, Any]]) -> Iterator[Bit]:
+    number = 0
+    for one in items:
+        for wheel in range(WHEEL_COUNT) if "each" in one else ("",):
+            yield Bit(f"{one['name']}{wheel}", number, one["meaning"])
+            number += 1
+
+
+FRAMES = read_frames(TABLE.read_text(encoding="utf-8"))
+LAYOUTS = FRAMES.frames
+SCHEMA_HASH = FRAMES.schema_hash

@@ -13,6 +13,7 @@ from types import TracebackType
 
 import serial
 
+from weeding_robot_client.capture import Capture
 from weeding_robot_client.frames import VERSION, Decoder, encode
 from weeding_robot_client.messages import (
     CLOCK_MS,
@@ -30,7 +31,7 @@ from weeding_robot_client.messages import (
 
 BAUD = 115200
 HELLO_EVERY_S = 0.5
-OLD_HELLO_AFTER = 3  # each third Hello is one of version 1: it finds out robots that know no other
+OLD_HELLO_AFTER = 3  # each third Hello is one of version 1, for robots that accept no other
 KEEP_ALIVE_AFTER_S = 0.4
 SILENT_AFTER_S = 1.0
 READ_BYTES = 4096
@@ -64,8 +65,8 @@ class Link:
 
     ``connected`` is true from the first report after a handshake until the robot is silent for a
     second. Reports of a connection that another program began are ignored. A line that went
-    away is opened again as soon as its path exists. ``incompatible`` says why a robot that answers
-    cannot be connected: it speaks another version of the protocol.
+    away is opened again as soon as its path exists. ``incompatible`` is the reason why a robot that
+    answers cannot be connected: it speaks another version of the protocol.
     """
 
     def __init__(self, path: Path, clock: Callable[[], float] = time.monotonic) -> None:
@@ -73,6 +74,7 @@ class Link:
         self.welcome: Welcome | None = None
         self.connected = False
         self.damaged = 0
+        self.capture = Capture(None)
         self.incompatible: str | None = None
         self.handshake_ms: int | None = None  # from Hello to Welcome
         self._clock = clock
@@ -187,6 +189,7 @@ class Link:
         if self._line is None or len(self._unsent) > READ_BYTES:
             return False
         self._unsent += data
+        self.capture.sent(data)
         return self._flush()
 
     def _flush(self) -> bool:
@@ -211,6 +214,7 @@ class Link:
         except OSError:
             self.close()
             return
+        self.capture.received(data)
         dropped = self._decoder.dropped
         for frame in self._decoder.feed(data):
             try:

@@ -2,70 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from weeding_robot_client.frames import VERSION, Frame
-from weeding_robot_client.layout import LAYOUTS, SCHEMA_HASH, Layout
+from weeding_robot_client.layout import FRAMES, LAYOUTS, SCHEMA_HASH, Layout, scaled, text_of
 
 WHEELS = ("front left", "front right", "rear left", "rear right")
-STATES = ("Working", "Waiting", "WaitingN", "Reconnecting", "WaitingK")
-MODES = ("RC", "PC", "Bluetooth")
-STEERING_STATES = ("off", "holding", "turning", "fault")
-NO_SOURCE = 255
-NO_WHEEL = 255
-INHIBITS = ("none", "no order", "stop", "not armed", "protective stop")
-STOP_CAUSES = (
-    "none",
-    "emergency stop",
-    "steering fault",
-    "overcurrent",
-    "no motion",
-    "wrong direction",
-    "overspeed",
-    "tracking error",
-    "missing measurement",
-    "Hall signals",
-    "reversal",
-)
-RESET_CAUSES = (
-    "unknown cause",
-    "power on",
-    "low voltage",
-    "reset pin",
-    "watchdog",
-    "clock lost",
-    "lockup",
-    "software",
-    "debugger",
-)
-FAULTS = {
-    1: "assertion {number} failed",
-    2: "hard fault",
-    3: "memory fault",
-    4: "bus fault",
-    5: "usage fault",
-    6: "unexpected interrupt, exception {number}",
-    7: "clock failed in step {number}",
-}
-COUNTERS = (
-    "overruns",
-    "lost_bytes",
-    "damaged",
-    "too_long",
-    "unknown_version",
-    "unknown_type",
-    "wrong_length",
-    "out_of_range",
-    "unexpected",
-    "sequence_gaps",
-    "reports_not_sent",
-    "stale_orders",
-)
-STOP_COMMAND = 1
-ACKNOWLEDGE_COMMAND = 2
+STEERING = LAYOUTS["Order"].of("steering_set_point")
+UNITS = {entry.shown: entry.unit for entry in FRAMES.enumerations["quantity"].entries}
 CLOCK_MS = 1 << 32  # the clock of the sender begins again at 0
 
 
@@ -73,23 +20,20 @@ class MessageError(ValueError):
     """A frame that is no message, or a message that the protocol does not allow."""
 
 
-def named(names: Sequence[str], number: int, kind: str) -> str:
-    """Returns the name of a number, or the number itself in words when it has no name here."""
-    return names[number] if number < len(names) else f"{kind} {number}"
-
-
 class Quantity(Enum):
     """Quantity of a set-point: its number on the line, unit, steps of a unit, limit."""
 
-    VELOCITY = (0, "rpm", 10, 300.0)
-    TENSION = (1, "V", 1000, 24.0)
-    CURRENT = (2, "A", 1000, 10.0)
+    VELOCITY = "Velocity"
+    TENSION = "Tension"
+    CURRENT = "Current"
 
-    def __init__(self, code: int, unit: str, scale: int, limit: float) -> None:
-        self.code = code
-        self.unit = unit
-        self.scale = scale
-        self.limit = limit
+    def __init__(self, name: str) -> None:
+        (entry,) = (one for one in FRAMES.enumerations["quantity"].entries if one.name == name)
+        assert entry.limit is not None
+        self.code = entry.number
+        self.unit = entry.unit
+        self.scale = round(1 / entry.scale)
+        self.limit = entry.limit / self.scale
 
 
 @dataclass(frozen=True)
@@ -120,13 +64,6 @@ class ReportedSetPoint:
     value: float
     unit: str
 
-    @classmethod
-    def from_raw(cls, code: int, value: int) -> ReportedSetPoint:
-        for quantity in Quantity:
-            if quantity.code == code:
-                return cls(value / quantity.scale, quantity.unit)
-        return cls(float(value), f"(quantity {code})")
-
     def __str__(self) -> str:
         return f"{self.value:g} {self.unit}"
 
@@ -136,7 +73,7 @@ class Hello:
     """Request for a connection, with the versions and the layout that this client has."""
 
     version: int = VERSION  # of the frame
-    kind: ClassVar[int] = 0x01
+    kind: ClassVar[int] = LAYOUTS["Hello"].kind
 
     def payload(self) -> bytes:
         if self.version != VERSION:
@@ -149,7 +86,7 @@ class Hello:
 @dataclass(frozen=True)
 class Confirm:
     session: int
-    kind: ClassVar[int] = 0x02
+    kind: ClassVar[int] = LAYOUTS["Confirm"].kind
 
     def payload(self) -> bytes:
         return LAYOUTS["Confirm"].pack(session=self.session)
@@ -157,7 +94,7 @@ class Confirm:
 
 @dataclass(frozen=True)
 class KeepAlive:
-    kind: ClassVar[int] = 0x03
+    kind: ClassVar[int] = LAYOUTS["KeepAlive"].kind
 
     def payload(self) -> bytes:
         return b""
@@ -173,12 +110,15 @@ class Order:
     stop: bool = False
     acknowledge: bool = False
     sent_at_ms: int = 0
-    kind: ClassVar[int] = 0x04
-    steering_limit_degrees: ClassVar[float] = 32.0
+    kind: ClassVar[int] = LAYOUTS["Order"].kind
+    steering_limit_degrees: ClassVar[float] = scaled(STEERING.limit or 0, STEERING.scale)
 
     def __post_init__(self) -> None:
         if not abs(self.steering_degrees) <= self.steering_limit_degrees:
-            raise MessageError(f"{self.steering_degrees} degrees: not within -32 to 32")
+            limit = self.steering_limit_degrees
+            raise MessageError(
+                f"{self.steering_degrees} degrees: not within -{limit:g} to {limit:g}"
+            )
         if not 0 <= self.order_id <= 0xFFFF:
             raise MessageError(f"order id {self.order_id}: not within 0 to 65535")
 
@@ -186,11 +126,12 @@ class Order:
         wheels: dict[str, int] = {}
         for number, wheel in enumerate(self.wheels):
             wheels[f"quantity{number}"], wheels[f"set_point{number}"] = wheel.raw()
-        return LAYOUTS["Order"].pack(
+        layout = LAYOUTS["Order"]
+        return layout.pack(
             order_id=self.order_id,
             sent_at=self.sent_at_ms % CLOCK_MS,
-            steering_set_point=round(self.steering_degrees * 100),
-            commands=STOP_COMMAND * self.stop + ACKNOWLEDGE_COMMAND * self.acknowledge,
+            steering_set_point=round(self.steering_degrees / STEERING.scale),
+            commands=layout.of("commands").number(stop=self.stop, acknowledge=self.acknowledge),
             **wheels,
         )
 
@@ -209,11 +150,11 @@ class Start:
         return self.fault != 0
 
     def __str__(self) -> str:
-        known = self.cause < len(RESET_CAUSES)
-        cause = RESET_CAUSES[self.cause] if known else f"cause {self.cause}"
+        cause = FRAMES.enumerations["reset cause"].shown(self.cause)
         if not self.faulted:
             return cause
-        form = FAULTS.get(self.fault, f"fault {self.fault}, number {{number}}")
+        known = FRAMES.enumerations["fault kind"].find(self.fault)
+        form = known.shown if known else f"fault {self.fault}, number {{number}}"
         place = f" at 0x{self.address:08x}" if self.address else ""
         return f"{cause}, after {form.format(number=self.number)}{place}"
 
@@ -228,7 +169,7 @@ class Welcome:
     start: Start
     protocol_versions: tuple[int, int] = (VERSION, VERSION)  # lowest and highest
     schema_hash: int | None = SCHEMA_HASH  # None: the robot states none
-    kind: ClassVar[int] = 0x81
+    kind: ClassVar[int] = LAYOUTS["Welcome"].kind
     layout: ClassVar[Layout] = LAYOUTS["Welcome"]
     appended: ClassVar[int] = 6  # bytes that version 1 did not have
 
@@ -237,13 +178,11 @@ class Welcome:
         """Reads a Welcome; one of version 1 ends before the versions that the robot supports."""
         short = len(payload) < cls.layout.size
         fields = cls.layout.unpack(payload + bytes(cls.appended))
-        build: object = fields["build_id"]
-        assert isinstance(build, bytes)
         lowest, highest = fields["lowest_version"], fields["highest_version"]
         return cls(
             session=fields["session"],
             version=(fields["firmware_major"], fields["firmware_minor"], fields["firmware_patch"]),
-            build_id=build.decode("ascii", "replace"),
+            build_id=text_of(fields["build_id"]),
             cycle_period_ms=fields["cycle_period_ms"],
             waiting_cycles=fields["waiting_cycles"],
             start=Start(
@@ -295,20 +234,17 @@ class WheelReport:
     rejected_edges: int
 
     @classmethod
-    def from_fields(cls, fields: dict[str, int], wheel: int) -> WheelReport:
-        measured = fields["measured"] >> 3 * wheel
-        applied = fields["applied"] >> wheel
+    def from_values(cls, values: Mapping[str, Any], wheel: int) -> WheelReport:
+        unit = UNITS.get(values[f"quantity{wheel}"], f"({values[f'quantity{wheel}']})")
         return cls(
-            set_point=ReportedSetPoint.from_raw(
-                fields[f"quantity{wheel}"], fields[f"set_point{wheel}"]
-            ),
-            velocity_rpm=fields[f"velocity{wheel}"] / 10 if measured & 1 else None,
-            current_amperes=fields[f"current{wheel}"] / 1000 if measured & 2 else None,
-            position_counts=fields[f"position{wheel}"] if measured & 4 else None,
-            tension_volts=fields[f"tension{wheel}"] / 1000 if applied & 1 else None,
-            cut_off=bool(fields["cut_offs"] >> wheel & 1),
-            blind=bool(fields["blind_wheels"] >> wheel & 1),
-            rejected_edges=fields[f"rejected_edges{wheel}"],
+            set_point=ReportedSetPoint(float(values[f"set_point{wheel}"]), unit),
+            velocity_rpm=values[f"velocity{wheel}_rpm"],
+            current_amperes=values[f"current{wheel}_amperes"],
+            position_counts=values[f"position{wheel}_counts"],
+            tension_volts=values[f"tension{wheel}_volts"],
+            cut_off=values[f"cut_off{wheel}"],
+            blind=values[f"blind{wheel}"],
+            rejected_edges=values[f"rejected_edges{wheel}"],
         )
 
 
@@ -341,46 +277,24 @@ class Report:
     report_cycles: int  # of the processor; 0 where the platform counts none, as the next two
     awake_cycles: int
     start_cycles: int
+    values: Mapping[str, Any]  # all of them, by name and unit
     round_trip_ms: int | None = None  # from the order to this report, by the clock of this computer
-    kind: ClassVar[int] = 0x82
+    kind: ClassVar[int] = LAYOUTS["Report"].kind
     layout: ClassVar[Layout] = LAYOUTS["Report"]
 
     @classmethod
     def from_payload(cls, payload: bytes) -> Report:
         """Reads a report. A number that has no name here is shown as a number."""
-        fields = cls.layout.unpack(payload)
-        flags, source, sources = fields["flags"], fields["source"], fields["stop_sources"]
+        values = cls.layout.decode(payload)
         front_left, front_right, rear_left, rear_right = (
-            WheelReport.from_fields(fields, wheel) for wheel in range(len(WHEELS))
+            WheelReport.from_values(values, wheel) for wheel in range(len(WHEELS))
         )
+        names = cls.__dataclass_fields__.keys() & values.keys()
         return cls(
-            cycle=fields["cycle"],
-            time_ms=fields["time_ms"],
-            state=named(STATES, fields["state"], "state"),
-            mode=named(MODES, fields["mode"], "mode"),
-            source=None if source == NO_SOURCE else named(MODES, source, "source"),
-            stop=bool(flags & 1),
-            order_read=bool(flags & 2),
-            held=bool(flags & 4),
-            overran=bool(flags & 8),
-            armed=bool(flags & 16),
-            inhibit=named(INHIBITS, fields["inhibit"], "reason"),
-            stop_cause=named(STOP_CAUSES, fields["stop_cause"], "cause"),
-            stop_wheel=None if fields["stop_wheel"] == NO_WHEEL else fields["stop_wheel"],
-            stop_sources=tuple(named(MODES, n, "source") for n in range(8) if sources >> n & 1),
-            order_id=fields["order_id"],
-            sent_at_ms=fields["sent_at"],
-            steering_set_point_degrees=fields["steering_set_point"] / 100,
-            steering_degrees=fields["steering"] / 100 if fields["measured"] & 1 << 12 else None,
-            turn=fields["turn"] if fields["applied"] & 16 else None,
-            steering_state=named(STEERING_STATES, fields["steering_state"], "state"),
-            left_end=bool(fields["steering_ends"] & 1),
-            right_end=bool(fields["steering_ends"] & 2),
+            **{name: values[name] for name in names},
             wheels=(front_left, front_right, rear_left, rear_right),
-            counters={name: fields[name] for name in COUNTERS},
-            report_cycles=fields["report_cycles"],
-            awake_cycles=fields["awake_cycles"],
-            start_cycles=fields["start_cycles"],
+            counters={one.name: values[one.name] for one in cls.layout.fields if one.counts},
+            values=values,
         )
 
     @property

@@ -8,17 +8,17 @@ import time
 
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import WHEELS, Report
-from weeding_robot_client.options import add_link, open_link, positive
+from weeding_robot_client.options import add_link, open_capture, open_link, open_recording, positive
 from weeding_robot_client.reasons import conditions, faults
-from weeding_robot_client.recording import Recording
 
 DESCRIPTION = """\
 Connects to the robot and shows its reports: a table that is renewed in a terminal, one line for
-each report elsewhere. It shows why the robot does not move, who ordered a stop, and the round trip
-from an order to its report. A value that is missing or stale is shown as '-'. Ctrl-C ends it.
+each report elsewhere. It shows why the robot does not move, the source of a stop, and the
+round trip from an order to its report. A value that is missing or stale is shown as '-'. Ctrl-C
+ends it.
 Only one program can use the line at a time; ./wr drive shows the reports too.
 
-Exit codes: 0 done, 1 the line cannot be opened."""
+Exit codes: 0 done, 1 the line cannot be opened, 2 wrong usage."""
 EPILOG = ""
 MISSING = "-"
 CLEAR = "\x1b[H\x1b[J"
@@ -34,13 +34,17 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
+    recording = open_recording(options.csv)
+    capture = open_capture(options.capture)
+    if recording is None or capture is None:
+        return 2
     link = open_link(options.link)
     if link is None:
         return 1
     table = sys.stdout.isatty() and not options.lines
     count = 0
     state: tuple[bool, str | None] | None = None
-    with link, Recording(options.csv) as recording:
+    with link, recording, capture as link.capture:
         while options.reports is None or count < options.reports:
             reports = link.service(PATIENCE_S)
             if state != (link.connected, link.incompatible):

@@ -149,9 +149,9 @@ class Control:
 # Actions of the bring-up, as actions of a scenario.
 ACTIONS = {
     "left end press": ("fault left-end",),
-    "left end release": ("mend left-end",),
+    "left end release": ("repair left-end",),
     "right end press": ("fault right-end",),
-    "right end release": ("mend right-end",),
+    "right end release": ("repair right-end",),
     "enable stop": ("rc velocity 0 steering 0", "rc enable stop"),
     "enable pc": ("rc enable pc",),
     "enable drive": ("rc enable drive",),

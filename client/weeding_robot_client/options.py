@@ -6,10 +6,13 @@ import argparse
 import sys
 from pathlib import Path
 
+from weeding_robot_client.capture import Capture, write_dissector
 from weeding_robot_client.link import BusyError, Link
+from weeding_robot_client.recording import Recording
 from weeding_robot_client.script import ScriptError, wheel_number
 
 DEFAULT_LINK = Path(__file__).resolve().parents[2] / "build" / "pc-link"
+DISSECTOR = DEFAULT_LINK.with_name("weeding_robot.lua")
 
 
 def add_link(parser: argparse.ArgumentParser) -> None:
@@ -21,6 +24,9 @@ def add_link(parser: argparse.ArgumentParser) -> None:
         help="serial port, or what ./wr sim printed (default: build/pc-link)",
     )
     parser.add_argument("--csv", type=Path, metavar="FILE", help="write each report to this file")
+    parser.add_argument(
+        "--capture", type=Path, metavar="FILE", help="write each frame to this file, for Wireshark"
+    )
 
 
 def positive(text: str) -> int:
@@ -38,7 +44,7 @@ def wheel(text: str) -> int:
 
 
 def open_link(path: Path) -> Link | None:
-    """Returns the link, or None after a message that says why there is none."""
+    """Returns the link, or None after a message with the reason."""
     try:
         return Link(path)
     except BusyError:
@@ -49,3 +55,26 @@ def open_link(path: Path) -> Link | None:
         print(f"cannot open {path}: {error.strerror or error}", file=sys.stderr)
         print("Run ./wr sim in another terminal, or name a port with --link.", file=sys.stderr)
         return None
+
+
+def open_recording(path: Path | None) -> Recording | None:
+    """Returns the recording, or None after a message that says why there is none."""
+    try:
+        return Recording(path)
+    except OSError as error:
+        print(f"cannot write {path}: {error.strerror}. Name another file.", file=sys.stderr)
+        return None
+
+
+def open_capture(path: Path | None) -> Capture | None:
+    """Returns the capture, or None after a message that says why there is none."""
+    try:
+        capture = Capture(path)
+        if path is not None:
+            write_dissector(DISSECTOR)
+    except OSError as error:
+        print(f"cannot write {path}: {error.strerror}. Name another file.", file=sys.stderr)
+        return None
+    if path is not None:
+        print(f"Show it with: wireshark -X lua_script:{DISSECTOR} {path}", file=sys.stderr)
+    return capture

@@ -115,6 +115,6 @@ def arm(
 
 
 def acknowledge(orders: Orders, wish: Wish | None = None) -> None:
-    """Orders all control systems to stand still and to release latched faults."""
+    """Orders all control systems to rest and to release latched faults."""
     still = (wish or Wish()).neutral()
     orders.hold(Wish(still.wheels, still.steering_degrees, acknowledge=True), ACKNOWLEDGE_S)

@@ -7,9 +7,8 @@ import sys
 
 from weeding_robot_client import orders
 from weeding_robot_client.monitor import status
-from weeding_robot_client.options import add_link, open_link
+from weeding_robot_client.options import add_link, open_capture, open_link, open_recording
 from weeding_robot_client.orders import Orders, connect, not_connected
-from weeding_robot_client.recording import Recording
 from weeding_robot_client.script import Wish
 
 ARM = """\
@@ -17,12 +16,12 @@ Sends neutral orders (all wheels at 0) until the robot reports that it is armed,
 not yet. A stop that the PC ordered before is released. The robot needs neutral orders for 0.5 s.
 A program that drives must then send orders: without them the robot is not armed any more.
 
-Exit codes: 0 armed, 1 not armed or no connection."""
+Exit codes: 0 armed, 1 not armed or no connection, 2 wrong usage."""
 ACKNOWLEDGE = """\
-Acknowledges the latched protective stop: the robot stands still and releases its faults. Remove the
+Acknowledges the latched protective stop: the robot is at rest and releases its faults. Remove the
 cause first. Then arms the robot, as ./wr arm does.
 
-Exit codes: 0 acknowledged and armed, 1 not armed or no connection."""
+Exit codes: 0 acknowledged and armed, 1 not armed or no connection, 2 wrong usage."""
 
 
 def run_arm(options: argparse.Namespace) -> int:
@@ -38,10 +37,14 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def _run(options: argparse.Namespace, acknowledges: bool) -> int:
+    recording = open_recording(options.csv)
+    capture = open_capture(options.capture)
+    if recording is None or capture is None:
+        return 2
     link = open_link(options.link)
     if link is None:
         return 1
-    with link, Recording(options.csv) as recording:
+    with link, recording, capture as link.capture:
         sender = Orders(link, recording.add)
         report = connect(sender)
         if report is None:

@@ -3,65 +3,20 @@
 from __future__ import annotations
 
 import csv
+import sys
+from collections.abc import Iterable
 from contextlib import AbstractContextManager
 from pathlib import Path
 from types import TracebackType
 
-from weeding_robot_client.messages import COUNTERS, WHEELS, Report
+from weeding_robot_client.layout import LAYOUTS
+from weeding_robot_client.messages import Report
 
-WHEEL_COLUMNS = (
-    "set_point",
-    "set_point_unit",
-    "velocity_rpm",
-    "current_amperes",
-    "position_counts",
-    "tension_volts",
-    "cut_off",
-    "blind",
-    "rejected_edges",
-)
-PLAIN_COLUMNS = (
-    "cycle",
-    "time_ms",
-    "state",
-    "mode",
-    "source",
-    "stop",
-    "order_read",
-    "held",
-    "overran",
-    "armed",
-    "inhibit",
-    "stop_cause",
-    "stop_wheel",
-    "stop_sources",
-    "order_id",
-    "sent_at_ms",
-    "round_trip_ms",
-    "steering_set_point_degrees",
-    "steering_degrees",
-    "turn",
-    "steering_state",
-    "left_end",
-    "right_end",
-)
-COSTS = ("report_cycles", "awake_cycles", "start_cycles")
-COLUMNS = (
-    *PLAIN_COLUMNS,
-    *(f"{wheel.replace(' ', '_')}_{column}" for wheel in WHEELS for column in WHEEL_COLUMNS),
-    *COUNTERS,
-    *COSTS,
-)
+COLUMNS = (*LAYOUTS["Report"].value_names, "round_trip_ms")
 
 
 def row(report: Report) -> list[object]:
-    cells: list[object] = [getattr(report, column) for column in PLAIN_COLUMNS]
-    for wheel in report.wheels:
-        cells += [wheel.set_point.value, wheel.set_point.unit]
-        cells += [getattr(wheel, column) for column in WHEEL_COLUMNS[2:]]
-    cells += [report.counters[counter] for counter in COUNTERS]
-    cells += [getattr(report, column) for column in COSTS]
-    return [_cell(value) for value in cells]
+    return [_cell(value) for value in (*report.values.values(), report.round_trip_ms)]
 
 
 def _cell(value: object) -> object:
@@ -71,13 +26,16 @@ def _cell(value: object) -> object:
 
 
 class Recording(AbstractContextManager["Recording"]):
-    """Writes reports to a file as they come; without a path it writes nothing."""
+    """Writes reports to a file as they come; without a path it writes nothing.
+
+    A full disk ends the recording, not the program: the robot is driven on.
+    """
 
     def __init__(self, path: Path | None) -> None:
+        self._path = path
         self._file = path.open("w", newline="") if path else None
-        self._writer = csv.writer(self._file) if self._file else None
-        if self._writer:
-            self._writer.writerow(COLUMNS)
+        if self._file:
+            self._write(COLUMNS)
 
     def __exit__(
         self,
@@ -85,9 +43,28 @@ class Recording(AbstractContextManager["Recording"]):
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        if self._file:
-            self._file.close()
+        self._close()
 
     def add(self, report: Report) -> None:
-        if self._writer:
-            self._writer.writerow(row(report))
+        self._write(row(report))
+
+    def _write(self, cells: Iterable[object]) -> None:
+        if self._file is None:
+            return
+        try:
+            csv.writer(self._file).writerow(cells)
+        except OSError as error:
+            self._end(error)
+
+    def _close(self) -> None:
+        if self._file is None:
+            return
+        try:
+            self._file.close()
+        except OSError as error:
+            self._end(error)
+
+    def _end(self, error: OSError) -> None:
+        """States that the recording is not complete, and writes no more."""
+        self._file = None
+        print(f"\nthe recording {self._path} ends here: {error.strerror}", file=sys.stderr)

@@ -69,7 +69,7 @@ class Wish:
         steering_degrees: float = 0.0,
         wheels: Iterable[int] | None = None,
     ) -> Wish:
-        """Returns a wish with one value for some wheels, or for all; the others stand still."""
+        """Returns a wish with one value for some wheels, or for all; the others are at rest."""
         chosen = range(len(WHEELS)) if wheels is None else wheels
         wish = cls(steering_degrees=steering_degrees)
         for wheel in chosen:
@@ -107,7 +107,13 @@ class Script:
 
 
 def load(path: Path) -> Script:
-    return parse(path.read_text(), str(path))
+    """Returns the script in a file. Raises ScriptError if the file cannot be read."""
+    try:
+        return parse(path.read_text(encoding="utf-8"), str(path))
+    except UnicodeDecodeError as error:
+        raise ScriptError(f"{path}: this is no text in UTF-8") from error
+    except OSError as error:
+        raise ScriptError(f"cannot read {path}: {error.strerror}") from error
 
 
 def parse(text: str, name: str = "script") -> Script:

@@ -19,7 +19,7 @@ namespace wr {
 /// @function Extends a serial port. Each frame on the line has a counter and a tag between its coded
 /// bytes and the zero that ends it. Received frames with a wrong tag, or with a counter that is not
 /// greater than the one before, are dropped; the others are given without counter and tag. Frames
-/// to send get both. A wrong frame is answered with a challenge, which tells an honest sender what
+/// to send get both. A wrong frame is answered with a challenge, which shows an honest sender what
 /// its tags must contain.
 ///
 /// @secret How counter and tag are put on the line, and what the tag covers: a number that the robot draws

@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief A keyed check value of 64 bits: SipHash-2-4.
 ///
-/// @function Computes a tag over bytes with a secret key. Who does not know the key cannot compute the tag
+/// @function Computes a tag over bytes with a secret key. Nobody can compute the tag without the key
 /// of other bytes.
 ///
 /// @secret The algorithm of the tag. Source: J.-P. Aumasson and D. J. Bernstein, SipHash: a fast

@@ -9,7 +9,7 @@ namespace wr {
 namespace {
 
 constexpr Microseconds kNeutral = milliseconds(500);
-constexpr auto kNeutralCycles =
+constexpr auto kNeutralOrders =
     static_cast<std::uint8_t>(kNeutral.count() / SystemConstants::instance().cyclePeriod().count());
 
 bool neutral(const SetPoints& setPoints) {
@@ -35,7 +35,9 @@ void Arming::follow(const SetPoints& setPoints, std::uint32_t cycle) {
     wrapped().follow(setPoints, cycle);
     return;
   }
-  neutralCycles_ = neutral(setPoints) ? static_cast<std::uint8_t>(neutralCycles_ + 1) : 0;
+  if (!setPoints.repeated) {
+    neutralOrders_ = neutral(setPoints) ? static_cast<std::uint8_t>(neutralOrders_ + 1) : 0;
+  }
   wrapped().stand(cycle);
 }
 
@@ -50,11 +52,11 @@ void Arming::recover(std::uint32_t cycle) {
 }
 
 void Arming::disarm() {
-  neutralCycles_ = 0;
+  neutralOrders_ = 0;
 }
 
 bool Arming::armed() const {
-  return neutralCycles_ >= kNeutralCycles;
+  return neutralOrders_ >= kNeutralOrders;
 }
 
 }  // namespace wr

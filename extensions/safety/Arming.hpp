@@ -8,8 +8,9 @@ namespace wr {
 
 /// @brief Lets orders move the robot only after neutral orders.
 ///
-/// @function Holds the robot until the set-points of all wheels were 0 for 0.5 s, then passes set-points
-/// on. Every hold and every acknowledgement ends that permission.
+/// @function Holds the robot until the orders of five cycles in a row had 0 as the set-point of all wheels,
+/// then passes set-points on. An order that is only still in force does not count. Every hold and
+/// every acknowledgement ends that permission.
 ///
 /// @secret Which set-points are neutral, and for how long a source has to order them.
 class Arming final : public OrderStageDecorator {
@@ -48,7 +49,7 @@ class Arming final : public OrderStageDecorator {
   void disarm();
   [[nodiscard]] bool armed() const;
 
-  std::uint8_t neutralCycles_ = 0;  // in a row
+  std::uint8_t neutralOrders_ = 0;  // in a row
 };
 
 }  // namespace wr

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "safety/CurrentLimited.hpp"
 #include "safety/SpeedLimited.hpp"
 #include "wheel_control/algorithms/CurrentAlgorithm.hpp"
 #include "wheel_control/algorithms/TensionAlgorithm.hpp"
@@ -9,22 +10,23 @@
 
 namespace wr {
 
-/// @brief The algorithms of a wheel whose orders of voltage and current end at the speed limit.
+/// @brief The algorithms of a wheel, with their limits.
 /// @datatype
 struct LimitedAlgorithms {
-  VelocityAlgorithm velocity;                          ///< for orders of velocity
-  TensionAlgorithm tension;                            ///< for orders of voltage
-  CurrentAlgorithm current;                            ///< for orders of current
-  VelocityAlgorithm tensionLimit;                      ///< speed limit of orders of voltage
-  VelocityAlgorithm currentLimit;                      ///< speed limit of orders of current
-  SpeedLimited limitedTension{tension, tensionLimit};  ///< orders of voltage, limited
-  SpeedLimited limitedCurrent{current, currentLimit};  ///< orders of current, limited
+  VelocityAlgorithm velocity;                  ///< for orders of velocity
+  TensionAlgorithm tension;                    ///< for orders of voltage
+  CurrentAlgorithm current;                    ///< for orders of current
+  SpeedLimited slowTension{tension};           ///< orders of voltage, to the speed limit
+  SpeedLimited slowCurrent{current};           ///< orders of current, to the speed limit
+  CurrentLimited limitedVelocity{velocity};    ///< orders of velocity, limited
+  CurrentLimited limitedTension{slowTension};  ///< orders of voltage, limited
+  CurrentLimited limitedCurrent{slowCurrent};  ///< orders of current, limited
 
   /// @brief Returns the algorithm of each quantity, in the sequence of WheelQuantity.
-  /// @return algorithms of velocity, voltage and current.
+  /// @return limited algorithms of velocity, voltage and current.
   /// @isr{no}
   [[nodiscard]] std::array<WheelAlgorithm*, 3> all() {
-    return {&velocity, &limitedTension, &limitedCurrent};
+    return {&limitedVelocity, &limitedTension, &limitedCurrent};
   }
 };
 

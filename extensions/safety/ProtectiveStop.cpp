@@ -1,6 +1,7 @@
 #include "safety/ProtectiveStop.hpp"
 
 #include <cstddef>
+#include <optional>
 
 namespace wr {
 
@@ -66,6 +67,22 @@ void ProtectiveStop::examine(const SetPoints* followed) {
         wheels_[wheel].examine(measurements.wheels[wheel], outputs.tensions[wheel],
                                followed == nullptr ? nullptr : &followed->wheels[wheel]);
     latch(cause, static_cast<std::uint8_t>(wheel));
+  }
+  compareWheels(measurements, followed != nullptr);
+}
+
+void ProtectiveStop::compareWheels(const Measurements& measurements, bool following) {
+  if (!following) {
+    comparison_.reset();
+    return;
+  }
+  const std::optional<std::uint8_t> behind = comparison_.behind(measurements);
+  if (behind) {
+    latch(StopCause::NoMotion, *behind);
+  }
+  const std::optional<std::uint8_t> overloaded = comparison_.overloaded(measurements);
+  if (overloaded) {
+    latch(StopCause::Overcurrent, *overloaded);
   }
 }
 

@@ -6,6 +6,7 @@
 #include "safety/ContactWatch.hpp"
 #include "safety/OrderStageDecorator.hpp"
 #include "safety/RetainedProtection.hpp"
+#include "safety/WheelComparison.hpp"
 #include "safety/WheelSupervision.hpp"
 #include "units/Measurements.hpp"
 
@@ -59,12 +60,19 @@ class ProtectiveStop final : public OrderStageDecorator {
   /// @satisfies FR-272
   /// @satisfies FR-273
   void examine(const SetPoints* followed);
+  /// @brief Compares the wheels with each other while they follow set-points.
+  /// @param measurements measurements of the cycle
+  /// @param following true while they do
+  /// @satisfies FR-297
+  /// @satisfies FR-298
+  void compareWheels(const Measurements& measurements, bool following);
   void latch(StopCause cause, std::uint8_t wheel);
   [[nodiscard]] bool latched() const;
 
   ContactWatch& emergencyStop_;
   RetainedProtection& memory_;
   std::array<WheelSupervision, kWheelCount> wheels_;
+  WheelComparison comparison_;
   StopCause cause_;
   std::uint8_t wheel_;
 };

@@ -19,7 +19,7 @@ std::uint32_t encoded(const RetainedProtection::Stop& stop) {
 }
 
 bool possible(std::uint32_t cause, std::uint32_t wheel) {
-  return cause <= static_cast<std::uint32_t>(StopCause::Reversal) &&
+  return cause <= static_cast<std::uint32_t>(StopCause::ClockLost) &&
          (wheel < kWheelCount || wheel == Protection::kNoWheel);
 }
 
@@ -27,9 +27,13 @@ bool possible(std::uint32_t cause, std::uint32_t wheel) {
 
 RetainedProtection::RetainedProtection(Cells& cells) : cells_(cells) {}
 
-void RetainedProtection::begin(ResetCause cause) {
-  if (cause == ResetCause::PowerOn) {
+void RetainedProtection::begin(const StartRecord& start) {
+  const bool clockLost =
+      start.cause == ResetCause::ClockLost || start.fault == FaultKind::ClockFailed;
+  if (start.cause == ResetCause::PowerOn) {
     save({});
+  } else if (clockLost && stored() == Stop()) {
+    save({.cause = StopCause::ClockLost});
   }
 }
 

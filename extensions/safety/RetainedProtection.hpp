@@ -10,8 +10,9 @@ namespace wr {
 /// @brief The latched protective stop in memory that a reset leaves as it is.
 ///
 /// @function Stores the cause of the protective stop and its wheel, with a check word. After power-on it
-/// begins without a protective stop; after any other reset, content that fails its check counts as
-/// a protective stop because of a missing measurement.
+/// begins without a protective stop. After a loss of the clock it begins with one. After any other
+/// reset, content that fails its check counts as a protective stop because of a missing
+/// measurement.
 ///
 /// @secret How a protective stop is encoded, and how damaged memory is detected.
 class RetainedProtection final {
@@ -40,11 +41,12 @@ class RetainedProtection final {
   RetainedProtection(const RetainedProtection&) = delete;
   RetainedProtection& operator=(const RetainedProtection&) = delete;
 
-  /// @brief Checks the cause of the last reset: after power-on there is no protective stop.
-  /// @param cause cause of the last reset
+  /// @brief Checks why the firmware started: after power-on there is no protective stop, after a loss of
+  /// the clock there is one.
+  /// @param start cause of the last reset, and the fault before it
   /// @satisfies FR-291
   /// @isr{no}
-  void begin(ResetCause cause);
+  void begin(const StartRecord& start);
 
   /// @brief Returns the stored protective stop.
   /// @return its cause and its wheel; MissingMeasurement if the content fails its check.

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdlib>
 
+#include "services/SystemConstants.hpp"
+
 namespace wr {
 
 namespace {
@@ -11,20 +13,55 @@ namespace {
 // 0.5 m/s^2 in a cycle of 0.1 s are 0.05 m/s; 300 rpm of the motor shaft are 0.85 m/s.
 constexpr std::int32_t kChange = 176;  // [0.1 rpm] in a cycle
 
+// A slope of 2.4 V in a cycle is that of a stop.
+constexpr Tension kRise(1000);  // in a cycle, away from 0
+constexpr Tension kFall(2400);  // in a cycle, towards 0
+
 // A robot that a slope or a curve makes too fast gets lower set-points.
-constexpr Velocity kFast(3100);
+constexpr std::int32_t kFast = 100;  // [0.1 rpm] above the greatest set-point
 constexpr std::int32_t kWhole = 1000;
-constexpr std::int32_t kLeastShare = 500;  // [0.001]
-constexpr std::int32_t kLowered = 30;      // [0.001] in a cycle
+constexpr std::int32_t kLeastShare = 100;  // [0.001]
+constexpr std::int32_t kForeseen = 2;      // cycles
+constexpr std::int32_t kLowered = 60;      // [0.001] in a cycle
 constexpr std::int32_t kRaised = 10;       // [0.001] in a cycle
+
+// In a curve the tyres push the wheels on the outside.
+constexpr std::int32_t kStraight =
+    100;                              // [0.01 degree] up to this angle the robot drives straight on
+constexpr std::int32_t kCurve = 500;  // [0.01 degree]
+constexpr std::int32_t kTightest = SystemConstants::instance().steeringLimit().count();
+constexpr std::int32_t kFastStraight = SystemConstants::instance().velocityLimit().count();
+constexpr std::int32_t kFastCurve = 2600;     // [0.1 rpm] at kCurve
+constexpr std::int32_t kFastTightest = 2400;  // [0.1 rpm] at kTightest
 
 bool isVelocity(const WheelSetPoint& setPoint) {
   return setPoint.quantity == WheelQuantity::Velocity;
 }
 
-bool isFast(const WheelMeasurements& measured) {
-  const Velocity velocity = measured.velocity.value_or(Velocity());
-  return velocity > kFast || velocity < -kFast;
+std::int32_t between(std::int32_t low, std::int32_t high, std::int32_t part, std::int32_t whole) {
+  return low + (high - low) * part / whole;
+}
+
+// Greatest set-point of velocity at an angle.
+std::int32_t greatestAt(std::int32_t angle) {
+  if (angle <= kCurve) {
+    const std::int32_t part = std::max(angle - kStraight, std::int32_t{0});
+    return between(kFastStraight, kFastCurve, part, kCurve - kStraight);
+  }
+  const std::int32_t part = std::min(angle, kTightest) - kCurve;
+  return between(kFastCurve, kFastTightest, part, kTightest - kCurve);
+}
+
+// Velocity of a wheel without load at a voltage.
+std::int32_t unloadedVelocity(Tension tension) {
+  return tension.count() * kWhole / SystemConstants::instance().motorConstant().count();
+}
+
+// The next voltage on the way to an order.
+Tension ramped(Tension order, Tension applied) {
+  const Tension most = applied < Tension() ? applied + kFall : applied + kRise;
+  const Tension least = applied > Tension() ? applied - kFall : applied - kRise;
+  return std::clamp(order, least, most);
 }
 
 }  // namespace
@@ -32,22 +69,27 @@ bool isFast(const WheelMeasurements& measured) {
 SetPointRamp::SetPointRamp(OrderStage& wrapped) : OrderStageDecorator(wrapped) {}
 
 void SetPointRamp::follow(const SetPoints& setPoints, std::uint32_t cycle) {
-  followMeasured(setPoints);
+  Measurements measurements;
+  Outputs outputs;
+  collect(measurements, outputs);
+  const std::int32_t most =
+      greatestAt(std::max(std::abs(measurements.steering.value_or(Angle()).count()),
+                          std::abs(setPoints.steering.count())));
+  followMeasured(setPoints, measurements, outputs);
+  lowerWhenFast(measurements, most + kFast);
   SetPoints limited = setPoints;
-  for (WheelSetPoint& setPoint : limited.wheels) {
-    if (isVelocity(setPoint)) {
-      setPoint.value = static_cast<std::int16_t>(setPoint.value * share_ / kWhole);
-    }
-  }
+  limit(limited, most);
   const std::int32_t greatest = greatestChange(limited);
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
     WheelSetPoint& setPoint = limited.wheels[wheel];
-    if (!isVelocity(setPoint)) {
-      continue;
+    if (isVelocity(setPoint)) {
+      const std::int32_t change = setPoint.value - ramped_[wheel];
+      ramped_[wheel] += greatest > kChange ? change * kChange / greatest : change;
+      setPoint.value = static_cast<std::int16_t>(ramped_[wheel]);
+    } else if (setPoint.quantity == WheelQuantity::Tension) {
+      const Tension applied = outputs.tensions[wheel].value_or(Tension());
+      setPoint.value = static_cast<std::int16_t>(ramped(Tension(setPoint.value), applied).count());
     }
-    const std::int32_t change = setPoint.value - ramped_[wheel];
-    ramped_[wheel] += greatest > kChange ? change * kChange / greatest : change;
-    setPoint.value = static_cast<std::int16_t>(ramped_[wheel]);
   }
   wrapped().follow(limited, cycle);
 }
@@ -64,18 +106,47 @@ void SetPointRamp::recover(std::uint32_t cycle) {
   wrapped().recover(cycle);
 }
 
-// A wheel that is too fast lowers the set-points of all. A ramp that begins after an order of
-// voltage or current begins at the measured velocity.
-void SetPointRamp::followMeasured(const SetPoints& setPoints) {
-  Measurements measurements;
-  Outputs outputs;
-  collect(measurements, outputs);
-  const bool fast = std::ranges::any_of(measurements.wheels, isFast);
-  share_ = std::clamp(share_ + (fast ? -kLowered : kRaised), kLeastShare, kWhole);
+// A ramp that begins after an order of voltage or current begins at the measured velocity, or at
+// the lower one that the voltage of the wheel makes without load: the voltage does not rise at
+// once.
+void SetPointRamp::followMeasured(const SetPoints& setPoints, const Measurements& measurements,
+                                  const Outputs& outputs) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
     if (!isVelocity(setPoints.wheels[wheel])) {
-      ramped_[wheel] = measurements.wheels[wheel].velocity.value_or(Velocity()).count();
+      const std::int32_t velocity =
+          measurements.wheels[wheel].velocity.value_or(Velocity()).count();
+      const std::int32_t unloaded = unloadedVelocity(outputs.tensions[wheel].value_or(Tension()));
+      constexpr std::int32_t kNone = 0;
+      ramped_[wheel] = std::clamp(unloaded, std::min(velocity, kNone), std::max(velocity, kNone));
     }
+  }
+}
+
+// A wheel that is too fast, or will be in two cycles, lowers the set-points of all.
+void SetPointRamp::lowerWhenFast(const Measurements& measurements, std::int32_t most) {
+  bool fast = false;
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    const std::int32_t velocity =
+        std::abs(measurements.wheels[wheel].velocity.value_or(Velocity()).count());
+    const std::int32_t gained = std::max(velocity - velocities_[wheel], std::int32_t{0});
+    fast = fast || velocity + kForeseen * gained > most;
+    velocities_[wheel] = velocity;
+  }
+  share_ = std::clamp(share_ + (fast ? -kLowered : kRaised), kLeastShare, kWhole);
+}
+
+// One factor for all wheels keeps the robot on its circle.
+void SetPointRamp::limit(SetPoints& setPoints, std::int32_t most) const {
+  std::int32_t greatest = most;
+  for (const WheelSetPoint& setPoint : setPoints.wheels) {
+    if (isVelocity(setPoint)) {
+      greatest = std::max(greatest, std::abs(std::int32_t{setPoint.value}));
+    }
+  }
+  for (WheelSetPoint& setPoint : setPoints.wheels) {
+    const std::int32_t permitted =
+        isVelocity(setPoint) ? setPoint.value * most / greatest : setPoint.value;
+    setPoint.value = static_cast<std::int16_t>(permitted * share_ / kWhole);
   }
 }
 

@@ -4,28 +4,33 @@
 #include <cstdint>
 
 #include "safety/OrderStageDecorator.hpp"
+#include "units/Measurements.hpp"
 #include "units/SetPoints.hpp"
 #include "units/quantities.hpp"
 
 namespace wr {
 
-/// @brief Limits the acceleration of the robot.
+/// @brief Limits the acceleration and the speed of the robot.
 ///
-/// @function Leads the set-points of velocity to the ordered ones by at most 0.5 m/s^2. The wheels share one
-/// factor, so that the ratio of their changes stays as ordered. While a wheel is too fast, the
-/// set-points of all wheels are lowered by one more factor. Other set-points pass unchanged.
+/// @function Leads the set-points of velocity to the ordered ones by at most 0.5 m/s^2, and those of voltage by
+/// at most 1.0 V per cycle. The greatest velocity falls with the steering angle. The wheels share
+/// one factor, so that the ratio of their changes stays as ordered. While a wheel is too fast, the
+/// set-points of all wheels are lowered by one more factor.
 ///
-/// @secret How far a set-point of velocity changes in a cycle, and how a robot that is too fast slows down.
+/// @secret How far a set-point changes in a cycle, how fast a curve may be driven, and how a robot that is too
+/// fast slows down.
 class SetPointRamp final : public OrderStageDecorator {
  public:
   /// @brief Binds the ramp to the robot.
   /// @param wrapped control system that follows the limited set-points
   explicit SetPointRamp(OrderStage& wrapped);
 
-  /// @brief Passes set-points on, those of velocity limited.
+  /// @brief Passes set-points on, limited.
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @satisfies FR-282
+  /// @satisfies FR-294
+  /// @satisfies FR-295
   /// @isr{no}
   void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
 
@@ -42,11 +47,15 @@ class SetPointRamp final : public OrderStageDecorator {
   void recover(std::uint32_t cycle) override;
 
  private:
-  void followMeasured(const SetPoints& setPoints);
+  void followMeasured(const SetPoints& setPoints, const Measurements& measurements,
+                      const Outputs& outputs);
+  void lowerWhenFast(const Measurements& measurements, std::int32_t most);
+  void limit(SetPoints& setPoints, std::int32_t most) const;
   [[nodiscard]] std::int32_t greatestChange(const SetPoints& setPoints) const;
 
-  std::array<std::int32_t, kWheelCount> ramped_{};  // [0.1 rpm] set-point of each wheel
-  std::int32_t share_ = 1000;                       // [0.001] part of the ordered set-points
+  std::array<std::int32_t, kWheelCount> ramped_{};      // [0.1 rpm] set-point of each wheel
+  std::array<std::int32_t, kWheelCount> velocities_{};  // [0.1 rpm] magnitudes of the cycle before
+  std::int32_t share_ = 1000;                           // [0.001] part of the ordered set-points
 };
 
 }  // namespace wr

@@ -6,32 +6,48 @@
 
 namespace wr {
 
-SpeedLimited::SpeedLimited(WheelAlgorithm& wrapped, WheelAlgorithm& velocity)
-    : wrapped_(wrapped), velocity_(velocity) {}
+namespace {
 
+// Change of the voltage in a cycle, as in the control of velocity.
+constexpr std::int32_t kPerVelocity = 21;      // [mV] for 1 rpm below the limit
+constexpr std::int32_t kPerAcceleration = 47;  // [mV] for 1 rpm that the wheel loses in a cycle
+constexpr std::int32_t kTenths = 10;
+
+// Voltage of a wheel whose voltage is not known: less than its velocity induces, as the supply may
+// be higher than assumed and the ground may fall.
+Tension assumed(Velocity velocity) {
+  constexpr std::int32_t kInduced = SystemConstants::instance().motorConstant().count() * 3 / 4;
+  constexpr std::int32_t kThousand = 1000;
+  return Tension(kInduced * velocity.count() / kThousand);
+}
+
+}  // namespace
+
+SpeedLimited::SpeedLimited(WheelAlgorithm& wrapped) : wrapped_(wrapped) {}
+
+// The limits begin at the voltage that the wheel has, so that neither the supply nor a slope makes
+// the wheel faster than the limit.
 Tension SpeedLimited::calculate(std::int16_t setPoint, const WheelFeedback& feedback) {
-  constexpr auto kLimit =
-      static_cast<std::int16_t>(SystemConstants::instance().velocityLimit().count());
-  const Tension demand = wrapped_.calculate(setPoint, feedback);
-  const bool backwards = demand < Tension();
-  if (backwards != backwards_) {
-    velocity_.reset();
-    backwards_ = backwards;
-  }
-  if (backwards) {
-    return std::max(demand, velocity_.calculate(static_cast<std::int16_t>(-kLimit), feedback));
-  }
-  return std::min(demand, velocity_.calculate(kLimit, feedback));
+  constexpr std::int32_t kLimit = 2900;
+  const std::int32_t velocity = feedback.velocity.count();
+  const std::int32_t lost = before_.value_or(feedback.velocity).count() - velocity;
+  before_ = feedback.velocity;
+  const Tension start =
+      applied_.value_or(assumed(feedback.velocity)) + Tension(kPerAcceleration * lost / kTenths);
+  const Tension most = start + Tension(kPerVelocity * (kLimit - velocity) / kTenths);
+  const Tension least = start + Tension(kPerVelocity * (-kLimit - velocity) / kTenths);
+  return std::clamp(wrapped_.calculate(setPoint, feedback), least, most);
 }
 
 void SpeedLimited::applied(Tension tension) {
   wrapped_.applied(tension);
-  velocity_.applied(tension);
+  applied_ = tension;
 }
 
 void SpeedLimited::reset() {
   wrapped_.reset();
-  velocity_.reset();
+  before_.reset();
+  applied_.reset();
 }
 
 }  // namespace wr

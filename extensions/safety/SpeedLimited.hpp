@@ -1,23 +1,27 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
+#include "units/quantities.hpp"
 #include "wheel_control/algorithms/WheelAlgorithm.hpp"
 
 namespace wr {
 
 /// @brief An algorithm that ends at the speed limit.
 ///
-/// @function Computes the voltage of the wrapped algorithm, and limits it to the voltage at which the
-/// wheel turns at the speed limit.
+/// @function Computes the voltage of the wrapped algorithm, and limits its change from the voltage that the
+/// wheel has: the closer the wheel is to the speed limit, and the more it accelerates, the smaller
+/// the change.
 ///
 /// @secret How the voltage of an order that sets no velocity is limited.
 ///
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class SpeedLimited final : public WheelAlgorithm {
  public:
-  /// @brief Binds the limit to two algorithms.
+  /// @brief Binds the limit to an algorithm.
   /// @param wrapped algorithm whose voltage is limited
-  /// @param velocity algorithm of set-points of velocity; nothing else uses it
-  SpeedLimited(WheelAlgorithm& wrapped, WheelAlgorithm& velocity);
+  explicit SpeedLimited(WheelAlgorithm& wrapped);
 
   /// @brief Computes the limited voltage.
   /// @param setPoint set-point in the unit of the wrapped algorithm [mV or mA]
@@ -27,21 +31,21 @@ class SpeedLimited final : public WheelAlgorithm {
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
-  /// @brief Informs both algorithms of the voltage that the wheel got.
+  /// @brief Records the voltage that the wheel got, and passes it to the algorithm.
   /// @param tension voltage of the wheel [mV]
   /// @satisfies FR-283
   /// @isr{no}
   void applied(Tension tension) override;
 
-  /// @brief Clears what both algorithms recorded.
+  /// @brief Clears all records.
   /// @satisfies FR-283
   /// @isr{no}
   void reset() override;
 
  private:
   WheelAlgorithm& wrapped_;
-  WheelAlgorithm& velocity_;
-  bool backwards_ = false;  // the direction whose limit was computed last
+  std::optional<Velocity> before_;  // of the cycle before
+  std::optional<Tension> applied_;  // voltage of the wheel
 };
 
 }  // namespace wr

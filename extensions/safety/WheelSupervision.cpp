@@ -29,15 +29,14 @@ constexpr std::uint8_t kTooFastCycles = 3;
 // Voltage, velocity and current do not match. The share covers a supply of 21 to 29 V, and 15 % of
 // the resistance and of the motor constant.
 constexpr Tension kResidual(4000);
+constexpr Tension kAtRest(1500);  // 1 A in the winding
 constexpr std::int32_t kResidualPercent = 30;
 constexpr std::int32_t kWinding = 1500;  // [mOhm] resistance of winding and leads
 constexpr std::uint8_t kDeviatingCycles = 3;
 
 constexpr std::uint8_t kMissingCycles = 3;  // the third one ends more than 0.2 s after the first
 
-// A current that does not follow its voltage.
-constexpr Tension kVoltageRange(1000);
-constexpr std::uint8_t kEqualCycles = 10;
+constexpr std::uint8_t kEqualCycles = 7;  // in which a current is the same to the milliampere
 
 constexpr std::uint16_t kRejectedEdges = 5;
 constexpr std::uint8_t kRejectingCycles = 2;
@@ -157,7 +156,8 @@ bool WheelSupervision::deviates(const WheelMeasurements& measured) const {
     return false;
   }
   const Tension greater = std::max(magnitude(*tension_), magnitude(induced(*measured.velocity)));
-  const Tension bound = kResidual + greater * kResidualPercent / kPercent;
+  const bool atRest = *tension_ == Tension() && *measured.velocity == Velocity();
+  const Tension bound = (atRest ? kAtRest : kResidual) + greater * kResidualPercent / kPercent;
   return magnitude(residual(*tension_, *measured.velocity, *measured.current)) > bound;
 }
 
@@ -169,20 +169,11 @@ bool WheelSupervision::rejectsEdges(std::uint16_t rejected) {
 
 // A measured current always varies by some milliamperes.
 bool WheelSupervision::staysEqual(std::optional<Current> current) {
-  const Tension tension = tension_.value_or(Tension());
-  if (!current || current != current_ || magnitude(tension) <= kDriving) {
-    current_ = current;
-    equalCycles_ = 0;
-    return false;
-  }
-  if (equalCycles_ == 0) {
-    leastTension_ = tension;
-    greatestTension_ = tension;
-  }
-  leastTension_ = std::min(leastTension_, tension);
-  greatestTension_ = std::max(greatestTension_, tension);
-  equalCycles_ = static_cast<std::uint8_t>(std::min<std::int32_t>(equalCycles_ + 1, kEqualCycles));
-  return equalCycles_ >= kEqualCycles && greatestTension_ - leastTension_ > kVoltageRange;
+  const bool driven = magnitude(tension_.value_or(Tension())) > kDriving;
+  const bool equal = driven && current && current == current_;
+  current_ = current;
+  equalCycles_ = equal ? static_cast<std::uint8_t>(equalCycles_ + 1) : std::uint8_t{0};
+  return equalCycles_ >= kEqualCycles;
 }
 
 void WheelSupervision::record(std::optional<Tension> applied, const WheelSetPoint* followed) {

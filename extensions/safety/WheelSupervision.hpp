@@ -60,8 +60,6 @@ class WheelSupervision final {
   std::optional<std::uint16_t> rejected_;  // implausible Hall edges until the cycle before
   Velocity velocity_{};                    // of the cycle before
   std::optional<Current> current_;         // of the cycle before
-  Tension leastTension_{};                 // since the current is the same
-  Tension greatestTension_{};
   std::uint8_t equalCycles_ = 0;
   std::array<std::optional<Velocity>, kReferences> references_{};  // magnitudes of set-points
   bool following_ = false;

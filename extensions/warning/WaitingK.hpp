@@ -7,7 +7,7 @@ namespace wr {
 
 /// @brief A waiting state that warns: the connection may have a problem.
 ///
-/// @function Switches a warning on as long as the state lasts, and tells it to the PC by the number of
+/// @function Switches a warning on as long as the state lasts, and shows it to the PC by the number of
 /// the state in the report. A message ends the state, a failed read sets the next one. Meanwhile
 /// the control systems follow the set-points that were read last.
 ///
@@ -24,7 +24,7 @@ class WaitingK final : public OperationState {
   /// @brief Binds the state to its successors and to the warning.
   /// @param working state after a message; only its address is used before the first read()
   /// @param next state after a failed read; only its address is used before the first read()
-  /// @param warning what is switched on
+  /// @param warning output that is on during a warning
   WaitingK(OperationState& working, OperationState& next, DigitalOutput& warning);
 
   /// @brief Warns, then orders the control systems to follow the set-points that were read last.

@@ -21,7 +21,7 @@ class WarningDirector final {
   /// @brief Binds the director to the builders and to the warning.
   /// @param poolBuilder makes the control systems
   /// @param controllerBuilder makes the main controller
-  /// @param warning what is switched on for a warning
+  /// @param warning output that is on during a warning
   WarningDirector(ControlSystemPoolBuilder& poolBuilder, MainControllerBuilder& controllerBuilder,
                   DigitalOutput& warning);
 

@@ -17,7 +17,7 @@ namespace wr {
 /// @datatype
 struct WarningStates {
   /// @brief Makes the states and binds each to its successors.
-  /// @param warning what is switched on for a warning
+  /// @param warning output that is on during a warning
   explicit WarningStates(DigitalOutput& warning)
       : waiting(working, waitingK, kFailedReads),
         working(waiting),

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace wr {
+namespace wr::host {
 
 std::optional<std::uint16_t> HostAnalogInput::sample() {
   return std::exchange(result_, level_);
@@ -15,4 +15,4 @@ void HostAnalogInput::drive(double share) {
   level_ = static_cast<std::uint16_t>(std::clamp(steps, 0.0, double{kFullScale}));
 }
 
-}  // namespace wr
+}  // namespace wr::host

@@ -5,7 +5,7 @@
 
 #include "devices/AnalogInput.hpp"
 
-namespace wr {
+namespace wr::host {
 
 /// @brief An analog input on the host. A conversion takes no time.
 class HostAnalogInput final : public AnalogInput {
@@ -23,4 +23,4 @@ class HostAnalogInput final : public AnalogInput {
   std::optional<std::uint16_t> result_;
 };
 
-}  // namespace wr
+}  // namespace wr::host

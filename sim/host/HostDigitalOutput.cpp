@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace wr {
+namespace wr::host {
 
 void HostDigitalOutput::set(bool on) {
   const bool before = std::exchange(on_, on);
@@ -15,4 +15,4 @@ void HostDigitalOutput::onRise(std::function<void()> call) {
   rise_ = std::move(call);
 }
 
-}  // namespace wr
+}  // namespace wr::host

@@ -4,7 +4,7 @@
 
 #include "devices/DigitalOutput.hpp"
 
-namespace wr {
+namespace wr::host {
 
 /// @brief A digital output on the host.
 class HostDigitalOutput final : public DigitalOutput {
@@ -25,4 +25,4 @@ class HostDigitalOutput final : public DigitalOutput {
   std::function<void()> rise_;
 };
 
-}  // namespace wr
+}  // namespace wr::host

@@ -4,7 +4,7 @@
 
 #include "sim/host/HostScheduler.hpp"
 
-namespace wr {
+namespace wr::host {
 
 HostEdgeInput::HostEdgeInput(HostScheduler& scheduler, bool level)
     : scheduler_(scheduler), level_(level) {}
@@ -35,4 +35,4 @@ bool HostEdgeInput::acknowledge() {
   return std::exchange(edge_, false);
 }
 
-}  // namespace wr
+}  // namespace wr::host

@@ -4,7 +4,7 @@
 
 #include "devices/EdgeInput.hpp"
 
-namespace wr {
+namespace wr::host {
 
 class HostScheduler;
 
@@ -36,4 +36,4 @@ class HostEdgeInput final : public EdgeInput {
   bool edge_ = false;
 };
 
-}  // namespace wr
+}  // namespace wr::host

@@ -9,7 +9,7 @@
 #include "sim/host/HostPwmOutput.hpp"
 #include "units/SetPoints.hpp"
 
-namespace wr {
+namespace wr::host {
 
 class HostScheduler;
 
@@ -61,4 +61,4 @@ struct HostPins {
   HostEdgeInput emergencyStop;                 ///< high: the emergency stop is active
 };
 
-}  // namespace wr
+}  // namespace wr::host

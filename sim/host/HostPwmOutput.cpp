@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-namespace wr {
+namespace wr::host {
 
 void HostPwmOutput::set(DutyCycle dutyCycle) {
   dutyCycle_ = std::clamp(dutyCycle, DutyCycle(0), DutyCycle(10'000));
 }
 
-}  // namespace wr
+}  // namespace wr::host

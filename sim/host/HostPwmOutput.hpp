@@ -3,7 +3,7 @@
 #include "devices/PwmOutput.hpp"
 #include "units/quantities.hpp"
 
-namespace wr {
+namespace wr::host {
 
 /// @brief A PWM output on the host.
 class HostPwmOutput final : public PwmOutput {
@@ -20,4 +20,4 @@ class HostPwmOutput final : public PwmOutput {
   DutyCycle dutyCycle_{};
 };
 
-}  // namespace wr
+}  // namespace wr::host

@@ -4,7 +4,7 @@
 
 #include "sim/host/HostThread.hpp"
 
-namespace wr {
+namespace wr::host {
 
 void HostScheduler::add(HostThread& thread) {
   threads_.push_back(&thread);
@@ -47,4 +47,4 @@ HostThread* HostScheduler::next() const {
   return best;
 }
 
-}  // namespace wr
+}  // namespace wr::host

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-namespace wr {
+namespace wr::host {
 
 class HostThread;
 
@@ -40,4 +40,4 @@ class HostScheduler {
   int interrupts_ = 0;
 };
 
-}  // namespace wr
+}  // namespace wr::host

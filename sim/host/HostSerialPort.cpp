@@ -3,7 +3,7 @@
 #include <limits>
 #include <utility>
 
-namespace wr {
+namespace wr::host {
 
 void HostSerialPort::arrive(std::span<const std::uint8_t> bytes) {
   const Instant now = clock_ != nullptr ? clock_->now() : Instant();
@@ -49,4 +49,4 @@ std::uint16_t HostSerialPort::lostBytes() const {
   return lostBytes_;
 }
 
-}  // namespace wr
+}  // namespace wr::host

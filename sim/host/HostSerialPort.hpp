@@ -9,7 +9,7 @@
 #include "devices/SerialPort.hpp"
 #include "devices/Timebase.hpp"
 
-namespace wr {
+namespace wr::host {
 
 /// @brief A serial port in memory, with as much storage as a real one.
 class HostSerialPort final : public SerialPort {
@@ -50,4 +50,4 @@ class HostSerialPort final : public SerialPort {
   std::uint16_t lostBytes_ = 0;
 };
 
-}  // namespace wr
+}  // namespace wr::host

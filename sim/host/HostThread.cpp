@@ -2,7 +2,7 @@
 
 #include "sim/host/HostScheduler.hpp"
 
-namespace wr {
+namespace wr::host {
 
 HostThread::HostThread(HostScheduler& scheduler, int priority)
     : scheduler_(scheduler), priority_(priority) {
@@ -27,4 +27,4 @@ void HostThread::pend() {
   scheduler_.dispatch();
 }
 
-}  // namespace wr
+}  // namespace wr::host

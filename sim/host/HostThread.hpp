@@ -2,7 +2,7 @@
 
 #include "services/ControlThread.hpp"
 
-namespace wr {
+namespace wr::host {
 
 class HostScheduler;
 
@@ -33,4 +33,4 @@ class HostThread final : public ControlThread {
   bool pended_ = false;
 };
 
-}  // namespace wr
+}  // namespace wr::host

@@ -2,7 +2,7 @@
 
 #include <ctime>
 
-namespace wr {
+namespace wr::host {
 
 namespace {
 
@@ -32,4 +32,4 @@ void RealTimebase::sleepUntil(Instant instant) const {
   clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr);
 }
 
-}  // namespace wr
+}  // namespace wr::host

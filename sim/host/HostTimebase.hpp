@@ -5,7 +5,7 @@
 #include "devices/Timebase.hpp"
 #include "units/quantities.hpp"
 
-namespace wr {
+namespace wr::host {
 
 /// @brief Time that stands still until it is advanced by hand.
 class HostTimebase final : public Timebase {
@@ -38,4 +38,4 @@ class RealTimebase final : public Timebase {
   Instant start_;
 };
 
-}  // namespace wr
+}  // namespace wr::host

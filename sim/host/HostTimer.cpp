@@ -4,7 +4,7 @@
 
 #include "sim/host/HostScheduler.hpp"
 
-namespace wr {
+namespace wr::host {
 
 HostTimer::HostTimer(HostScheduler& scheduler) : scheduler_(scheduler) {}
 
@@ -39,4 +39,4 @@ void HostTimer::acknowledge() {
   pending_ = false;
 }
 
-}  // namespace wr
+}  // namespace wr::host

@@ -5,7 +5,7 @@
 #include "devices/PeriodicTimer.hpp"
 #include "units/quantities.hpp"
 
-namespace wr {
+namespace wr::host {
 
 class HostScheduler;
 
@@ -42,4 +42,4 @@ class HostTimer final : public PeriodicTimer {
   bool pending_ = false;
 };
 
-}  // namespace wr
+}  // namespace wr::host

@@ -2,7 +2,7 @@
 
 #include "services/SystemConstants.hpp"
 
-namespace wr {
+namespace wr::host {
 
 HostWatchdog::HostWatchdog(const Timebase& timebase) : timebase_(timebase), last_(timebase.now()) {}
 
@@ -20,4 +20,4 @@ void HostWatchdog::refresh() {
   ++refreshes_;
 }
 
-}  // namespace wr
+}  // namespace wr::host

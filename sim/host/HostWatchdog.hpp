@@ -6,7 +6,7 @@
 #include "devices/Watchdog.hpp"
 #include "units/quantities.hpp"
 
-namespace wr {
+namespace wr::host {
 
 /// @brief A watchdog on the host. It resets nothing; it notes what a watchdog would have done.
 class HostWatchdog final : public Watchdog {
@@ -32,4 +32,4 @@ class HostWatchdog final : public Watchdog {
   bool missed_ = false;
 };
 
-}  // namespace wr
+}  // namespace wr::host

@@ -1,33 +1,13 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <string_view>
-#include <vector>
 
-#include "sim/scenario/PcFrames.hpp"
+#include "sim/scenario/FrameTable.hpp"
+#include "sim/scenario/Payload.hpp"
 
-namespace wr {
-
-/// @brief A value in a frame of the robot, as the protocol page lists them.
-struct FrameField {
-  enum class Form { U8, I8, U16, I16, U32, I32, Bit };
-
-  std::string name;
-  std::uint8_t type = 0;   ///< of the frame: kWelcomeType or kReportType
-  std::size_t offset = 0;  ///< in the payload
-  Form form = Form::U8;
-  unsigned bit = 0;  ///< number of the bit, of a Bit
-};
-
-inline constexpr std::uint8_t kWelcomeType = 0x81;
-inline constexpr std::uint8_t kReportType = 0x82;
-
-/// @brief All values of Welcome and Report that have a name in scenarios.
-/// @return the fields, those of a frame in their order
-[[nodiscard]] const std::vector<FrameField>& frameFields();
+namespace wr::scenario {
 
 /// @brief Finds a field by its name.
 /// @param name the name
@@ -46,4 +26,4 @@ inline constexpr std::uint8_t kReportType = 0x82;
 /// @return the number; nothing if the word is none
 [[nodiscard]] std::optional<std::int64_t> numberOf(const FrameField& field, std::string_view word);
 
-}  // namespace wr
+}  // namespace wr::scenario

@@ -2,13 +2,11 @@
 
 #include <stdexcept>
 
-namespace wr {
+namespace wr::scenario {
 
 namespace {
 
-constexpr std::size_t kHeader = 3;
 constexpr std::uint8_t kVersion = 2;
-constexpr std::uint32_t kSchemaHash = 0xBC1063C0;
 
 // CRC-16/CCITT-FALSE of each byte value, so that a frame costs one step for each byte.
 std::array<std::uint16_t, 256> makeTable() {
@@ -30,20 +28,6 @@ std::uint16_t crcOf(std::span<const std::uint8_t> bytes) {
     crc = ((crc << 8U) & 0xFFFFU) ^ table[(crc >> 8U) ^ byte];
   }
   return static_cast<std::uint16_t>(crc);
-}
-
-void append16(Bytes& bytes, unsigned value) {
-  bytes.push_back(static_cast<std::uint8_t>(value & 0xFFU));
-  bytes.push_back(static_cast<std::uint8_t>((value >> 8U) & 0xFFU));
-}
-
-void append32(Bytes& bytes, std::uint32_t value) {
-  append16(bytes, value & 0xFFFFU);
-  append16(bytes, value >> 16U);
-}
-
-void appendSigned(Bytes& bytes, std::int16_t value) {
-  append16(bytes, static_cast<std::uint16_t>(value));
 }
 
 Bytes stuffed(std::span<const std::uint8_t> body) {
@@ -81,52 +65,33 @@ Bytes unstuffed(std::span<const std::uint8_t> line) {
   return body;
 }
 
-class Fields {
- public:
-  explicit Fields(const Bytes& body) : body_(body) {}
-
-  [[nodiscard]] std::uint8_t u8(std::size_t offset) const { return body_.at(kHeader + offset); }
-  [[nodiscard]] std::uint16_t u16(std::size_t offset) const {
-    return static_cast<std::uint16_t>(u8(offset) | (u8(offset + 1) << 8U));
-  }
-  [[nodiscard]] std::int16_t i16(std::size_t offset) const {
-    return static_cast<std::int16_t>(u16(offset));
-  }
-  [[nodiscard]] std::uint32_t u32(std::size_t offset) const {
-    return u16(offset) | (static_cast<std::uint32_t>(u16(offset + 2)) << 16U);
-  }
-
- private:
-  const Bytes& body_;
-};
-
 }  // namespace
 
 Bytes PcSender::hello() {
-  Bytes payload{kVersion, kVersion};
-  append32(payload, kSchemaHash);
-  return frame(0x01, payload);
+  const HelloPayload hello{
+      .lowestVersion = kVersion, .highestVersion = kVersion, .schemaHash = kTableHash};
+  return frame(HelloPayload::kType, hello.bytes());
 }
 
 Bytes PcSender::confirm(std::uint8_t session) {
-  return frame(0x02, std::array<std::uint8_t, 1>{session});
+  return frame(ConfirmPayload::kType, ConfirmPayload{.session = session}.bytes());
 }
 
 Bytes PcSender::keepAlive() {
-  return frame(0x03, {});
+  return frame(KeepAlivePayload::kType, {});
 }
 
 Bytes PcSender::order(const PcOrder& order) {
-  Bytes payload;
-  append16(payload, order.id);
-  append32(payload, order.sentAt);
-  appendSigned(payload, order.steering);
-  for (const PcOrder::Wheel& wheel : order.wheels) {
-    payload.push_back(wheel.quantity);
-    appendSigned(payload, wheel.value);
+  OrderPayload payload{
+      .orderId = order.id,
+      .sentAt = order.sentAt,
+      .steeringSetPoint = order.steering,
+      .commands = static_cast<std::uint8_t>((order.stop ? 1 : 0) | (order.acknowledge ? 2 : 0))};
+  for (std::size_t wheel = 0; wheel < order.wheels.size(); ++wheel) {
+    payload.quantity[wheel] = order.wheels[wheel].quantity;
+    payload.setPoint[wheel] = order.wheels[wheel].value;
   }
-  payload.push_back(static_cast<std::uint8_t>((order.stop ? 1 : 0) | (order.acknowledge ? 2 : 0)));
-  return frame(0x04, payload);
+  return frame(OrderPayload::kType, payload.bytes());
 }
 
 Bytes PcSender::frame(std::uint8_t type, std::span<const std::uint8_t> payload,
@@ -134,7 +99,7 @@ Bytes PcSender::frame(std::uint8_t type, std::span<const std::uint8_t> payload,
   Bytes body{version, type, sequence_};
   ++sequence_;
   body.insert(body.end(), payload.begin(), payload.end());
-  append16(body, crcOf(body));
+  append(body, crcOf(body));
   return stuffed(body);
 }
 
@@ -162,67 +127,11 @@ std::vector<Bytes> bodies(std::span<const std::uint8_t> line) {
 }
 
 std::optional<PcWelcome> welcomeOf(const Bytes& body) {
-  if (body.at(1) != 0x81) {
-    return std::nullopt;
-  }
-  const Fields fields(body);
-  return PcWelcome{.session = fields.u8(0),
-                   .cyclePeriod = fields.u16(12),
-                   .waitingCycles = fields.u8(14),
-                   .resetCause = fields.u8(15),
-                   .faultKind = fields.u8(16),
-                   .faultNumber = fields.u16(17),
-                   .faultAddress = fields.u32(19),
-                   .lowestVersion = fields.u8(23),
-                   .highestVersion = fields.u8(24),
-                   .schemaHash = fields.u32(25)};
+  return body.at(1) == PcWelcome::kType ? std::optional(PcWelcome::from(body)) : std::nullopt;
 }
 
 std::optional<PcReport> reportOf(const Bytes& body) {
-  if (body.at(1) != 0x82) {
-    return std::nullopt;
-  }
-  const Fields fields(body);
-  PcReport report{.cycle = fields.u32(0),
-                  .time = fields.u32(4),
-                  .state = fields.u8(8),
-                  .mode = fields.u8(9),
-                  .source = fields.u8(10),
-                  .flags = fields.u8(11),
-                  .orderId = fields.u16(12),
-                  .steering = fields.i16(14),
-                  .steeringPosition = fields.i16(28),
-                  .measured = fields.u16(62),
-                  .turn = static_cast<std::int8_t>(fields.u8(72)),
-                  .applied = fields.u8(73),
-                  .overruns = fields.u16(74),
-                  .lostBytes = fields.u16(76),
-                  .reportsNotSent = fields.u16(94),
-                  .steeringState = fields.u8(96),
-                  .steeringEnds = fields.u8(97),
-                  .cutOffs = fields.u8(98),
-                  .blindWheels = fields.u8(99),
-                  .reportCycles = fields.u32(108),
-                  .awakeCycles = fields.u32(112),
-                  .startCycles = fields.u32(116),
-                  .inhibit = fields.u8(120),
-                  .stopCause = fields.u8(121),
-                  .stopWheel = fields.u8(122),
-                  .stopSources = fields.u8(123),
-                  .sentAt = fields.u32(124),
-                  .staleOrders = fields.u16(128)};
-  for (std::size_t reason = 0; reason < report.dropped.size(); ++reason) {
-    report.dropped[reason] = fields.u16(78 + 2 * reason);
-  }
-  for (std::size_t wheel = 0; wheel < report.wheels.size(); ++wheel) {
-    report.wheels[wheel] = {fields.u8(16 + 3 * wheel), fields.i16(17 + 3 * wheel)};
-    report.velocity[wheel] = fields.i16(30 + 8 * wheel);
-    report.current[wheel] = fields.i16(32 + 8 * wheel);
-    report.position[wheel] = static_cast<std::int32_t>(fields.u32(34 + 8 * wheel));
-    report.tension[wheel] = fields.i16(64 + 2 * wheel);
-    report.rejectedEdges[wheel] = fields.u16(100 + 2 * wheel);
-  }
-  return report;
+  return body.at(1) == PcReport::kType ? std::optional(PcReport::from(body)) : std::nullopt;
 }
 
-}  // namespace wr
+}  // namespace wr::scenario

@@ -7,11 +7,12 @@
 #include <span>
 #include <vector>
 
-namespace wr {
+#include "sim/scenario/FrameTable.hpp"
+#include "sim/scenario/Payload.hpp"
 
-using Bytes = std::vector<std::uint8_t>;
+namespace wr::scenario {
 
-/// The PC's side of the protocol, written from the protocol page and without the firmware's codec.
+/// The set-points and commands of an order.
 struct PcOrder {
   struct Wheel {
     std::uint8_t quantity = 0;
@@ -25,70 +26,11 @@ struct PcOrder {
   std::uint32_t sentAt = 0;
 };
 
-/// Place of the unexpected frames in PcReport::dropped.
-inline constexpr std::size_t kUnexpected = 6;
+using PcReport = ReportPayload;
+using PcWelcome = WelcomePayload;
 
-/// A report as the PC reads it.
-struct PcReport {
-  std::uint32_t cycle = 0;
-  std::uint32_t time = 0;
-  std::uint8_t state = 0;
-  std::uint8_t mode = 0;
-  std::uint8_t source = 0;
-  std::uint8_t flags = 0;
-  std::uint16_t orderId = 0;
-  std::int16_t steering = 0;
-  std::array<PcOrder::Wheel, 4> wheels{};
-  std::int16_t steeringPosition = 0;
-  std::array<std::int16_t, 4> velocity{};  // of each wheel, as all arrays of four
-  std::array<std::int16_t, 4> current{};
-  std::array<std::int32_t, 4> position{};
-  std::uint16_t measured = 0;
-  std::array<std::int16_t, 4> tension{};
-  std::int8_t turn = 0;
-  std::uint8_t applied = 0;
-  std::uint16_t overruns = 0;
-  std::uint16_t lostBytes = 0;
-  std::array<std::uint16_t, 7> dropped{};  // damaged, too long, unknown version, unknown type,
-                                           // wrong length, out of range, unexpected
-  std::uint16_t reportsNotSent = 0;
-  std::uint8_t steeringState = 0;
-  std::uint8_t steeringEnds = 0;
-  std::uint8_t cutOffs = 0;
-  std::uint8_t blindWheels = 0;
-  std::array<std::uint16_t, 4> rejectedEdges{};
-  std::uint32_t reportCycles = 0;
-  std::uint32_t awakeCycles = 0;
-  std::uint32_t startCycles = 0;
-  std::uint8_t inhibit = 0;
-  std::uint8_t stopCause = 0;
-  std::uint8_t stopWheel = 0;
-  std::uint8_t stopSources = 0;
-  std::uint32_t sentAt = 0;
-  std::uint16_t staleOrders = 0;
-
-  [[nodiscard]] bool stop() const { return (flags & 1U) != 0; }
-  [[nodiscard]] bool orderRead() const { return (flags & 2U) != 0; }
-  [[nodiscard]] bool held() const { return (flags & 4U) != 0; }
-  [[nodiscard]] bool overran() const { return (flags & 8U) != 0; }
-  [[nodiscard]] bool armed() const { return (flags & 16U) != 0; }
-};
-
-/// A Welcome as the PC reads it.
-struct PcWelcome {
-  std::uint8_t session = 0;
-  std::uint16_t cyclePeriod = 0;
-  std::uint8_t waitingCycles = 0;
-  std::uint8_t resetCause = 0;
-  std::uint8_t faultKind = 0;
-  std::uint16_t faultNumber = 0;
-  std::uint32_t faultAddress = 0;
-  std::uint8_t lowestVersion = 0;
-  std::uint8_t highestVersion = 0;
-  std::uint32_t schemaHash = 0;
-};
-
-/// Makes the bytes of one frame after another, counting the sequence numbers.
+/// The PC's side of the protocol, without the firmware's codec: makes the bytes of one frame after
+/// another, with their sequence numbers.
 class PcSender {
  public:
   [[nodiscard]] Bytes hello();
@@ -111,4 +53,4 @@ class PcSender {
 /// The content of a report; nothing if the body is no Report.
 [[nodiscard]] std::optional<PcReport> reportOf(const Bytes& body);
 
-}  // namespace wr
+}  // namespace wr::scenario

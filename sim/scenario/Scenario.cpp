@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-namespace wr {
+namespace wr::scenario {
 
 namespace {
 
@@ -84,6 +84,9 @@ void readRange(Words& words, const std::string& name, const FrameField* field,
   if (words.takeIf("between")) {
     expect.low = readNumber(words, name, field);
     expect.high = readNumber(words, name, field);
+    if (expect.low > expect.high) {
+      throw Scenario::Error("no value of " + name + " is in this range");
+    }
     expect.words = "between " + std::to_string(expect.low) + " and " + std::to_string(expect.high);
     return;
   }
@@ -97,6 +100,9 @@ std::optional<Scenario::Limit> readLimit(Words& words) {
     return std::nullopt;
   }
   const double amount = words.number("a time or a way");
+  if (amount <= 0) {
+    throw Scenario::Error("an expectation needs a time or a way greater than 0");
+  }
   const bool isWay = words.takeIf("mm");
   if (!isWay) {
     words.skip("ms");
@@ -273,4 +279,4 @@ Scenario Scenario::load(const std::filesystem::path& file) {
   return {text, file.string()};
 }
 
-}  // namespace wr
+}  // namespace wr::scenario

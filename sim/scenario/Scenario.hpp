@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "sim/scenario/FrameFields.hpp"
+#include "sim/scenario/GroundTruth.hpp"
 #include "sim/scenario/PcFrames.hpp"
-#include "sim/scenario/Truth.hpp"
 #include "sim/scenario/Words.hpp"
 #include "sim/scenario/WorldAction.hpp"
 
-namespace wr {
+namespace wr::scenario {
 
 /// @brief What happens to a robot at which time, and what is expected of it: what a PC does on its
 /// line, what the remote control says, how the ground is and what breaks.
@@ -44,10 +44,10 @@ namespace wr {
 /// VALUE' fixes a parameter. These lines have no time and precede all lines that have one.
 ///
 /// Expectations: expect FIELD VALUE and expect FIELD between LOW HIGH look at the last Report or
-/// Welcome, or at the robot itself (the fields of Truth.hpp). With 'within N ms' or 'within N mm'
-/// behind it the expectation must come true, once, within this time or this way from its own time
-/// on. expect-silence MS (no report came for so long); expect-finding ID (the simulated board stops
-/// before with this finding). The last line is 'end'.
+/// Welcome, or at the robot itself (the fields of GroundTruth.hpp). With 'within N ms' or 'within N
+/// mm' behind it the expectation must come true, once, within this time or this way from its own
+/// time on. expect-silence MS (no report came for so long); expect-finding ID (the simulated board
+/// stops before with this finding). The last line is 'end'.
 class Scenario {
  public:
   using Time = std::chrono::milliseconds;
@@ -136,4 +136,4 @@ class Scenario {
   std::vector<WorldAction> plant_;
 };
 
-}  // namespace wr
+}  // namespace wr::scenario

@@ -8,18 +8,18 @@
 #include <string_view>
 #include <utility>
 
-namespace wr {
+namespace wr::scenario {
 
 namespace {
 
 // How long the PC does not look at its line.
-constexpr RobotLine::Time kGlance{5'000};
+constexpr RobotSession::Time kGlance{5'000};
 // The same while an expectation may come true.
-constexpr RobotLine::Time kClose{1'000};
+constexpr RobotSession::Time kClose{1'000};
 
 void writeHeader(std::ostream& reports) {
-  for (const FrameField& field : frameFields()) {
-    if (field.type == kReportType) {
+  for (const FrameField& field : kFrameFields) {
+    if (field.type == PcReport::kType) {
       reports << field.name << ',';
     }
   }
@@ -38,13 +38,13 @@ std::string tenths(double value) {
   return {text.data(), end};
 }
 
-std::string inMilliseconds(RobotLine::Time time) {
+std::string inMilliseconds(RobotSession::Time time) {
   return std::to_string(time.count() / 1000) + " ms";
 }
 
 }  // namespace
 
-ScenarioPlayer::ScenarioPlayer(const Scenario& scenario, RobotLine& robot, std::ostream* reports)
+ScenarioPlayer::ScenarioPlayer(const Scenario& scenario, RobotSession& robot, std::ostream* reports)
     : scenario_(scenario), robot_(robot), reports_(reports) {
   if (scenario_.seed()) {
     robot_.robot().setSeed(*scenario_.seed());
@@ -81,7 +81,7 @@ bool ScenarioPlayer::advance(Time instant) {
     listen();
     checkPending();
     if (!runs) {
-      const LineFinding found = robot_.finding().value();
+      const SessionFinding found = robot_.finding().value();
       if (!expectsFinding(found.id, robot_.now())) {
         outcome_.finding = found;
       }
@@ -131,9 +131,9 @@ void ScenarioPlayer::take(const Bytes& body) {
 }
 
 void ScenarioPlayer::writeReport(const Bytes& body) {
-  for (const FrameField& field : frameFields()) {
-    if (field.type == kReportType) {
-      *reports_ << wr::valueOf(body, field) << ',';
+  for (const FrameField& field : kFrameFields) {
+    if (field.type == PcReport::kType) {
+      *reports_ << scenario::valueOf(body, field) << ',';
     }
   }
   *reports_ << robot_.now().count() / 1000;
@@ -182,11 +182,15 @@ void ScenarioPlayer::act(const Scenario::Raw& action) {
 }
 
 void ScenarioPlayer::act(const Scenario::Replay& /*action*/) {
+  if (order_.empty()) {
+    fail("no order was sent that could be replayed");
+    return;
+  }
   robot_.send(order_);
 }
 
 void ScenarioPlayer::act(const WorldAction& action) {
-  wr::act(action, robot_);
+  scenario::act(action, robot_);
 }
 
 void ScenarioPlayer::act(const Scenario::Mark& /*action*/) {
@@ -200,8 +204,8 @@ std::optional<double> ScenarioPlayer::valueOf(const Scenario::Expect& expect) co
     return (*truth)->valueOf(robot_.robot(), mark_);
   }
   const FrameField& field = *std::get<const FrameField*>(expect.field);
-  const std::optional<Bytes>& body = field.type == kWelcomeType ? welcome_ : report_;
-  return body ? std::optional(static_cast<double>(wr::valueOf(*body, field))) : std::nullopt;
+  const std::optional<Bytes>& body = field.type == PcWelcome::kType ? welcome_ : report_;
+  return body ? std::optional(static_cast<double>(scenario::valueOf(*body, field))) : std::nullopt;
 }
 
 // Why an expectation does not hold; empty when it does.
@@ -211,7 +215,7 @@ std::string ScenarioPlayer::mismatch(const Scenario::Expect& expect) const {
   const std::string name((truth != nullptr) ? (*truth)->name : (*field)->name);
   const auto value = valueOf(expect);
   if (!value) {
-    return name + " is unknown: no " + ((*field)->type == kWelcomeType ? "Welcome" : "Report") +
+    return name + " is unknown: no " + ((*field)->type == PcWelcome::kType ? "Welcome" : "Report") +
            " has come";
   }
   if (*value >= static_cast<double>(expect.low) && *value <= static_cast<double>(expect.high)) {
@@ -266,4 +270,4 @@ void ScenarioPlayer::act(const Scenario::ExpectFinding& action) {
   fail("there was no finding " + action.id);
 }
 
-}  // namespace wr
+}  // namespace wr::scenario

@@ -8,19 +8,19 @@
 
 #include "sim/scenario/FrameFields.hpp"
 #include "sim/scenario/PcFrames.hpp"
-#include "sim/scenario/RobotLine.hpp"
+#include "sim/scenario/RobotSession.hpp"
 #include "sim/scenario/Scenario.hpp"
 
-namespace wr {
+namespace wr::scenario {
 
 /// @brief The PC of a scenario, on the line of a robot, and the world around the robot.
 class ScenarioPlayer {
  public:
   /// @brief How a scenario ended.
   struct Outcome {
-    std::vector<std::string> failures;   ///< expectations that failed: 'file:line: what'
-    std::optional<LineFinding> finding;  ///< a finding that nothing expected
-    std::uint64_t reports = 0;           ///< reports that came
+    std::vector<std::string> failures;      ///< expectations that failed: 'file:line: what'
+    std::optional<SessionFinding> finding;  ///< a finding that nothing expected
+    std::uint64_t reports = 0;              ///< reports that came
   };
 
   /// @brief Puts a PC on the line of a robot that was just switched on.
@@ -29,14 +29,14 @@ class ScenarioPlayer {
   /// @param reports gets each report as a line of comma-separated values: all fields of the report,
   /// then the time [ms] at which the PC had it, and the true values at this time; null: nothing is
   /// written
-  ScenarioPlayer(const Scenario& scenario, RobotLine& robot, std::ostream* reports = nullptr);
+  ScenarioPlayer(const Scenario& scenario, RobotSession& robot, std::ostream* reports = nullptr);
 
   /// @brief Plays the scenario to its end.
   /// @return how it ended
   [[nodiscard]] Outcome play();
 
  private:
-  using Time = RobotLine::Time;
+  using Time = RobotSession::Time;
 
   /// An expectation that may still come true.
   struct Pending {
@@ -71,7 +71,7 @@ class ScenarioPlayer {
   void act(const Scenario::ExpectFinding& action);
 
   const Scenario& scenario_;
-  RobotLine& robot_;
+  RobotSession& robot_;
   std::ostream* reports_;
   PcSender pc_;
   Bytes line_;  // of a frame that is not whole yet
@@ -87,4 +87,4 @@ class ScenarioPlayer {
   Outcome outcome_;
 };
 
-}  // namespace wr
+}  // namespace wr::scenario

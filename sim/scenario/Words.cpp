@@ -4,7 +4,7 @@
 #include <optional>
 #include <sstream>
 
-namespace wr {
+namespace wr::scenario {
 
 namespace {
 
@@ -111,4 +111,4 @@ std::uint8_t Words::byte() {
   return *byte;
 }
 
-}  // namespace wr
+}  // namespace wr::scenario

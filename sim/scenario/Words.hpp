@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace wr {
+namespace wr::scenario {
 
 /// @brief An error in the text of a scenario. In an error of a whole text, file and line come first.
 class ScenarioError : public std::runtime_error {
@@ -74,4 +74,4 @@ class Words {
   std::size_t next_ = 0;
 };
 
-}  // namespace wr
+}  // namespace wr::scenario

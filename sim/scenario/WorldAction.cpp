@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-namespace wr {
+namespace wr::scenario {
 
 namespace {
 
@@ -21,16 +21,18 @@ struct Named {
   Value value;
 };
 
-constexpr auto kPositions = std::to_array<Named<sim::EnablePosition>>({
-    {"stop", sim::EnablePosition::Stop},
-    {"pc", sim::EnablePosition::Pc},
-    {"drive", sim::EnablePosition::Drive},
+constexpr auto kPositions = std::to_array<Named<plant::EnablePosition>>({
+    {"stop", plant::EnablePosition::Stop},
+    {"pc", plant::EnablePosition::Pc},
+    {"drive", plant::EnablePosition::Drive},
+    {"stop-pc", plant::EnablePosition::StopPc},
+    {"pc-drive", plant::EnablePosition::PcDrive},
 });
 
-constexpr auto kFailSafes = std::to_array<Named<sim::FailSafe>>({
-    {"none", sim::FailSafe::None},
-    {"hold", sim::FailSafe::Hold},
-    {"neutral", sim::FailSafe::Neutral},
+constexpr auto kFailSafes = std::to_array<Named<plant::FailSafe>>({
+    {"none", plant::FailSafe::None},
+    {"hold", plant::FailSafe::Hold},
+    {"neutral", plant::FailSafe::Neutral},
 });
 
 constexpr auto kSwitch = std::to_array<Named<bool>>({{"on", true}, {"off", false}});
@@ -38,49 +40,49 @@ constexpr auto kSwitch = std::to_array<Named<bool>>({{"on", true}, {"off", false
 constexpr auto kClock = std::to_array<Named<bool>>({{"lost", false}, {"back", true}});
 
 struct ParameterWord {
-  sim::Parameter parameter;
+  plant::Parameter parameter;
   double unit;  ///< values of the text for one of the plant
 };
 
 constexpr auto kParameters = std::to_array<Named<ParameterWord>>({
-    {"supply", {sim::Parameter::Supply, kThousand}},
-    {"battery", {sim::Parameter::Battery, kThousand}},
-    {"mass", {sim::Parameter::Mass, kPercent}},
-    {"inertia", {sim::Parameter::Inertia, kPercent}},
-    {"resistance", {sim::Parameter::Resistance, kPercent}},
-    {"motor-constant", {sim::Parameter::MotorConstant, kPercent}},
-    {"friction", {sim::Parameter::Friction, kPercent}},
-    {"rolling", {sim::Parameter::Rolling, kPercent}},
-    {"current-gain", {sim::Parameter::CurrentGain, kPercent}},
-    {"angle-gain", {sim::Parameter::AngleGain, kPercent}},
+    {"supply", {plant::Parameter::Supply, kThousand}},
+    {"battery", {plant::Parameter::Battery, kThousand}},
+    {"mass", {plant::Parameter::Mass, kPercent}},
+    {"inertia", {plant::Parameter::Inertia, kPercent}},
+    {"resistance", {plant::Parameter::Resistance, kPercent}},
+    {"motor-constant", {plant::Parameter::MotorConstant, kPercent}},
+    {"friction", {plant::Parameter::Friction, kPercent}},
+    {"rolling", {plant::Parameter::Rolling, kPercent}},
+    {"current-gain", {plant::Parameter::CurrentGain, kPercent}},
+    {"angle-gain", {plant::Parameter::AngleGain, kPercent}},
 });
 
 struct FaultWord {
-  sim::Fault fault;
+  plant::Fault fault;
   bool ofWheel;
   bool hasValue;
 };
 
 constexpr auto kFaults = std::to_array<Named<FaultWord>>({
-    {"hall", {sim::Fault::Hall, true, false}},
-    {"hall-a", {sim::Fault::HallA, true, false}},
-    {"hall-b", {sim::Fault::HallB, true, false}},
-    {"hall-swapped", {sim::Fault::HallSwapped, true, false}},
-    {"hall-misplaced", {sim::Fault::HallMisplaced, true, true}},
-    {"hall-glitches", {sim::Fault::HallGlitches, true, true}},
-    {"hall-losses", {sim::Fault::HallLosses, true, true}},
-    {"leads", {sim::Fault::Leads, true, false}},
-    {"block", {sim::Fault::Block, true, false}},
-    {"current", {sim::Fault::Current, true, false}},
-    {"current-stuck", {sim::Fault::CurrentStuck, true, false}},
-    {"current-offset", {sim::Fault::CurrentOffset, true, true}},
-    {"angle", {sim::Fault::Angle, false, false}},
-    {"angle-open", {sim::Fault::AngleOpen, false, false}},
-    {"angle-stuck", {sim::Fault::AngleStuck, false, false}},
-    {"angle-drift", {sim::Fault::AngleDrift, false, true}},
-    {"stall", {sim::Fault::Stall, false, false}},
-    {"left-end", {sim::Fault::LeftEnd, false, false}},
-    {"right-end", {sim::Fault::RightEnd, false, false}},
+    {"hall", {plant::Fault::Hall, true, false}},
+    {"hall-a", {plant::Fault::HallA, true, false}},
+    {"hall-b", {plant::Fault::HallB, true, false}},
+    {"hall-swapped", {plant::Fault::HallSwapped, true, false}},
+    {"hall-misplaced", {plant::Fault::HallMisplaced, true, true}},
+    {"hall-glitches", {plant::Fault::HallGlitches, true, true}},
+    {"hall-losses", {plant::Fault::HallLosses, true, true}},
+    {"leads", {plant::Fault::Leads, true, false}},
+    {"block", {plant::Fault::Block, true, false}},
+    {"current", {plant::Fault::Current, true, false}},
+    {"current-stuck", {plant::Fault::CurrentStuck, true, false}},
+    {"current-offset", {plant::Fault::CurrentOffset, true, true}},
+    {"angle", {plant::Fault::Angle, false, false}},
+    {"angle-open", {plant::Fault::AngleOpen, false, false}},
+    {"angle-stuck", {plant::Fault::AngleStuck, false, false}},
+    {"angle-drift", {plant::Fault::AngleDrift, false, true}},
+    {"stall", {plant::Fault::Stall, false, false}},
+    {"left-end", {plant::Fault::LeftEnd, false, false}},
+    {"right-end", {plant::Fault::RightEnd, false, false}},
 });
 
 template <class Value>
@@ -106,103 +108,103 @@ Value take(Words& words, const std::string& what, const std::array<Named<Value>,
 
 WorldAction readRemoteControl(Words& words) {
   if (words.takeIf("off")) {
-    return world::RemoteControl{};
+    return world::MoveSticks{};
   }
   if (words.takeIf("enable")) {
-    return world::Enable{take(words, "a position of the enable switch", kPositions)};
+    return world::SetEnable{take(words, "a position of the enable switch", kPositions)};
   }
   if (words.takeIf("failsafe")) {
-    return world::FailSafe{take(words, "a fail-safe of the receiver", kFailSafes)};
+    return world::SetFailSafe{take(words, "a fail-safe of the receiver", kFailSafes)};
   }
   if (words.takeIf("tremor")) {
-    return world::Tremor{words.number("a change in us")};
+    return world::SetTremor{words.number("a change in us")};
   }
   if (words.takeIf("coincident")) {
-    return world::Coincident{take(words, "on or off", kSwitch)};
+    return world::SetCoincident{take(words, "on or off", kSwitch)};
   }
-  sim::Sticks sticks;
+  plant::Sticks sticks;
   words.skip("velocity");
   sticks.velocity = words.value() / kFullVelocity;
   words.skip("steering");
   sticks.steering = words.value() / kFullSteering;
-  return world::RemoteControl{sticks};
+  return world::MoveSticks{sticks};
 }
 
 WorldAction readFault(Words& words, bool present) {
   const FaultWord fault = take(words, "a fault", kFaults);
   const std::size_t wheel = fault.ofWheel ? words.wheel() : 0;
   const double value = fault.hasValue && present ? words.number("the size of the fault") : 0.0;
-  return world::Fault{.fault = fault.fault, .wheel = wheel, .present = present, .value = value};
+  return world::SetFault{.fault = fault.fault, .wheel = wheel, .present = present, .value = value};
 }
 
 WorldAction readPlant(Words& words) {
   if (words.takeIf("nominal")) {
-    return world::VariedPlant{false};
+    return world::VaryPlant{false};
   }
   if (words.takeIf("varied")) {
-    return world::VariedPlant{true};
+    return world::VaryPlant{true};
   }
   const ParameterWord parameter = take(words, "a parameter of the robot", kParameters);
   const double value = words.number("the value of the parameter");
   if (value <= 0) {
     throw ScenarioError("a parameter of the robot is greater than 0");
   }
-  return world::PlantParameter{.parameter = parameter.parameter, .value = value / parameter.unit};
+  return world::SetParameter{.parameter = parameter.parameter, .value = value / parameter.unit};
 }
 
 WorldAction readEmergencyStop(Words& words) {
   if (words.takeIf("release")) {
-    return world::EmergencyStop{sim::EmergencyStop::Released};
+    return world::SetEmergencyStop{plant::EmergencyStop::Released};
   }
   words.skip("press");
-  return world::EmergencyStop{words.takeIf("brake") ? sim::EmergencyStop::Brake
-                                                    : sim::EmergencyStop::Coast};
+  return world::SetEmergencyStop{words.takeIf("brake") ? plant::EmergencyStop::Brake
+                                                       : plant::EmergencyStop::Coast};
 }
 
 WorldAction readGround(const std::string& word, Words& words) {
   if (word == "slope") {
-    return world::Slope{words.number("a slope in percent")};
+    return world::SetSlope{words.number("a slope in percent")};
   }
-  return world::Grip{words.number("a grip in percent") / kPercent};
+  return world::SetGrip{words.number("a grip in percent") / kPercent};
 }
 
 // Lets each action happen.
 struct Actor {
-  RobotLine& robot;
+  RobotSession& robot;
 
-  void operator()(const world::RemoteControl& action) const {
+  void operator()(const world::MoveSticks& action) const {
     robot.remoteControl().set(action.sticks);
   }
-  void operator()(const world::Enable& action) const {
+  void operator()(const world::SetEnable& action) const {
     robot.remoteControl().setEnable(action.position);
   }
-  void operator()(const world::FailSafe& action) const {
+  void operator()(const world::SetFailSafe& action) const {
     robot.remoteControl().setFailSafe(action.kind);
   }
-  void operator()(const world::Tremor& action) const {
+  void operator()(const world::SetTremor& action) const {
     robot.remoteControl().setTremor(action.microseconds);
   }
-  void operator()(const world::Coincident& action) const {
+  void operator()(const world::SetCoincident& action) const {
     robot.remoteControl().setCoincident(action.on);
   }
-  void operator()(const world::Slope& action) const { robot.robot().setSlope(action.percent); }
-  void operator()(const world::Grip& action) const { robot.robot().setGrip(action.share); }
-  void operator()(const world::Noise& action) const {
+  void operator()(const world::SetSlope& action) const { robot.robot().setSlope(action.percent); }
+  void operator()(const world::SetGrip& action) const { robot.robot().setGrip(action.share); }
+  void operator()(const world::SetNoise& action) const {
     robot.robot().setNoise(action.on);
     robot.remoteControl().setNoise(action.on);
   }
-  void operator()(const world::Fault& action) const {
+  void operator()(const world::SetFault& action) const {
     robot.robot().setFault(action.fault, action.wheel, action.present, action.value);
   }
-  void operator()(const world::EmergencyStop& action) const {
+  void operator()(const world::SetEmergencyStop& action) const {
     robot.robot().setEmergencyStop(action.state);
   }
-  void operator()(const world::VariedPlant& action) const { robot.robot().vary(action.varied); }
-  void operator()(const world::PlantParameter& action) const {
+  void operator()(const world::VaryPlant& action) const { robot.robot().vary(action.varied); }
+  void operator()(const world::SetParameter& action) const {
     robot.robot().setParameter(action.parameter, action.value);
   }
-  void operator()(const world::Clock& action) const { robot.setExternalClock(action.present); }
-  void operator()(const world::Reset& action) const { robot.reset(action.kind); }
+  void operator()(const world::SetClock& action) const { robot.setExternalClock(action.present); }
+  void operator()(const world::ResetBoard& action) const { robot.reset(action.kind); }
 };
 
 }  // namespace
@@ -215,9 +217,9 @@ std::optional<WorldAction> readWorldAction(const std::string& word, Words& words
     return readGround(word, words);
   }
   if (word == "noise") {
-    return world::Noise{take(words, "on or off", kSwitch)};
+    return world::SetNoise{take(words, "on or off", kSwitch)};
   }
-  if (word == "fault" || word == "mend") {
+  if (word == "fault" || word == "repair") {
     return readFault(words, word == "fault");
   }
   if (word == "estop") {
@@ -227,10 +229,10 @@ std::optional<WorldAction> readWorldAction(const std::string& word, Words& words
     return readPlant(words);
   }
   if (word == "clock") {
-    return world::Clock{take(words, "a state of the external clock", kClock)};
+    return world::SetClock{take(words, "a state of the external clock", kClock)};
   }
   if (word == "reset") {
-    return world::Reset{words.takeIf("power") ? ResetKind::Power : ResetKind::Pin};
+    return world::ResetBoard{words.takeIf("power") ? ResetKind::Power : ResetKind::Pin};
   }
   return std::nullopt;
 }
@@ -248,8 +250,8 @@ WorldAction worldActionOf(const std::string& line) {
   return *action;
 }
 
-void act(const WorldAction& action, RobotLine& robot) {
+void act(const WorldAction& action, RobotSession& robot) {
   std::visit(Actor{robot}, action);
 }
 
-}  // namespace wr
+}  // namespace wr::scenario

@@ -6,78 +6,78 @@
 #include <string>
 #include <variant>
 
-#include "sim/robot/RemoteControl.hpp"
-#include "sim/robot/Robot.hpp"
-#include "sim/scenario/RobotLine.hpp"
+#include "sim/plant/RemoteControl.hpp"
+#include "sim/plant/Robot.hpp"
+#include "sim/scenario/RobotSession.hpp"
 #include "sim/scenario/Words.hpp"
 
-namespace wr {
+namespace wr::scenario {
 
 /// @brief Events around the robot: everything in a scenario that does not come over the line of the PC.
 namespace world {
 
 /// @brief The sticks move; nothing: the transmitter is off.
-struct RemoteControl {
-  std::optional<sim::Sticks> sticks;
+struct MoveSticks {
+  std::optional<plant::Sticks> sticks;
 };
-struct Enable {
-  sim::EnablePosition position;
+struct SetEnable {
+  plant::EnablePosition position;
 };
-struct FailSafe {
-  sim::FailSafe kind;
+struct SetFailSafe {
+  plant::FailSafe kind;
 };
-struct Tremor {
+struct SetTremor {
   double microseconds;
 };
-struct Coincident {
+struct SetCoincident {
   bool on;
 };
-struct Slope {
+struct SetSlope {
   double percent;
 };
-struct Grip {
+struct SetGrip {
   double share;
 };
-struct Noise {
+struct SetNoise {
   bool on;
 };
-struct Fault {
-  sim::Fault fault;
+struct SetFault {
+  plant::Fault fault;
   std::size_t wheel;
   bool present;
   double value;
 };
-struct EmergencyStop {
-  sim::EmergencyStop state;
+struct SetEmergencyStop {
+  plant::EmergencyStop state;
 };
-struct VariedPlant {
+struct VaryPlant {
   bool varied;
 };
-struct PlantParameter {
-  sim::Parameter parameter;
+struct SetParameter {
+  plant::Parameter parameter;
   double value;
 };
-struct Clock {
+struct SetClock {
   bool present;
 };
-struct Reset {
+struct ResetBoard {
   ResetKind kind;
 };
 
 }  // namespace world
 
 using WorldAction =
-    std::variant<world::RemoteControl, world::Enable, world::FailSafe, world::Tremor,
-                 world::Coincident, world::Slope, world::Grip, world::Noise, world::Fault,
-                 world::EmergencyStop, world::VariedPlant, world::PlantParameter, world::Clock,
-                 world::Reset>;
+    std::variant<world::MoveSticks, world::SetEnable, world::SetFailSafe, world::SetTremor,
+                 world::SetCoincident, world::SetSlope, world::SetGrip, world::SetNoise,
+                 world::SetFault, world::SetEmergencyStop, world::VaryPlant, world::SetParameter,
+                 world::SetClock, world::ResetBoard>;
 
 /// @brief Reads an action of the world.
 ///
-/// rc velocity N steering N; rc off; rc enable stop|pc|drive; rc failsafe none|hold|neutral; rc
-/// tremor MICROSECONDS; rc coincident on|off; slope PERCENT; grip PERCENT; noise on|off; estop
-/// press, estop press brake, estop release; plant nominal|varied; plant PARAMETER VALUE; clock
-/// lost|back; reset; reset power; fault and mend with a fault:
+/// rc velocity N steering N; rc off; rc enable stop|pc|drive|stop-pc|pc-drive; rc failsafe
+/// none|hold|neutral; rc tremor MICROSECONDS; rc coincident on|off; slope PERCENT; grip PERCENT;
+/// noise on|off; estop press, estop press brake, estop release; plant nominal|varied; plant
+/// PARAMETER VALUE; clock lost|back; reset; reset power; fault and repair with a fault:
 ///
 /// hall W, hall-a W, hall-b W, hall-swapped W, hall-misplaced W DEGREES, hall-glitches W RATE,
 /// hall-losses W RATE, leads W, block W, current W, current-stuck W, current-offset W MA, angle,
@@ -95,6 +95,6 @@ using WorldAction =
 /// @brief Lets an action of the world happen, now.
 /// @param action the action
 /// @param robot the robot
-void act(const WorldAction& action, RobotLine& robot);
+void act(const WorldAction& action, RobotSession& robot);
 
-}  // namespace wr
+}  // namespace wr::scenario

@@ -19,13 +19,13 @@ class ControlSystemBuilder {
   ControlSystemBuilder(const ControlSystemBuilder&) = delete;
   ControlSystemBuilder& operator=(const ControlSystemBuilder&) = delete;
 
-  /// @brief Makes what is moved, with the commands that move it.
+  /// @brief Makes the actuator, with the commands that move it.
   /// @errors A part that is made twice ends the program with the assertion PartDouble.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildActuator() = 0;
 
-  /// @brief Makes what is sensed with.
+  /// @brief Makes the sensors.
   /// @pre The actuator is made.
   /// @errors A missing part ends the program with the assertion PartMissing, one that is made twice with
   /// PartDouble.
@@ -63,7 +63,7 @@ class ControlSystemBuilder {
   /// @isr{no}
   [[nodiscard]] virtual ControlSystem& system() = 0;
 
-  /// @brief What the system does at each beat of the second timer.
+  /// @brief What the system does at each tick of the second timer.
   /// @return the command; it lives as long as the builder
   /// @pre All parts are made.
   /// @errors A missing part ends the program with the assertion PartMissing.

@@ -25,12 +25,12 @@ namespace wr {
 ///
 /// @patternapp{pool-construction, Builder, Building a control system pool}
 /// @why The pool that the main controller orders holds several control systems. Whoever uses the pool
-/// needs not to know how it comes to them.
+/// does not depend on how it gets them.
 /// @changes New control systems may have to be added to the pool, without change to the main controller.
 class ControlSystemPoolBuilder {
  public:
   /// @brief Binds the builder to those of the control systems. It has built nothing.
-  /// @param tickTimer makes the beat of the second timer
+  /// @param tickTimer makes the ticks of the second timer
   /// @param builders make the control systems, in the sequence of the pool; they live as long as this
   /// builder
   ControlSystemPoolBuilder(PeriodicTimer& tickTimer,
@@ -39,7 +39,7 @@ class ControlSystemPoolBuilder {
   ControlSystemPoolBuilder& operator=(const ControlSystemPoolBuilder&) = delete;
 
   /// @brief Has each control system made.
-  /// @errors What is made twice ends the program with the assertion PartDouble.
+  /// @errors A part that is made twice ends the program with the assertion PartDouble.
   /// @satisfies FR-78
   /// @isr{no}
   void buildSystems();

@@ -42,7 +42,7 @@ namespace wr {
 ///
 /// @patternapp{steering-system-construction, Builder, Building a steering device control system}
 /// @why The control system of the steering is made of many parts that refer to each other. Whoever
-/// gathers the control systems needs to know none of them.
+/// gathers the control systems depends on none of them.
 /// @changes The parts of the system and the relations among them may change, such as one more state or
 /// another sensor.
 class DirSystemBuilder final : public ControlSystemBuilder {

@@ -63,7 +63,7 @@ namespace wr {
 ///
 /// @patternapp{main-controller-construction, Builder, Building a main controller}
 /// @why The main controller is made of many parts that refer to each other. Whoever starts the robot
-/// needs to know none of them.
+/// depends on none of them.
 /// @changes The set of parts or the relations among them may change: a new device brings new parts that
 /// the controller must get.
 class MainControllerBuilder {

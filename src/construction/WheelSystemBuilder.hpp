@@ -62,7 +62,7 @@ namespace wr {
 ///
 /// @patternapp{wheel-system-construction, Builder, Building a wheel control system}
 /// @why The control system of a wheel is made of many parts that refer to each other. Whoever gathers
-/// the control systems needs to know none of them.
+/// the control systems depends on none of them.
 /// @changes The parts of the system and the relations among them may change, such as a filter around a
 /// sensor or one more algorithm.
 class WheelSystemBuilder final : public ControlSystemBuilder {
@@ -70,7 +70,7 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
   /// @brief What the platform gives to a wheel. Each device lives as long as the builder.
   /// @datatype
   struct Devices {
-    PwmOutput& pwm;              ///< tension of the wheel
+    PwmOutput& pwm;              ///< voltage of the wheel
     DigitalOutput& orientation;  ///< on: the wheel turns backwards
     DigitalOutput& enable;       ///< on: the driver of the motor works
     EdgeInput& hallA;            ///< first Hall sensor

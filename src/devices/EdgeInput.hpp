@@ -3,7 +3,7 @@
 namespace wr {
 
 /// @brief Input with two levels that can interrupt when its level changes.
-/// @function Tells the level of a pin, and interrupts at each of its edges.
+/// @function Reads the level of a pin, and interrupts at each of its edges.
 /// @secret Which pin it is, and how its edges are found and acknowledged.
 class EdgeInput {
  public:
@@ -14,12 +14,12 @@ class EdgeInput {
   /// @isr{no}
   virtual void start() = 0;
 
-  /// @brief Tells the present level.
+  /// @brief Returns the present level.
   /// @return true for high
   /// @isr{yes}
   [[nodiscard]] virtual bool level() const = 0;
 
-  /// @brief Tells whether an edge came since the last call, and acknowledges its interrupt.
+  /// @brief Returns whether an edge came since the last call, and acknowledges its interrupt.
   /// @return true after an edge
   /// @isr{yes}
   [[nodiscard]] virtual bool acknowledge() = 0;

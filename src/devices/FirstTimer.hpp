@@ -7,12 +7,12 @@ namespace wr {
 
 /// @brief The clock of the control cycle.
 /// @function Makes a clock pulse in each control cycle, and executes the command that it was given.
-/// @secret What is done with the timer around each clock pulse.
+/// @secret The accesses to the timer around each clock pulse.
 /// @role{cycle-timer-interrupt, Invoker}
 class FirstTimer final {
  public:
   /// @brief Binds a timer to a command.
-  /// @param timer makes the beat
+  /// @param timer makes the ticks
   /// @param command is executed at each clock pulse
   FirstTimer(PeriodicTimer& timer, Command& command);
 

@@ -13,7 +13,7 @@ class PwmOutput {
   PwmOutput& operator=(const PwmOutput&) = delete;
 
   /// @brief Sets the share of the period in which the output is on.
-  /// @param dutyCycle share [0.01 %], 0 to 10000; what is beyond counts as the limit
+  /// @param dutyCycle share [0.01 %], 0 to 10000; a greater one counts as the limit
   /// @isr{yes}
   virtual void set(DutyCycle dutyCycle) = 0;
 

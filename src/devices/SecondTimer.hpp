@@ -9,9 +9,9 @@
 namespace wr {
 
 /// @brief The fast clock: what must happen more often than a control cycle.
-/// @function Beats 1000 times in a second, and executes the commands that it was given, in the
+/// @function Ticks 1000 times in a second, and executes the commands that it was given, in the
 /// sequence in which they were added.
-/// @secret How the commands of one beat are kept and put in sequence.
+/// @secret How the commands of one tick are kept and put in sequence.
 /// @role{wheel-timer-interrupt, Invoker}
 /// @role{steering-timer-interrupt, Invoker}
 class SecondTimer final {
@@ -20,14 +20,14 @@ class SecondTimer final {
   static constexpr std::size_t kCapacity = 8;
 
   /// @brief Binds a timer. It has no command yet.
-  /// @param timer makes the beat
+  /// @param timer makes the ticks
   explicit SecondTimer(PeriodicTimer& timer);
 
   SecondTimer(const SecondTimer&) = delete;
   SecondTimer& operator=(const SecondTimer&) = delete;
 
   /// @brief Adds a command.
-  /// @param command is executed at each beat; it lives as long as the timer
+  /// @param command is executed at each tick; it lives as long as the timer
   /// @pre The timer does not run.
   /// @errors One command too many ends the program with the assertion TimerFull.
   /// @isr{no}
@@ -35,12 +35,12 @@ class SecondTimer final {
   /// @satisfies FR-176
   void add(Command& command);
 
-  /// @brief Starts the beat, one in each tick period.
+  /// @brief Starts the ticks, one in each tick period.
   /// @isr{no}
   /// @satisfies FR-100
   void start();
 
-  /// @brief Makes one beat: acknowledges the timer, then executes the commands. The vector of the
+  /// @brief Makes one tick: acknowledges the timer, then executes the commands. The vector of the
   /// timer's interrupt calls it.
   /// @isr{yes}
   /// @satisfies FR-100

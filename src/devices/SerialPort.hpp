@@ -30,7 +30,7 @@ class SerialPort {
   /// @satisfies FR-33
   [[nodiscard]] virtual Instant receivedAt() const = 0;
 
-  /// @brief Tells the room for bytes to send.
+  /// @brief Returns the room for bytes to send.
   /// @return number of bytes that a write can take now
   /// @isr{no}
   /// @satisfies FR-64
@@ -43,7 +43,7 @@ class SerialPort {
   /// @satisfies FR-64
   virtual bool write(std::span<const std::uint8_t> bytes) = 0;
 
-  /// @brief Tells how many bytes were received and could not be stored.
+  /// @brief Returns the number of bytes that were received and not stored.
   /// @return number of lost bytes since start, at most 65535
   /// @isr{no}
   /// @satisfies FR-49

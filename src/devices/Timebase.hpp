@@ -7,15 +7,15 @@
 namespace wr {
 
 /// @brief Clock that runs from the start of the system.
-/// @function Tells the time to who must stamp values or wait for a time-out, and how long the processor
-/// was awake to who must tell what a cycle costs.
+/// @function Gives the time for stamps of values and for time-outs, and how long the processor
+/// was awake, for the cost of a cycle.
 /// @secret Which counters measure the time and the work, and how the time is kept from wrapping.
 class Timebase {
  public:
   Timebase(const Timebase&) = delete;
   Timebase& operator=(const Timebase&) = delete;
 
-  /// @brief Tells the time.
+  /// @brief Returns the time.
   /// @return time since start [us]; never less than at the call before
   /// @isr{yes}
   /// @satisfies FR-127

@@ -11,7 +11,7 @@ class Watchdog {
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
 
-  /// @brief Tells the watchdog that the system works. Only a control cycle that completed may do so.
+  /// @brief Reports to the watchdog that the system works. Only a control cycle that completed may do so.
   /// @isr{no}
   virtual void refresh() = 0;
 

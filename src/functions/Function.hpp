@@ -15,8 +15,8 @@ namespace wr {
 ///
 /// @patternapp{functions, Strategy, Functions}
 /// @why What sensors and the remote control give must be turned into physical values, each by its
-/// own formula. A sensor is given a function and does not know which.
-/// @changes A formula may change with the sensor. A new calculation is a new heir of this class.
+/// own formula. A sensor gets a function, and does not depend on which.
+/// @changes A formula may change with the sensor. A new calculation is a new subclass of this class.
 class Function {
  public:
   Function(const Function&) = delete;
@@ -24,7 +24,7 @@ class Function {
 
   /// @brief Calculates the value.
   /// @param arguments what it is calculated from
-  /// @return the value, in the unit that the function says; nothing when an argument is missing,
+  /// @return the value, in the unit of the function; nothing when an argument is missing,
   /// out of its range, or when the value would be
   /// @isr{yes}
   [[nodiscard]] virtual std::optional<std::int32_t> calculate(const Arguments& arguments) const = 0;

@@ -8,12 +8,12 @@
 namespace wr {
 
 /// @brief Divides, and rounds to the nearest number; a half is rounded away from zero.
-/// @param dividend what is divided; with a divisor of 32 bits, a product of 33 and 32 bits has room
+/// @param dividend number to divide; with a divisor of 32 bits, a product of 33 and 32 bits has room
 /// @param divisor what it is divided by
 /// @return the quotient; nothing unless the divisor is greater than 0 and the quotient has 32 bits
 [[nodiscard]] std::optional<std::int32_t> quotient(std::int64_t dividend, std::int64_t divisor);
 
-/// @brief Tells whether a value is in the range that the arguments give. A bound that is not given
+/// @brief Returns whether a value is in the range that the arguments give. A bound that is not given
 /// bounds nothing.
 /// @param arguments give Lowest and Highest
 /// @param value the value

@@ -78,7 +78,8 @@ class K64Board {
   /// @satisfies FR-264
   [[nodiscard]] static std::optional<std::uint32_t> randomWord();
 
-  /// @brief Tells why this start came, and what was recorded before it. The record is told once.
+  /// @brief Returns the cause of this start and the record of the fault before it. The record is
+  /// reported once.
   /// @return cause of the reset, and the fault before it
   /// @isr{no}
   /// @satisfies FR-77
@@ -100,7 +101,7 @@ class K64Board {
   /// @satisfies FR-73
   [[noreturn]] static void endWithoutClock(std::uint16_t step);
 
-  /// @brief Tells what kind of fault an exception stands for.
+  /// @brief Returns the kind of fault of an exception.
   /// @param exception number of the exception
   /// @return the fault; UnexpectedInterrupt for an exception that is no fault
   /// @isr{yes}

@@ -26,7 +26,7 @@ static_assert(widthOf(DutyCycle(0)) == 0 && widthOf(kWhole) == kPeriod);
 }  // namespace
 
 void K64Ftm::start() {
-  // The registers are written while the timer stands: then each value holds at once.
+  // The registers are written while the timer is stopped: then each value acts at once.
   ftm0::MODE.write(ftm0::MODE_WPDIS);
   ftm0::SC.write({0});
   ftm0::CONF.write(ftm0::CONF_BDMMODE_SAFE);

@@ -29,7 +29,7 @@ class K64Ftm final : public PwmOutput {
   /// @satisfies FR-140
   static void start();
 
-  /// @param dutyCycle share [0.01 %], 0 to 10000; what is beyond counts as the limit. It becomes a
+  /// @param dutyCycle share [0.01 %], 0 to 10000; a greater one counts as the limit. It becomes a
   /// width of 0 to 3000 bus clocks, rounded to the nearest.
   /// @post The width holds from the next period on.
   /// @isr{yes}

@@ -9,10 +9,10 @@ namespace wr {
 
 /// @brief The time since start, from channel 2 of the periodic interrupt timer, and the cycles of the
 /// core, from its own counter.
-/// @function Tells the time in microseconds to threads and interrupts. Lets the core sleep, and tells how
+/// @function Gives the time in microseconds to threads and interrupts. Lets the core sleep, and gives how
 /// many cycles it was awake.
 /// @secret How a counter of 32 bits that runs down gives a time that never wraps, without a division of
-/// 64 bits; how the cycles are counted whether or not the counter of the core stands while the core
+/// 64 bits; how the cycles are counted whether or not the counter of the core stops while the core
 /// sleeps.
 class K64Timebase final : public Timebase {
  public:
@@ -72,7 +72,7 @@ class K64Timebase final : public Timebase {
     std::uint64_t microseconds = 0;
     std::uint32_t ticks = 0;  ///< less than a microsecond
 
-    /// @brief Tells a later time.
+    /// @brief Returns a later time.
     [[nodiscard]] constexpr Time after(std::uint32_t later) const {
       const std::uint32_t left = ticks + later % K64Board::kTicksPerMicrosecond;
       return {microseconds +
@@ -80,7 +80,7 @@ class K64Timebase final : public Timebase {
               left % K64Board::kTicksPerMicrosecond};
     }
 
-    /// @brief Tells the time one period of the counter later.
+    /// @brief Returns the time one period of the counter later.
     [[nodiscard]] constexpr Time afterPeriod() const { return after(kFirst).after(1); }
   };
 

@@ -16,7 +16,7 @@ class K64Watchdog final : public Watchdog {
   /// @brief How long the watchdog waits for a refresh.
   static constexpr Microseconds kTimeOut = SystemConstants::instance().watchdogTimeout();
 
-  /// @brief Makes the watchdog known to who refreshes it.
+  /// @brief Returns the watchdog, for the module that refreshes it.
   constexpr K64Watchdog() = default;
 
   /// @brief Configures the watchdog and locks it until the next reset. Touches no memory.

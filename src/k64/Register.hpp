@@ -9,7 +9,7 @@ namespace wr {
 enum class Access : std::uint8_t {
   Read,       ///< read only
   Write,      ///< write only
-  ReadWrite,  ///< what is read is what was written: bits can be changed one by one
+  ReadWrite,  ///< a read gives the bits that were written: bits can be changed one by one
   Flags       ///< read and write differ: it is written as a whole only
 };
 
@@ -26,7 +26,7 @@ class Register {
   struct Bits {
     Value value = 0;  ///< the number that they form
 
-    /// @brief Tells whether any bit is set.
+    /// @brief Returns whether any bit is set.
     /// @return true when at least one is
     [[nodiscard]] constexpr bool any() const { return value != 0; }
 
@@ -35,12 +35,12 @@ class Register {
       return {static_cast<Value>(a.value | b.value)};
     }
 
-    /// @brief Tells which bits stand in both.
+    /// @brief Returns the bits that are set in both.
     friend constexpr Bits operator&(Bits a, Bits b) {
       return {static_cast<Value>(a.value & b.value)};
     }
 
-    /// @brief Tells whether the bits are the same.
+    /// @brief Returns whether the bits are the same.
     friend constexpr bool operator==(Bits, Bits) = default;
   };
 
@@ -83,7 +83,7 @@ class Register {
   }
 
   /// @brief Sets bits, and leaves the others.
-  /// @param bits what is set
+  /// @param bits bits to set
   void set(Bits bits) const
     requires(kAccess == Access::ReadWrite)
   {
@@ -91,7 +91,7 @@ class Register {
   }
 
   /// @brief Clears bits, and leaves the others.
-  /// @param bits what is cleared
+  /// @param bits bits to clear
   void clear(Bits bits) const
     requires(kAccess == Access::ReadWrite)
   {

@@ -30,7 +30,7 @@ inline void finishStores() {
   asm volatile("dsb" ::: "memory");
 }
 
-/// @brief Waits until all stores are done, and reads the instructions that follow anew.
+/// @brief Waits until all stores are done, and reads the instructions that follow again.
 inline void finishInstructions() {
   asm volatile("dsb\n\tisb" ::: "memory");
 }
@@ -50,7 +50,7 @@ inline void openInterrupts() {
   asm volatile("cpsie i\n\tisb" ::: "memory");
 }
 
-/// @brief Tells which exception is being handled.
+/// @brief Returns the exception that is being handled.
 /// @return number of the exception, 0 for none
 inline std::uint16_t activeException() {
   std::uint32_t number = 0;  // NOLINT(misc-const-correctness): the instruction writes it

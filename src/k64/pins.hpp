@@ -34,7 +34,7 @@ struct Pin {
   Mux mux;              ///< what it is connected to when all runs
   Role role;            ///< what it is for
 
-  /// @brief Tells whether the firmware drives the pin.
+  /// @brief Returns whether the firmware drives the pin.
   /// @return true for an output
   [[nodiscard]] constexpr bool isOutput() const {
     return role == Role::LowOutput || role == Role::HighOutput || role == Role::LateOutput;
@@ -117,7 +117,7 @@ consteval Pin pinOf(std::string_view signal) {
 
 namespace pin_rules {
 
-/// @brief Tells whether the part, in its package with 100 pins, has all pins.
+/// @brief Returns whether the part, in its package with 100 pins, has all pins.
 consteval bool allExist() {
   constexpr std::array<std::uint32_t, 5> kExisting = {0x000FF03F, 0x00FF0E0F, 0x0007FFFF,
                                                       0x000000FF, 0x0700007F};
@@ -127,7 +127,7 @@ consteval bool allExist() {
   });
 }
 
-/// @brief Tells whether no pin and no signal is used twice.
+/// @brief Returns whether no pin and no signal is used twice.
 consteval bool noneTwice() {
   for (const PinRow& a : kPinTable) {
     for (const PinRow& b : kPinTable) {
@@ -140,7 +140,7 @@ consteval bool noneTwice() {
   return true;
 }
 
-/// @brief Tells whether each signal of a peripheral is on a pin that can have it.
+/// @brief Returns whether each signal of a peripheral is on a pin that can have it.
 consteval bool allMuxed() {
   struct Function {
     Port port;
@@ -177,7 +177,7 @@ consteval bool allMuxed() {
   });
 }
 
-/// @brief Tells whether the pins of the debugger, PTA0 and PTA3, are left alone.
+/// @brief Returns whether the pins of the debugger, PTA0 and PTA3, are left alone.
 consteval bool debuggerIsFree() {
   return std::ranges::none_of(kPins, [](const Pin& pin) {
     return pin.port == Port::A && (pin.number == 0 || pin.number == 3);

@@ -13,6 +13,9 @@ void ControlData::beginCycle(Instant clockPulse) {
   overran_ = false;
   measurements_ = {};
   outputs_ = {};
+  if (setPoints_) {
+    setPoints_->repeated = true;
+  }
 }
 
 void ControlData::saveStart(std::uint32_t pulse, std::uint32_t start) {

@@ -12,12 +12,12 @@
 
 namespace wr {
 
-/// @brief What is known in a control cycle: orders, measurements, outputs.
+/// @brief Data of a control cycle: orders, measurements, outputs.
 ///
 /// @function Keeps the set-points that are in force with their source, and what happened in the present
 /// cycle, and gives the content of the report from it.
 ///
-/// @secret What is kept from one cycle to the next, and what is forgotten when a cycle begins.
+/// @secret The values that are kept from one cycle to the next, and those that end with a cycle.
 class ControlData {
  public:
   /// @brief Makes data without set-points, before the first cycle.
@@ -81,7 +81,7 @@ class ControlData {
   /// @satisfies FR-14
   [[nodiscard]] const std::optional<SetPoints>& setPoints() const;
 
-  /// @brief Tells whether a stop is in force in this cycle.
+  /// @brief Returns whether a stop is in force in this cycle.
   /// @return true if any source ordered a stop.
   /// @isr{no}
   /// @satisfies FR-21

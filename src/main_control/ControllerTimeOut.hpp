@@ -26,7 +26,7 @@ class ControllerTimeOut final : public Command {
   /// @param mCtrl controller whose cycles the timer begins
   explicit ControllerTimeOut(MainController& mCtrl);
 
-  /// @brief Tells the controller that a clock pulse came.
+  /// @brief Reports a clock pulse to the controller.
   /// @satisfies FR-1
   /// @isr{yes}
   void execute() override;

@@ -20,9 +20,9 @@ namespace wr {
 /// @brief Runs the control cycle: read, control, write.
 ///
 /// @function Runs one cycle for each clock pulse. In each cycle it serves every source of orders, lets the present
-/// operation state read one order, control and report, and tells the watchdog that it completed. It
-/// keeps the present state and the present reading mode, and does what the states order: apply
-/// control, hold, send a report.
+/// operation state read one order, control and report, and reports to the watchdog that it
+/// completed. It keeps the present state and the present reading mode, and does what the states
+/// order: apply control, hold, send a report.
 ///
 /// @secret The sequence of steps in a control cycle, and that a stop goes before every state.
 ///
@@ -38,9 +38,9 @@ class MainController {
     ControlThread& thread;       ///< runs the cycles
     const Timebase& timebase;    ///< gives the time of a clock pulse, and counts what a cycle costs
     ControlData& data;           ///< data of the cycle
-    ControlSystemPool& systems;  ///< what is controlled
+    ControlSystemPool& systems;  ///< the control systems
     PcConnection& connection;    ///< link to the PC
-    Watchdog& watchdog;          ///< is told of each cycle that completed
+    Watchdog& watchdog;          ///< gets a report of each cycle that completed
     OperationState& initialState;  ///< operation state at start
     Mode& initialMode;             ///< reading mode at start
     std::span<Mode* const> modes;  ///< every mode: it is served, and can order a stop

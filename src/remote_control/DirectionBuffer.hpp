@@ -6,13 +6,13 @@
 namespace wr {
 
 /// @brief Buffer of the direction signal of the remote control.
-/// @function Gives the angle of each pulse to who reads orders.
+/// @function Gives the angle of each pulse to the reader of orders.
 /// @secret What a full deflection of the direction lever means, and where its value goes.
 /// @role{rc-buffers, Concrete Class}
 class DirectionBuffer final : public RcBuffer {
  public:
   /// @brief Binds the buffer.
-  /// @param instants tells period and width of the pulses
+  /// @param instants gives period and width of the pulses
   /// @param function calculates the angle of a pulse
   /// @param direction takes the angle of each pulse, with the time at which it ended
   DirectionBuffer(InstantCollector& instants, const Function& function, Pipe<Angle>& direction);

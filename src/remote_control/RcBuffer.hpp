@@ -9,8 +9,8 @@
 namespace wr {
 
 /// @brief Buffer of one signal of the remote control.
-/// @function Registers the edges of a signal, and interprets each pulse in the same steps. Heirs
-/// say what a full deflection means, and keep the value.
+/// @function Registers the edges of a signal, and interprets each pulse in the same steps. Subclasses
+/// define the value of a full deflection, and keep the value.
 /// @secret The steps from an edge to a value, and when a pulse is a pulse of the remote control.
 /// @role{rc-buffers, Abstract Class}
 /// @role{functions, Context}
@@ -21,7 +21,7 @@ namespace wr {
 /// own. Both are registered and interpreted in the same steps. Only what a signal means, and where
 /// its value goes, differ.
 /// @changes The meaning of a signal may change with a new remote control. A new signal is a new
-/// heir of this class.
+/// subclass of this class.
 class RcBuffer {
  public:
   RcBuffer(const RcBuffer&) = delete;
@@ -39,13 +39,13 @@ class RcBuffer {
 
  protected:
   /// @brief Binds the buffer.
-  /// @param instants tells period and width of the pulses
+  /// @param instants gives period and width of the pulses
   /// @param function calculates the value of a pulse; it refuses a width that cannot be
   RcBuffer(InstantCollector& instants, const Function& function);
   ~RcBuffer() = default;
 
  private:
-  /// @brief Tells what a full deflection of the lever means.
+  /// @brief Returns the value of a full deflection of the lever.
   /// @return value of a pulse of 2000 us, in the unit of the signal
   [[nodiscard]] virtual std::int32_t fullDeflection() const = 0;
 

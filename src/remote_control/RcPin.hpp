@@ -6,7 +6,7 @@
 namespace wr {
 
 /// @brief A pin at which pulses of the remote control come.
-/// @function Interrupts at each edge of the pin, executes the command that it was given, and tells
+/// @function Interrupts at each edge of the pin, executes the command that it was given, and gives
 /// the present level.
 /// @secret The hardware at which a signal of the remote control comes in.
 /// @role{rc-pin-interrupt, Invoker}
@@ -31,7 +31,7 @@ class RcPin final {
   /// @satisfies FR-52
   void serve();
 
-  /// @brief Tells the present level.
+  /// @brief Returns the present level.
   /// @return true for high
   /// @isr{yes}
   /// @satisfies FR-52

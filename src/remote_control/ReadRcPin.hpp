@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief What an edge on a pin of the remote control does: its buffer takes it.
 /// @function Passes the level after an edge, with its time, on to the buffer.
-/// @secret Which module acts on an edge of the remote control, and what it is told.
+/// @secret Which module acts on an edge of the remote control, and the values that it gets.
 /// @role{rc-pin-interrupt, Concrete Command}
 ///
 /// @patternapp{rc-pin-interrupt, Command, Process the RC pin interruptions}
@@ -21,8 +21,8 @@ class ReadRcPin final : public Command {
  public:
   /// @brief Binds the command to pin and buffer.
   /// @param buffer takes the edges
-  /// @param pin tells the level
-  /// @param timebase tells the time of an edge
+  /// @param pin gives the level
+  /// @param timebase gives the time of an edge
   ReadRcPin(RcBuffer& buffer, const RcPin& pin, const Timebase& timebase);
 
   /// @brief Gives the present level and the time to the buffer.

@@ -6,13 +6,13 @@
 namespace wr {
 
 /// @brief Buffer of the velocity signal of the remote control.
-/// @function Gives the velocity of each pulse to who reads orders.
+/// @function Gives the velocity of each pulse to the reader of orders.
 /// @secret What a full deflection of the velocity lever means, and where its value goes.
 /// @role{rc-buffers, Concrete Class}
 class VelocityBuffer final : public RcBuffer {
  public:
   /// @brief Binds the buffer.
-  /// @param instants tells period and width of the pulses
+  /// @param instants gives period and width of the pulses
   /// @param function calculates the velocity of a pulse
   /// @param velocity takes the velocity of each pulse, with the time at which it ended
   VelocityBuffer(InstantCollector& instants, const Function& function, Pipe<Velocity>& velocity);

@@ -2,7 +2,7 @@
 
 namespace wr {
 
-/// @brief One action that can be executed by who does not know it.
+/// @brief One action, whose caller does not name its receiver.
 /// @function Lets interrupts and threads start an action without naming the module that acts.
 /// @secret Which module acts when a command is executed.
 /// @role{cycle-timer-interrupt, Command}

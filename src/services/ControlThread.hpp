@@ -34,7 +34,7 @@ class ControlThread {
   /// @satisfies FR-172
   bool post();
 
-  /// @brief Tells how often the thread was posted before the last activation had ended.
+  /// @brief Returns how often the thread was posted before the last activation had ended.
   /// @return number of overruns since start, at most 65535
   /// @isr{yes}
   [[nodiscard]] std::uint16_t overruns() const;

@@ -19,8 +19,8 @@ struct Stamped {
 
 /// @brief Carries the newest value from one writer to one reader.
 /// @function Connects a writer and a reader that run at different priorities and do not know each
-/// other. Neither ever waits. A value tells when it was written, so that a stale one can be
-/// found.
+/// other. Neither ever waits. A value holds the time at which it was written, so that a stale one
+/// can be found.
 /// @secret That three slots change hands by one atomic exchange.
 template <class T>
 class Pipe {
@@ -44,7 +44,7 @@ class Pipe {
     written_ = shared_.exchange(written_ | kNew, std::memory_order_acq_rel) & kSlot;
   }
 
-  /// @brief Tells the newest value. The value stays in the pipe.
+  /// @brief Returns the newest value. The value stays in the pipe.
   /// @return the newest value and its time; nothing before the first write
   /// @pre No other read is under way.
   /// @isr{yes}
@@ -54,7 +54,7 @@ class Pipe {
     return value != nullptr ? std::optional(*value) : std::nullopt;
   }
 
-  /// @brief Tells where the newest value stands, for a reader that needs not all of it. It stands
+  /// @brief Returns the address of the newest value, for a reader that needs a part of it. It stays
   /// there until the next call of this or of read().
   /// @return the newest value and its time; null before the first write
   /// @pre No other read is under way.

@@ -14,7 +14,7 @@ enum class ResetCause : std::uint8_t {
   Watchdog = 4,    ///< the watchdog was not refreshed in time
   ClockLost = 5,   ///< the clock or its lock was lost
   Lockup = 6,      ///< a fault inside the handler of a fault
-  Software = 7,    ///< the firmware asked for it; the fault record tells why
+  Software = 7,    ///< the firmware asked for it; the fault record has the reason
   Debugger = 8     ///< a debugger asked for it
 };
 
@@ -39,7 +39,7 @@ struct StartRecord {
   std::uint16_t number = 0;   ///< number that belongs to the kind of fault, 0 without one
   std::uint32_t address = 0;  ///< instruction at which it ended, 0 when it is not known
 
-  /// @brief Tells whether two records are the same.
+  /// @brief Returns whether two records are the same.
   friend constexpr bool operator==(const StartRecord&, const StartRecord&) = default;
 };
 

@@ -26,38 +26,38 @@ class SystemConstants {
   /// @satisfies FR-178
   [[nodiscard]] static constexpr const SystemConstants& instance() { return instance_; }
 
-  /// @brief Tells the time between two clock pulses.
+  /// @brief Returns the time between two clock pulses.
   /// @return period of the control cycle [us]
   /// @satisfies FR-1
   /// @isr{yes}
   [[nodiscard]] constexpr Microseconds cyclePeriod() const { return milliseconds(100); }
 
-  /// @brief Tells N, the number of failed reads in a row that lead to the last waiting state.
+  /// @brief Returns N, the number of failed reads in a row that lead to the last waiting state.
   /// @return number of cycles [2 to 255]
   /// @satisfies FR-16
   /// @isr{yes}
   [[nodiscard]] constexpr std::uint8_t waitingCycles() const { return 4; }
 
-  /// @brief Tells how long an order can be read.
+  /// @brief Returns the time for which an order can be read.
   /// @return greatest age of an order [us]
   /// @satisfies FR-20
   /// @satisfies FR-50
   /// @isr{yes}
   [[nodiscard]] constexpr Microseconds orderLifetime() const { return milliseconds(200); }
 
-  /// @brief Tells how long the system waits for a Confirm after a Welcome.
+  /// @brief Returns the time for which the system waits for a Confirm after a Welcome.
   /// @return greatest duration of a handshake [us]
   /// @satisfies FR-32
   /// @isr{yes}
   [[nodiscard]] constexpr Microseconds handshakeTimeout() const { return milliseconds(1000); }
 
-  /// @brief Tells how long a connected PC may be silent.
+  /// @brief Returns the time for which a connected PC may be silent.
   /// @return greatest silence on the link [us]
   /// @satisfies FR-33
   /// @isr{yes}
   [[nodiscard]] constexpr Microseconds linkTimeout() const { return milliseconds(1000); }
 
-  /// @brief Tells how long the system may go without a cycle that completed. Three cycles: a cycle
+  /// @brief Returns the longest time without a cycle that completed. Three cycles: a cycle
   /// that is late is no reason to reset, and one that is stuck ends before the robot has gone 0.3
   /// m.
   /// @return time-out of the watchdog [us]
@@ -65,28 +65,28 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr Microseconds watchdogTimeout() const { return milliseconds(300); }
 
-  /// @brief Tells the time between two beats of the second timer.
+  /// @brief Returns the time between two ticks of the second timer.
   /// @return period of the second timer [us]
   /// @satisfies FR-100
   /// @isr{yes}
   [[nodiscard]] constexpr Microseconds tickPeriod() const { return milliseconds(1); }
 
-  /// @brief Tells how long a measured value can be used. One and a half cycles: a value of the cycle
+  /// @brief Returns the time for which a measured value can be used. One and a half cycles: a value of the cycle
   /// before still counts, an older one is missing.
   /// @return greatest age of a measurement [us]
   /// @satisfies FR-127
   /// @isr{yes}
   [[nodiscard]] constexpr Microseconds measurementLifetime() const { return milliseconds(150); }
 
-  /// @brief Tells the tension of the battery, which a duty cycle of 100 % puts on a wheel. Assumption:
+  /// @brief Returns the voltage of the battery, which a duty cycle of 100 % puts on a wheel. Assumption:
   /// two lead batteries of 12 V.
-  /// @return tension [mV]
+  /// @return voltage [mV]
   /// @satisfies FR-80
   /// @isr{yes}
   [[nodiscard]] constexpr Tension supply() const { return Tension(24000); }
 
-  /// @brief Tells the tension that a turning wheel motor makes itself. Assumption: 0.50 V s/rad.
-  /// @return tension at 1000 times 0.1 rpm [mV]
+  /// @brief Returns the voltage that a turning wheel motor makes itself. Assumption: 0.50 V s/rad.
+  /// @return voltage at 1000 times 0.1 rpm [mV]
   /// @satisfies FR-82
   /// @satisfies FR-85
   /// @isr{yes}
@@ -108,42 +108,42 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr Velocity slow() const { return Velocity(400); }
 
-  /// @brief Tells how many edges the two Hall sensors of a wheel give in one turn of the motor shaft.
+  /// @brief Returns the number of edges of the two Hall sensors in one turn of the motor shaft of a wheel.
   /// Assumption: a motor with 15 pairs of poles, two sensors, two edges each.
   /// @return number of edges
   /// @satisfies FR-120
   /// @isr{yes}
   [[nodiscard]] constexpr std::int32_t hallEdgesPerTurn() const { return 60; }
 
-  /// @brief Tells how far one step turns the steering. Assumption: 400 half steps in a turn of the
+  /// @brief Returns the angle by which one step turns the steering. Assumption: 400 half steps in a turn of the
   /// motor, and a gear that reduces 18 to 1.
   /// @return angle of a step [0.01 degree]
   /// @satisfies FR-101
   /// @isr{yes}
   [[nodiscard]] constexpr Angle steeringStep() const { return Angle(5); }
 
-  /// @brief Tells how fast the steering motor is driven at most. A step needs two ticks: one with the pulse,
+  /// @brief Returns the greatest rate of the steering motor. A step needs two ticks: one with the pulse,
   /// one without.
   /// @return greatest rate [steps/s]
   /// @satisfies FR-103
   /// @isr{yes}
   [[nodiscard]] constexpr StepRate steeringRate() const { return StepRate(500); }
 
-  /// @brief Tells how fast the rate of the steering motor changes at most, so that the motor loses no step.
+  /// @brief Returns the greatest change of the steering motor's rate at which it loses no step.
   /// One step/s in each tick.
   /// @return greatest change of the rate [steps/s^2]
   /// @satisfies FR-103
   /// @isr{yes}
   [[nodiscard]] constexpr std::int32_t steeringAcceleration() const { return 1000; }
 
-  /// @brief Tells how far the steering can be set to each side. The least radius of a turn, 2.5 m,
+  /// @brief Returns the greatest angle of the steering, to each side. The least radius of a turn, 2.5 m,
   /// needs about 32 degrees.
   /// @return greatest angle [0.01 degree]
   /// @satisfies FR-46
   /// @isr{yes}
   [[nodiscard]] constexpr Angle steeringLimit() const { return Angle(3200); }
 
-  /// @brief Tells how fast a wheel can be ordered to turn, forwards and backwards. Assumption: the
+  /// @brief Returns the greatest velocity that can be ordered, forwards and backwards. Assumption: the
   /// gear between motor shaft and wheel reduces 10 to 1. With a wheel radius of 0.272 m, 300 rpm
   /// at the shaft are 0.85 m/s.
   /// @return greatest velocity at the motor shaft [0.1 rpm]
@@ -151,13 +151,13 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr Velocity velocityLimit() const { return Velocity(3000); }
 
-  /// @brief Tells how much tension a wheel can be ordered to have, forwards and backwards.
-  /// @return greatest tension [mV]
+  /// @brief Returns the greatest voltage that can be ordered, forwards and backwards.
+  /// @return greatest voltage [mV]
   /// @satisfies FR-46
   /// @isr{yes}
   [[nodiscard]] constexpr Tension tensionLimit() const { return Tension(24000); }
 
-  /// @brief Tells how much current a wheel can be ordered to have, forwards and backwards.
+  /// @brief Returns the greatest current that can be ordered, forwards and backwards.
   /// @return greatest current [mA]
   /// @satisfies FR-46
   /// @isr{yes}

@@ -21,7 +21,7 @@ struct DirTarget {
   bool follow = false;   ///< true to go there, false to hold
   bool release = false;  ///< true to leave the fault state
 
-  /// @brief Tells whether two targets are the same.
+  /// @brief Returns whether two targets are the same.
   friend constexpr bool operator==(const DirTarget&, const DirTarget&) = default;
 };
 
@@ -48,8 +48,8 @@ struct TurnFeedback {
 /// @brief Controls the steering: from target and position to the turn.
 ///
 /// @function Lets the state of the steering act each time a measurement of the position ends, on the newest
-/// target, the newest position and what the motor does, and tells what it came to. It orders the
-/// motor through commands, and knows neither who measures nor who acts.
+/// target, the newest position and what the motor does, and returns the result. It orders the
+/// motor through commands, and names neither the sensor nor the device.
 ///
 /// @secret How old a target and a position may be, and how it is found that angle and motor do not agree.
 ///
@@ -62,10 +62,10 @@ class DirController final {
   /// @brief What the controller is made of. Each part lives as long as the controller.
   /// @datatype
   struct Parts {
-    Pipe<DirTarget>& target;       ///< what is ordered; the main thread writes it
+    Pipe<DirTarget>& target;       ///< the newest order; the main thread writes it
     Pipe<Angle>& position;         ///< where the steering is; the same interrupt writes it
     Pipe<DirStatus>& status;       ///< what the steering does; the main thread reads it
-    const Timebase& timebase;      ///< tells how old a value is
+    const Timebase& timebase;      ///< for the age of a value
     SteeringAlgorithm& algorithm;  ///< computes the turn
     SteeringCommand& enable;       ///< switches the motor on
     SteeringCommand& disable;      ///< switches the motor off
@@ -88,13 +88,13 @@ class DirController final {
   /// @satisfies FR-116
   void tick(const TurnFeedback& motor);
 
-  /// @brief Tells whether there is an order to follow. States call it.
+  /// @brief Returns whether there is an order to follow. States call it.
   /// @return true when the newest target is one to follow, and not older than 300 ms
   /// @isr{yes}
   /// @satisfies FR-106
   [[nodiscard]] bool following() const;
 
-  /// @brief Tells whether nobody orders any more. States call it.
+  /// @brief Returns whether orders have ceased. States call it.
   /// @return true when there is no target, or the newest one is older than 300 ms
   /// @isr{yes}
   /// @satisfies FR-109
@@ -106,7 +106,7 @@ class DirController final {
   /// @satisfies FR-112
   [[nodiscard]] bool released() const;
 
-  /// @brief Tells whether it is unknown where the steering is. States call it.
+  /// @brief Returns whether the position of the steering is unknown. States call it.
   /// @return true when there is no position, or the newest one is older than 20 ms
   /// @isr{yes}
   /// @satisfies FR-110
@@ -138,7 +138,7 @@ class DirController final {
   /// @satisfies FR-111
   [[nodiscard]] bool stalled();
 
-  /// @brief Tells the turn that leads to the target. States call it.
+  /// @brief Returns the turn that leads to the target. States call it.
   /// @return rate of the algorithm [steps/s], -500 to 500; 0 without an order to follow, while the motor is not
   /// ready, and towards an end stop that is reached
   /// @pre The position is not lost.
@@ -149,7 +149,7 @@ class DirController final {
   /// @satisfies FR-108
   [[nodiscard]] StepRate demand();
 
-  /// @brief Tells whether the motor makes no steps. States call it.
+  /// @brief Returns whether the motor makes no steps. States call it.
   /// @return true when its rate is 0
   /// @isr{yes}
   /// @satisfies FR-101
@@ -195,7 +195,7 @@ class DirController final {
   SteeringCommand& setTurn_;
   std::reference_wrapper<DirState> state_;
   Instant changedAt_{};  // when the present state began
-  // what is known at this tick
+  // values of this tick
   Instant now_{};
   TurnFeedback motor_{};
   std::optional<Stamped<DirTarget>> target_{};

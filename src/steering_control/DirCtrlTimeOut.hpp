@@ -8,7 +8,7 @@ class DirController;
 class DirSensor;
 class SteeringDevice;
 
-/// @brief What a beat of the second timer does for the steering: measure, control, actuate.
+/// @brief What a tick of the second timer does for the steering: measure, control, actuate.
 ///
 /// @function Has the sensor sample. When that ends a measurement, hands what the motor does to the controller
 /// and has it tick. Then has the motor tick. Neither timer, controller nor sensor knows the others.
@@ -19,9 +19,9 @@ class SteeringDevice;
 /// @role{steering-timer-interrupt, Concrete Command}
 ///
 /// @patternapp{steering-timer-interrupt, Command, Process timer interruptions for the steering system}
-/// @why A beat of the timer makes several elements of the steering act. The timer executes a command
+/// @why A tick of the timer makes several elements of the steering act. The timer executes a command
 /// object, so it names no element of the steering.
-/// @changes The actions at a beat, or the elements that they affect.
+/// @changes The actions at a tick, or the elements that they affect.
 class DirCtrlTimeOut final : public Command {
  public:
   /// @brief Binds the command to what it makes tick.

@@ -15,7 +15,7 @@ namespace wr {
 /// @brief The steering as a control system.
 ///
 /// @function Hands the angle that is ordered, or the order to hold, to the controller of the steering,
-/// which ticks on its own, and tells Main Control what the controller came to.
+/// which ticks on its own, and reports to Main Control the result of the controller.
 ///
 /// @secret How the control cycle and the faster tick of the steering exchange orders and values.
 ///
@@ -26,16 +26,16 @@ class DirSystem final : public ControlSystem {
   /// @brief What the system is made of. Each part lives as long as the system.
   /// @datatype
   struct Parts {
-    Pipe<DirTarget>& target;   ///< takes what is ordered
+    Pipe<DirTarget>& target;   ///< takes the orders
     Pipe<DirStatus>& status;   ///< gives what the steering does
-    const Timebase& timebase;  ///< tells when an order was given, and how old a value is
+    const Timebase& timebase;  ///< for the time of an order and the age of a value
   };
 
   /// @brief Binds the system to its parts.
   /// @param parts parts of the system
   explicit DirSystem(const Parts& parts);
 
-  /// @brief Tells whether the order of a cycle was given, to a steering that ticks.
+  /// @brief Returns whether the order of a cycle was given, to a steering that ticks.
   /// @param cycle number of the control cycle, from 1
   /// @return true if the last order was given in that cycle, and the steering ticked within the 20 ms
   /// before.

@@ -50,7 +50,7 @@ class SteeringDevice final {
   /// @satisfies FR-113
   void disable();
 
-  /// @brief Tells whether the motor can step.
+  /// @brief Returns whether the motor can step.
   /// @return true when it is on and has settled
   /// @isr{yes}
   /// @satisfies FR-107
@@ -58,7 +58,7 @@ class SteeringDevice final {
 
   /// @brief Sets the rate that the motor shall take on. A motor that is switched on later begins without
   /// a rate.
-  /// @param demand rate [steps/s], positive to the left; what is beyond -500 to 500 counts as the limit
+  /// @param demand rate [steps/s], positive to the left; a greater one counts as the limit
   /// @isr{yes}
   /// @satisfies FR-103
   void turn(StepRate demand);
@@ -70,7 +70,7 @@ class SteeringDevice final {
   /// @satisfies FR-104
   void tick();
 
-  /// @brief Tells the present rate of the motor.
+  /// @brief Returns the present rate of the motor.
   /// @return rate [steps/s], -500 to 500, positive to the left
   /// @isr{yes}
   /// @satisfies FR-103
@@ -90,7 +90,7 @@ class SteeringDevice final {
   /// @satisfies FR-225
   [[nodiscard]] bool rightEnd() const;
 
-  /// @brief Tells how many steps the motor was made to do.
+  /// @brief Returns the number of steps that the motor was made to do.
   /// @return steps to the left less steps to the right, since start
   /// @isr{yes}
   /// @satisfies FR-111
@@ -112,7 +112,7 @@ class SteeringDevice final {
   /// @satisfies FR-113
   void switchOff();
 
-  /// @brief Tells whether the time in which the motor settles has passed. Power states call it.
+  /// @brief Returns whether the time in which the motor settles has passed. Power states call it.
   /// @return true when it has
   /// @isr{yes}
   /// @satisfies FR-107

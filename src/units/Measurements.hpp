@@ -16,11 +16,11 @@ struct WheelMeasurements {
   std::optional<Current> current;     ///< current of the motor
   std::optional<HallCount> position;  ///< position of the wheel
   bool cutOff = false;                ///< its overcurrent trip has acted
-  bool blind = false;                 ///< it has tension, and its Hall sensors show no motion
+  bool blind = false;                 ///< it has voltage, and its Hall sensors show no motion
   bool reversalLate = false;          ///< it could not change its orientation in time
   std::uint16_t rejectedEdges = 0;    ///< implausible Hall edges since start, at most 65535
 
-  /// @brief Tells whether two measurements are the same.
+  /// @brief Returns whether two measurements are the same.
   friend constexpr bool operator==(const WheelMeasurements&, const WheelMeasurements&) = default;
 };
 
@@ -56,7 +56,8 @@ enum class StopCause : std::uint8_t {
   Tracking = 7,            ///< velocity and current of a wheel do not match its voltage
   MissingMeasurement = 8,  ///< a measured value is missing for too long
   HallSignals = 9,         ///< too many Hall edges of a wheel are implausible
-  Reversal = 10            ///< a wheel could not change its orientation in time
+  Reversal = 10,           ///< a wheel could not change its orientation in time
+  ClockLost = 11           ///< the clock was lost, and its monitor reset the microcontroller
 };
 
 /// @brief State of the safety functions in one control cycle.
@@ -84,17 +85,17 @@ struct Measurements {
   bool rightEnd = false;                                ///< the right end stop is reached
   Protection protection{};                              ///< state of the safety functions
 
-  /// @brief Tells whether two measurements are the same.
+  /// @brief Returns whether two measurements are the same.
   friend constexpr bool operator==(const Measurements&, const Measurements&) = default;
 };
 
 /// @brief What was applied in one control cycle. A value that is absent was not applied.
 /// @datatype
 struct Outputs {
-  std::array<std::optional<Tension>, kWheelCount> tensions{};  ///< tension of each wheel
+  std::array<std::optional<Tension>, kWheelCount> tensions{};  ///< voltage of each wheel
   std::optional<std::int8_t> turn;  ///< turn of the steering: -1 right, 0 none, 1 left
 
-  /// @brief Tells whether two outputs are the same.
+  /// @brief Returns whether two outputs are the same.
   friend constexpr bool operator==(const Outputs&, const Outputs&) = default;
 };
 

@@ -21,14 +21,14 @@ class Quantity {
   /// @param count number [unit of the quantity]
   explicit constexpr Quantity(Rep count) : count_(count) {}
 
-  /// @brief Tells the number.
+  /// @brief Returns the number.
   /// @return number [unit of the quantity]
   [[nodiscard]] constexpr Rep count() const { return count_; }
 
   /// @brief Compares two quantities of one unit.
   friend constexpr auto operator<=>(Quantity a, Quantity b) { return a.count_ <=> b.count_; }
 
-  /// @brief Tells whether two quantities of one unit are the same.
+  /// @brief Returns whether two quantities of one unit are the same.
   friend constexpr bool operator==(Quantity a, Quantity b) { return a.count_ == b.count_; }
 
   /// @brief Adds two quantities of one unit.

@@ -22,7 +22,7 @@ enum class WheelQuantity : std::uint8_t {
 /// @brief Set-point of one wheel.
 /// @datatype
 struct WheelSetPoint {
-  WheelQuantity quantity = WheelQuantity::Velocity;  ///< what is set
+  WheelQuantity quantity = WheelQuantity::Velocity;  ///< quantity of the value
   std::int16_t value = 0;                            ///< how much, in the unit of the quantity
 
   /// @brief Returns a set-point of a velocity.
@@ -31,8 +31,8 @@ struct WheelSetPoint {
     return {WheelQuantity::Velocity, static_cast<std::int16_t>(value.count())};
   }
 
-  /// @brief Returns a set-point of a tension.
-  /// @param value tension [mV], -32768 to 32767
+  /// @brief Returns a set-point of a voltage.
+  /// @param value voltage [mV], -32768 to 32767
   [[nodiscard]] static constexpr WheelSetPoint tension(Tension value) {
     return {WheelQuantity::Tension, static_cast<std::int16_t>(value.count())};
   }
@@ -43,7 +43,19 @@ struct WheelSetPoint {
     return {WheelQuantity::Current, static_cast<std::int16_t>(value.count())};
   }
 
-  /// @brief Tells whether two set-points are the same.
+  /// @brief Returns the value of a set-point of a velocity.
+  /// @pre The quantity is Velocity.
+  [[nodiscard]] constexpr Velocity velocity() const { return Velocity(value); }
+
+  /// @brief Returns the value of a set-point of a tension.
+  /// @pre The quantity is Tension.
+  [[nodiscard]] constexpr Tension tension() const { return Tension(value); }
+
+  /// @brief Returns the value of a set-point of a current.
+  /// @pre The quantity is Current.
+  [[nodiscard]] constexpr Current current() const { return Current(value); }
+
+  /// @brief Returns whether two set-points are the same.
   friend constexpr bool operator==(const WheelSetPoint&, const WheelSetPoint&) = default;
 };
 
@@ -54,9 +66,10 @@ struct SetPoints {
   Angle steering{};                                 ///< angle of the steering device
   std::array<WheelSetPoint, kWheelCount> wheels{};  ///< one set-point for each wheel
   bool acknowledge = false;  ///< releases latched faults; such an order moves nothing
+  bool repeated = false;     ///< read in an earlier cycle, and still in force
   std::uint32_t sentAt = 0;  ///< time of the sender's clock when the order was sent [ms]
 
-  /// @brief Tells whether two orders set the same.
+  /// @brief Returns whether two orders set the same.
   friend constexpr bool operator==(const SetPoints&, const SetPoints&) = default;
 };
 

@@ -57,7 +57,7 @@ class Instant {
   /// @param sinceStart time since start [us]
   explicit constexpr Instant(std::uint64_t sinceStart) : sinceStart_(sinceStart) {}
 
-  /// @brief Tells the time since start.
+  /// @brief Returns the time since start.
   /// @return time since start [us]
   [[nodiscard]] constexpr std::uint64_t sinceStart() const { return sinceStart_; }
 
@@ -66,15 +66,15 @@ class Instant {
     return a.sinceStart_ <=> b.sinceStart_;
   }
 
-  /// @brief Tells whether two instants are the same.
+  /// @brief Returns whether two instants are the same.
   friend constexpr bool operator==(Instant a, Instant b) { return a.sinceStart_ == b.sinceStart_; }
 
-  /// @brief Tells the duration from the second instant to the first.
+  /// @brief Returns the duration from the second instant to the first.
   friend constexpr Microseconds operator-(Instant later, Instant earlier) {
     return Microseconds(static_cast<std::int64_t>(later.sinceStart_ - earlier.sinceStart_));
   }
 
-  /// @brief Tells the instant that is a duration away.
+  /// @brief Returns the instant that is a duration away.
   friend constexpr Instant operator+(Instant instant, Microseconds duration) {
     return Instant(instant.sinceStart_ + static_cast<std::uint64_t>(duration.count()));
   }

@@ -12,13 +12,13 @@ namespace wr {
 
 /// @brief One wheel: its motor behind a driver.
 ///
-/// @function Sets tension and orientation of the motor, stops it, and switches its driver off when the
+/// @function Sets voltage and orientation of the motor, stops it, and switches its driver off when the
 /// current is too high: the overcurrent trip. An enabled driver puts the duty cycle's share of the
 /// supply on the motor, in the present orientation: the motor can drive and brake in it. Without
 /// duty cycle the motor is short-circuited and brakes. A disabled driver leaves the motor open, and
 /// the wheel coasts.
 ///
-/// @secret How the driver of a motor is made to apply a tension, how a tripped driver brakes, and how an
+/// @secret How the driver of a motor is made to apply a voltage, how a tripped driver brakes, and how an
 /// interrupt and a thread share its state.
 ///
 /// @role{wheel-commands, Receiver}
@@ -34,7 +34,7 @@ class Wheel final {
   Wheel(const Wheel&) = delete;
   Wheel& operator=(const Wheel&) = delete;
 
-  /// @brief Removes all tension from the motor: it is short-circuited and brakes. A wheel calls it once in
+  /// @brief Removes all voltage from the motor: it is short-circuited and brakes. A wheel calls it once in
   /// each control cycle of an overcurrent trip: the second call, when the current has decayed,
   /// enables the driver for braking.
   /// @post The driver is enabled, unless its overcurrent trip is younger than a cycle or has acted twice.
@@ -44,10 +44,10 @@ class Wheel final {
   /// @isr{no}
   void stop();
 
-  /// @brief Sets the tension, in the present orientation. The duty cycle is rounded to the nearest
+  /// @brief Sets the voltage, in the present orientation. The duty cycle is rounded to the nearest
   /// 0.01 %.
-  /// @param magnitude tension [mV], 0 to 24000; what is beyond counts as the limit
-  /// @post The driver is enabled; after an overcurrent trip neither tension nor driver change.
+  /// @param magnitude voltage [mV], 0 to 24000; a greater one counts as the limit
+  /// @post The driver is enabled; after an overcurrent trip neither voltage nor driver change.
   /// @satisfies FR-80
   /// @satisfies FR-86
   /// @isr{no}
@@ -61,7 +61,7 @@ class Wheel final {
 
   /// @brief Returns the command of the overcurrent trip, for an interrupt to execute. It switches the
   /// driver off at once.
-  /// @return command of this wheel; after it the motor has no tension until release()
+  /// @return command of this wheel; after it the motor has no voltage until release()
   /// @satisfies FR-89
   /// @isr{yes}
   [[nodiscard]] Command& cutOff();
@@ -83,7 +83,7 @@ class Wheel final {
     None,      ///< nothing
     Tripped,   ///< the driver is off
     Decaying,  ///< the driver is off, and a thread has seen it
-    Braking,   ///< the driver is on, without tension
+    Braking,   ///< the driver is on, without voltage
     Off        ///< it acted again while braking: the driver stays off
   };
 

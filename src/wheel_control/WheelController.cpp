@@ -10,11 +10,13 @@ namespace wr {
 
 namespace {
 
-constexpr Tension kLeastEffort(1500);        // a tension beyond this is expected to turn a wheel
+constexpr Tension kLeastEffort(2000);        // a voltage beyond this is expected to turn a wheel
 constexpr std::int32_t kMostEffort = 45000;  // [mV cycles] 4.5 V s: 6 V for 0.75 s
-constexpr Tension kSearched(10000);        // up to this, a slow order of velocity searches its load
-constexpr std::int16_t kSlowOrder = 600;   // [0.1 rpm]
-constexpr std::int32_t kSearchShare = 3;   // a voltage that searches counts a third
+constexpr Tension kFaint(3200);              // an order of this voltage moves the robot on the flat
+constexpr Tension kWeak(14000);              // a voltage that starts a wheel on any slope
+constexpr std::int32_t kWeakShare = 16;   // part that counts of a voltage that the current explains
+constexpr std::int32_t kStrongShare = 8;  // the same above kWeak
+constexpr std::int32_t kThousand = 1000;
 constexpr std::int32_t kJitter = 1;        // edges to and fro that one working sensor gives
 constexpr Tension kReversal(500);          // a demand below this needs no orientation of its own
 constexpr std::uint8_t kMostWaiting = 20;  // cycles that a reversal may wait for a slow wheel
@@ -92,7 +94,8 @@ bool WheelController::reversalLate() const {
   return reversalLate_;
 }
 
-// A wheel that is ordered to stand still may keep its tension without motion, on a slope.
+// A wheel that is ordered to stand still may keep its voltage without motion, on a slope. A motor
+// that turns without being seen draws less current than one that its load holds.
 void WheelController::watchMotion(const WheelSetPoint& setPoint, HallCount position) {
   const std::int32_t tension = std::abs(applied_.value_or(Tension()).count());
   if (std::abs(position.count() - seen_.count()) > kJitter) {
@@ -101,11 +104,25 @@ void WheelController::watchMotion(const WheelSetPoint& setPoint, HallCount posit
   } else if (tension <= kLeastEffort.count() || setPoint == WheelSetPoint::velocity(Velocity(0))) {
     effort_ = std::max(effort_ - kLeastEffort.count(), std::int32_t{0});
   } else {
-    const bool searches = setPoint.quantity == WheelQuantity::Velocity &&
-                          std::abs(setPoint.value) <= kSlowOrder && tension <= kSearched.count();
-    effort_ += searches ? tension / kSearchShare : tension;
+    effort_ += effort(setPoint, Tension(tension));
   }
   blind_ = blind_ || effort_ >= kMostEffort;
+}
+
+// Part of a tension that counts while the wheel does not move.
+std::int32_t WheelController::effort(const WheelSetPoint& setPoint, Tension tension) const {
+  const bool faint = setPoint.quantity == WheelQuantity::Tension && tension <= kFaint;
+  if (faint || !isHeld()) {
+    return tension.count();
+  }
+  return tension.count() / (tension <= kWeak ? kWeakShare : kStrongShare);
+}
+
+bool WheelController::isHeld() const {
+  const Tension applied = applied_.value_or(Tension());
+  const Tension winding(SystemConstants::instance().winding() *
+                        current().value_or(Current()).count() / kThousand);
+  return applied > Tension() ? winding * 2 > applied : winding * 2 < applied;
 }
 
 // While a reversal waits for the wheel, its demand is not applied. A wheel that is only dragged

@@ -17,7 +17,7 @@ namespace wr {
 /// @brief Controls one wheel.
 ///
 /// @function Takes the measured values of the wheel out of their pipes, has the algorithm of the ordered
-/// quantity calculate a tension, and has a behaviour apply it. It stops a wheel that cannot be
+/// quantity calculate a voltage, and has a behaviour apply it. It stops a wheel that cannot be
 /// controlled.
 ///
 /// @secret Which measured values control needs, and how it is found that a wheel cannot be controlled.
@@ -32,14 +32,14 @@ class WheelController final {
   struct Parts {
     Pipe<Velocity>& velocity;                   ///< brings the measured velocity
     Pipe<Current>& current;                     ///< brings the measured current
-    const Timebase& timebase;                   ///< tells how old a measured value is
+    const Timebase& timebase;                   ///< for the age of a measured value
     std::array<WheelAlgorithm*, 3> algorithms;  ///< one for each WheelQuantity, in its sequence
     WheelBehaviour& advance;                    ///< applies what an algorithm demands
     WheelBehaviour& stop;                       ///< stops the wheel
-    WheelCommand& stopWheel;                    ///< takes all tension from the wheel at once
+    WheelCommand& stopWheel;                    ///< takes all voltage from the wheel at once
   };
 
-  /// @brief Makes the controller of a wheel that stands still.
+  /// @brief Makes the controller of a wheel at rest.
   /// @param parts what it is made of
   explicit WheelController(const Parts& parts);
 
@@ -77,27 +77,27 @@ class WheelController final {
   /// @isr{no}
   void release();
 
-  /// @brief Tells the measured velocity.
+  /// @brief Returns the measured velocity.
   /// @return velocity [0.1 rpm]; nothing when it is older than the lifetime of a measurement
   /// @satisfies FR-90
   /// @satisfies FR-127
   /// @isr{no}
   [[nodiscard]] std::optional<Velocity> velocity() const;
 
-  /// @brief Tells the measured current.
+  /// @brief Returns the measured current.
   /// @return current [mA]; nothing when it is older than the lifetime of a measurement
   /// @satisfies FR-90
   /// @satisfies FR-127
   /// @isr{no}
   [[nodiscard]] std::optional<Current> current() const;
 
-  /// @brief Tells the tension that stands at the wheel.
-  /// @return tension [mV], positive forwards; nothing while none is applied
+  /// @brief Returns the voltage that is at the wheel.
+  /// @return voltage [mV], positive forwards; nothing while none is applied
   /// @satisfies FR-94
   /// @isr{no}
   [[nodiscard]] std::optional<Tension> applied() const;
 
-  /// @brief Checks whether the wheel had tension and its Hall sensors showed no motion.
+  /// @brief Checks whether the wheel had voltage and its Hall sensors showed no motion.
   /// @return true until release()
   /// @satisfies FR-91
   /// @isr{no}
@@ -111,6 +111,8 @@ class WheelController final {
 
  private:
   void watchMotion(const WheelSetPoint& setPoint, HallCount position);
+  [[nodiscard]] std::int32_t effort(const WheelSetPoint& setPoint, Tension tension) const;
+  [[nodiscard]] bool isHeld() const;
   void watchReversal(const WheelSetPoint& setPoint, Tension demand);
   void follow(const WheelSetPoint& setPoint, const WheelFeedback& feedback);
   void lower();
@@ -126,8 +128,8 @@ class WheelController final {
   WheelQuantity quantity_ = WheelQuantity::Velocity;  // what the last set-point set
   std::optional<Tension> applied_;
   HallCount seen_{};                // position when the wheel was last seen to turn
-  std::int32_t effort_ = 0;         // [mV cycles] tension times the time without motion
-  std::uint8_t waitingCycles_ = 0;  // cycles in a row in which a reversal waits without tension
+  std::int32_t effort_ = 0;         // [mV cycles] voltage times the time without motion
+  std::uint8_t waitingCycles_ = 0;  // cycles in a row in which a reversal waits without voltage
   bool blind_ = false;
   bool reversalLate_ = false;
 };

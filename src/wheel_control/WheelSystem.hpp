@@ -35,7 +35,7 @@ class WheelSystem final : public ControlSystem {
     WheelOrder& registerPosition;  ///< the second order
     WheelOrder& readCurrent;       ///< the third order
     WheelOrder& applyControl;      ///< the last one when the wheel follows its set-point
-    WheelOrder& haltWheel;         ///< the last one when the wheel stands still
+    WheelOrder& haltWheel;         ///< the last one when the wheel is to be at rest
   };
 
   /// @brief Makes the system. It does no work before start().
@@ -49,7 +49,7 @@ class WheelSystem final : public ControlSystem {
   /// @isr{no}
   void start();
 
-  /// @brief Tells whether the orders of a cycle were executed.
+  /// @brief Returns whether the orders of a cycle were executed.
   /// @param cycle number of the control cycle, from 1
   /// @return true if the last orders that were executed are those of that cycle
   /// @satisfies FR-5
@@ -59,7 +59,7 @@ class WheelSystem final : public ControlSystem {
 
   /// @brief Adds what was measured and applied at this wheel.
   /// @param measurements takes the measured values; values of other systems stay
-  /// @param outputs takes the applied tension; values of other systems stay
+  /// @param outputs takes the applied voltage; values of other systems stay
   /// @satisfies FR-93
   /// @satisfies FR-94
   /// @isr{no}

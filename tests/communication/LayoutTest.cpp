@@ -1,49 +1,38 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
+#include <algorithm>
+#include <array>
 #include <map>
-#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "bluetooth/Bluetooth.hpp"
 #include "communication/framing/Frame.hpp"
 #include "communication/serialization/OrderMessage.hpp"
 #include "communication/serialization/ReportMessage.hpp"
-#include "sim/scenario/FrameFields.hpp"
+#include "communication/serialization/SerialReader.hpp"
+#include "main_control/operation_modes/Mode.hpp"
+#include "main_control/operation_states/OperationState.hpp"
+#include "services/StartRecord.hpp"
+#include "services/SystemConstants.hpp"
+#include "sim/scenario/FrameTable.hpp"
+#include "units/Measurements.hpp"
+#include "units/SetPoints.hpp"
+#include "warning/WaitingK.hpp"
 
 namespace wr {
 namespace {
 
-/// @brief A line of the table of fields.
-struct Row {
-  std::string frame;
-  std::string field;
-  std::string type;
-  std::size_t offset = 0;
-};
-
-std::string table() {
-  std::ifstream file(WR_SOURCE_DIR "/design/frames.txt");
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-std::vector<Row> rowsOf(const std::string& frame) {
-  std::vector<Row> rows;
-  std::istringstream lines(table());
-  for (Row row; lines >> row.frame >> row.field >> row.type >> row.offset;) {
-    if (row.frame == frame) {
-      rows.push_back(row);
-    }
+/// @brief The layout of all fields: a line of frame, field, type and offset for each.
+std::string schema() {
+  std::string lines;
+  for (const scenario::FrameRow& row : scenario::kFrameRows) {
+    lines += std::string(row.frame) + ' ' + std::string(row.field) + ' ' + std::string(row.type) +
+             ' ' + std::to_string(row.offset) + '\n';
   }
-  return rows;
-}
-
-std::size_t sizeOf(const std::string& type) {
-  static const std::map<std::string, std::size_t> sizes{
-      {"u8", 1}, {"i8", 1}, {"u16", 2}, {"i16", 2}, {"u32", 4}, {"i32", 4}, {"char8", 8}};
-  return sizes.at(type);
+  return lines;
 }
 
 /// @brief CRC-32 as in Ethernet and zlib: polynomial 0x04C11DB7, reflected, one bit at a time.
@@ -72,13 +61,33 @@ class TypesWriter final : public Writer {
 };
 
 /// @brief The types of a frame in the table. A turn direction is written as the byte that it is.
-std::vector<std::string> typesOf(const std::string& frame) {
+std::vector<std::string> typesOf(std::string_view frame) {
   std::vector<std::string> types;
-  for (const Row& row : rowsOf(frame)) {
-    types.push_back(row.type == "i8" ? "u8" : row.type);
+  for (const scenario::FrameRow& row : scenario::kFrameRows) {
+    if (row.frame == frame) {
+      types.emplace_back(row.type == "i8" ? "u8" : row.type);
+    }
   }
   return types;
 }
+
+/// @brief The greatest set-point of an order in the table.
+std::int32_t limitOf(std::string_view name) {
+  const auto* const limit =
+      std::ranges::find(scenario::kFrameLimits, name, &scenario::FrameLimit::name);
+  return limit != scenario::kFrameLimits.end() ? limit->limit : 0;
+}
+
+/// @brief A number of the firmware, and the one that the table has for it.
+struct Number {
+  const char* name;
+  unsigned firmware;
+  unsigned table;
+};
+
+constexpr auto kNumbers = std::to_array<Number>({
+#include "sim/scenario/FirmwareNumbers.inc"
+});
 
 /// @brief The check value of CRC-32, that of the nine digits.
 /// @verifies FR-246
@@ -86,27 +95,40 @@ TEST(Layout, CheckValueOfTheHash) {
   EXPECT_EQ(crc32("123456789"), 0xCBF43926U);
 }
 
-/// @brief The hash of the Welcome is the CRC-32 of the table of fields.
+/// @brief The hash of the Welcome is the CRC-32 of the names, types and offsets of all fields.
 /// @verifies FR-246
 TEST(Layout, FR246_TheHashIsThatOfTheTable) {
-  EXPECT_EQ(kSchemaHash, crc32(table()));
+  EXPECT_EQ(kSchemaHash, crc32(schema()));
+  EXPECT_EQ(scenario::kTableHash, crc32(schema()));
 }
 
 /// @brief In the table the fields of each frame follow each other without a gap.
 /// @verifies FR-170
 TEST(Layout, FR170_FieldsFollowEachOther) {
-  const std::map<std::string, std::size_t> lengths{{"Hello", 6},   {"Welcome", 29},
-                                                   {"Confirm", 1}, {"KeepAlive", 0},
-                                                   {"Order", 21},  {"Report", 130}};
-  for (const auto& [frame, length] : lengths) {
-    SCOPED_TRACE(frame);
-    std::size_t offset = 0;
-    for (const Row& row : rowsOf(frame)) {
-      EXPECT_EQ(row.offset, offset) << row.field;
-      offset += sizeOf(row.type);
-    }
-    EXPECT_EQ(offset, length);
+  std::map<std::string_view, std::size_t> lengths;
+  for (const scenario::FrameRow& row : scenario::kFrameRows) {
+    EXPECT_EQ(row.offset, lengths[row.frame]) << row.frame << ' ' << row.field;
+    lengths[row.frame] += row.size;
   }
+  EXPECT_EQ(lengths["Order"], SerialReader::kOrderLength);
+}
+
+/// @brief Each frame type, state, mode, cause and fault has the number of the table.
+/// @verifies FR-170
+TEST(Layout, FR170_EachNameHasTheNumberOfTheTable) {
+  EXPECT_GE(kNumbers.size(), 50U);
+  for (const Number& number : kNumbers) {
+    EXPECT_EQ(number.firmware, number.table) << number.name;
+  }
+}
+
+/// @brief The limits of orders in the table are those that the firmware checks.
+/// @verifies FR-170
+TEST(Layout, FR170_LimitsOfOrdersAreThoseOfTheTable) {
+  EXPECT_EQ(SystemConstants::instance().steeringLimit().count(), limitOf("steering_set_point"));
+  EXPECT_EQ(SystemConstants::instance().velocityLimit().count(), limitOf("Velocity"));
+  EXPECT_EQ(SystemConstants::instance().tensionLimit().count(), limitOf("Tension"));
+  EXPECT_EQ(SystemConstants::instance().currentLimit().count(), limitOf("Current"));
 }
 
 /// @brief An order and a report are written with the types of the table, in its sequence.
@@ -118,29 +140,6 @@ TEST(Layout, FR170_OrderAndReportAreWrittenAsInTheTable) {
   TypesWriter report;
   ASSERT_TRUE(ReportMessage().writeTo(report));
   EXPECT_EQ(report.types, typesOf("Report"));
-}
-
-/// @brief Scenarios read each field of Welcome and Report at its place of the table.
-/// @verifies FR-170
-TEST(Layout, FR170_ScenariosReadTheFieldsOfTheTable) {
-  using Form = FrameField::Form;
-  const std::map<Form, std::string> types{{Form::U8, "u8"},   {Form::I8, "i8"},
-                                          {Form::U16, "u16"}, {Form::I16, "i16"},
-                                          {Form::U32, "u32"}, {Form::I32, "i32"}};
-  int compared = 0;
-  for (const char* frame : {"Welcome", "Report"}) {
-    for (const Row& row : rowsOf(frame)) {
-      const auto type = row.frame == "Welcome" ? kWelcomeType : kReportType;
-      for (const FrameField& field : frameFields()) {
-        if (field.name == row.field && field.type == type && field.form != Form::Bit) {
-          EXPECT_EQ(field.offset, row.offset) << row.field;
-          EXPECT_EQ(types.at(field.form), row.type) << row.field;
-          ++compared;
-        }
-      }
-    }
-  }
-  EXPECT_GE(compared, 70);
 }
 
 }  // namespace

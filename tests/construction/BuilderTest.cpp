@@ -21,17 +21,17 @@ namespace {
 
 class BuilderTest : public testing::Test {
  protected:
-  HostTimebase time;
-  HostSerialPort port;
-  HostScheduler scheduler;
-  HostPins pins{scheduler};
-  HostThread thread{scheduler, 1};
-  HostThread wheelThread{scheduler, 2};
-  HostTimer timer{scheduler};
-  HostTimer tickTimer{scheduler};
+  host::HostTimebase time;
+  host::HostSerialPort port;
+  host::HostScheduler scheduler;
+  host::HostPins pins{scheduler};
+  host::HostThread thread{scheduler, 1};
+  host::HostThread wheelThread{scheduler, 2};
+  host::HostTimer timer{scheduler};
+  host::HostTimer tickTimer{scheduler};
   Pipe<Velocity> velocity;
   Pipe<Angle> direction;
-  HostWatchdog watchdog{time};
+  host::HostWatchdog watchdog{time};
   StartRecord start{ResetCause::Software, FaultKind::Assertion, 3, 0x1234};
   WheelSystemBuilder wheelBuilder{{.pwm = pins.wheels[1].pwm,
                                    .orientation = pins.wheels[1].orientation,
@@ -140,13 +140,14 @@ TEST_F(BuilderTest, FR74_CyclesRefreshTheWatchdogOfThePlatform) {
 /// @verifies FR-76
 TEST_F(BuilderTest, FR76_WelcomeTellsTheStartOfThePlatform) {
   startRobot();
-  PcSender pc;
+  scenario::PcSender pc;
   port.arrive(pc.hello());
   timer.periodPassed();
-  const std::optional<PcWelcome> welcome = welcomeOf(bodies(port.takeSent()).at(0));
+  const std::optional<scenario::PcWelcome> welcome =
+      scenario::welcomeOf(scenario::bodies(port.takeSent()).at(0));
   ASSERT_TRUE(welcome);
   EXPECT_EQ(welcome->resetCause, 7);
-  EXPECT_EQ(welcome->faultKind, 1);
+  EXPECT_EQ(welcome->fault, 1);
   EXPECT_EQ(welcome->faultNumber, 3);
   EXPECT_EQ(welcome->faultAddress, 0x1234U);
 }

@@ -51,7 +51,7 @@ inline constexpr std::array<SafePin, 17> kSafePins{{
 /// is tested: they do not stop the board.
 class BoardRobot : public SteppedRobot {
  public:
-  explicit BoardRobot(k64::Options options = {})
+  explicit BoardRobot(emulator::Options options = {})
       : BoardRobot(switchBoardOn(testsResets(std::move(options)))) {}
   explicit BoardRobot(std::vector<std::uint8_t> image)
       : BoardRobot(switchBoardOn(std::move(image), testsResets({}))) {}
@@ -67,7 +67,7 @@ class BoardRobot : public SteppedRobot {
   void startUp() { run(milliseconds(10)); }
 
   /// Asks for a connection, and takes the answer.
-  PcWelcome askForWelcome() {
+  scenario::PcWelcome askForWelcome() {
     welcome.reset();
     static_cast<void>(line.takeSent());
     hello();
@@ -87,18 +87,19 @@ class BoardRobot : public SteppedRobot {
   }
 
  private:
-  static k64::Options testsResets(k64::Options options) {
+  static emulator::Options testsResets(emulator::Options options) {
     options.resetsAreFindings = false;
     options.faultsAreFindings = false;
     return options;
   }
-  explicit BoardRobot(std::unique_ptr<BoardLine> robot) : BoardRobot(*robot, robot) {}
-  BoardRobot(BoardLine& robot, std::unique_ptr<BoardLine>& owner)
+  explicit BoardRobot(std::unique_ptr<board_robot::BoardSession> robot)
+      : BoardRobot(*robot, robot) {}
+  BoardRobot(board_robot::BoardSession& robot, std::unique_ptr<board_robot::BoardSession>& owner)
       : SteppedRobot(std::move(owner)), line(robot), board(robot.board) {}
 
  public:
-  BoardLine& line;
-  k64::VirtualBoard& board;
+  board_robot::BoardSession& line;
+  emulator::VirtualBoard& board;
 };
 
 // Addresses of registers, as the reference manual of the part gives them.

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/scenario/EventTrace.hpp"
+#include "sim/emulator/EventTrace.hpp"
+#include "sim/emulator/Image.hpp"
 #include "sim/scenario/Scenario.hpp"
 #include "sim/scenario/ScenarioPlayer.hpp"
 #include "support/image.hpp"
@@ -18,12 +19,12 @@ namespace {
 /// @verifies NFR-6
 TEST(BoardRun, SameRunGivesSameTrace) {
   const auto hashOf = [](const char* scenario) {
-    const Scenario steps =
-        Scenario::load(std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/examples" / scenario);
-    const std::unique_ptr<BoardLine> robot = switchBoardOn();
-    EventTrace trace;
-    robot->onEvent([&](const k64::Event& event) { trace.add(event); });
-    const auto outcome = ScenarioPlayer(steps, *robot).play();
+    const scenario::Scenario steps = scenario::Scenario::load(std::filesystem::path(WR_SOURCE_DIR) /
+                                                              "sim/scenario/examples" / scenario);
+    const std::unique_ptr<board_robot::BoardSession> robot = switchBoardOn();
+    emulator::EventTrace trace;
+    robot->onEvent([&](const emulator::Event& event) { trace.add(event); });
+    const auto outcome = scenario::ScenarioPlayer(steps, *robot).play();
     EXPECT_EQ(outcome.failures, std::vector<std::string>{});
     EXPECT_GT(trace.events(), 1000U);
     return trace.hash();
@@ -37,7 +38,8 @@ TEST(BoardRun, SameRunGivesSameTrace) {
 
 /// @brief Without an image there is no test that passes.
 TEST(BoardRun, MissingImageIsAnError) {
-  EXPECT_THROW(static_cast<void>(readImage("/nowhere/weeding_robot.bin")), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(emulator::readImage("/nowhere/weeding_robot.bin")),
+               std::runtime_error);
 }
 
 }  // namespace

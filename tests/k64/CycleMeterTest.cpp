@@ -1,4 +1,4 @@
-#include "sim/scenario/CycleMeter.hpp"
+#include "sim/board_robot/CycleMeter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ struct Drive {
     meter.emplace(robot.line, nanoseconds(0), profiled);
     robot.connect();
     for (int cycle = 0; cycle < cycles; ++cycle) {
-      PcOrder order{.id = static_cast<std::uint16_t>(cycle + 1)};
+      scenario::PcOrder order{.id = static_cast<std::uint16_t>(cycle + 1)};
       order.wheels.fill({.quantity = 0, .value = 500});
       robot.order(order);
       robot.cycle();
@@ -34,8 +34,8 @@ struct Drive {
   }
 
   BoardRobot robot;
-  std::optional<CycleMeter> meter;
-  std::vector<PcReport> reports;  ///< the first is that of the third cycle
+  std::optional<board_robot::CycleMeter> meter;
+  std::vector<scenario::PcReport> reports;  ///< the first is that of the third cycle
 };
 
 /// @brief The firmware counts what the board measures. Its counts begin when the interrupt of the clock
@@ -48,9 +48,9 @@ TEST(CyclesOfTheImage, FR160_TheReportTellsWhatTheBoardMeasures) {
     return std::abs(static_cast<std::int64_t>(left - right));
   };
   for (std::size_t i = 10; i + 1 < drive.reports.size(); ++i) {
-    const CycleMeter::Cycle& before = drive.meter->cycles().at(i + 1);
-    const CycleMeter::Cycle& own = drive.meter->cycles().at(i + 2);
-    const PcReport& report = drive.reports.at(i);
+    const board_robot::CycleMeter::Cycle& before = drive.meter->cycles().at(i + 1);
+    const board_robot::CycleMeter::Cycle& own = drive.meter->cycles().at(i + 2);
+    const scenario::PcReport& report = drive.reports.at(i);
     EXPECT_LT(off(report.awakeCycles, before.whole.cycles), before.whole.cycles / 30);
     EXPECT_LT(off(report.startCycles + own.pulseLatency, own.startDelay), kFew);
     EXPECT_LT(off(report.reportCycles + before.pulseLatency, before.toReport.cycles), kFew);
@@ -74,22 +74,22 @@ TEST(CyclesOfTheImage, SameRunCostsTheSame) {
 /// instruction that an IT block passes over takes time, and is not executed.
 TEST(CyclesOfTheImage, EachInstructionIsCountedOnce) {
   const Drive drive(30, true);
-  CycleMeter::Cost whole;
-  CycleMeter::Cost toReport;
-  for (const CycleMeter::Cycle& cycle : drive.meter->cycles()) {
+  board_robot::CycleMeter::Cost whole;
+  board_robot::CycleMeter::Cost toReport;
+  for (const board_robot::CycleMeter::Cycle& cycle : drive.meter->cycles()) {
     whole.instructions += cycle.whole.instructions;
     whole.cycles += cycle.whole.cycles;
     toReport.instructions += cycle.toReport.instructions;
   }
   ASSERT_GT(whole.instructions, 0U);
   // The last cycle has begun and is not whole: exceptions and instructions count it already.
-  CycleMeter::Cost charged;
+  board_robot::CycleMeter::Cost charged;
   for (const auto& [number, exception] : drive.meter->exceptions()) {
     charged.instructions += exception.whole.instructions;
     charged.cycles += exception.whole.cycles;
   }
   std::uint64_t profiled = 0;
-  for (std::uint32_t address = 0; address < k64::ExecutedCode::kEnd; address += 2) {
+  for (std::uint32_t address = 0; address < emulator::ExecutedCode::kEnd; address += 2) {
     profiled += drive.meter->timesOf(address, false) + drive.meter->timesOf(address, true);
   }
   EXPECT_GE(charged.instructions, whole.instructions);
@@ -102,7 +102,7 @@ TEST(CyclesOfTheImage, ACycleBeginsReportsAndSleeps) {
   const Drive drive(30);
   ASSERT_GE(drive.meter->cycles().size(), 30U);
   for (std::size_t i = 1; i < drive.meter->cycles().size(); ++i) {
-    const CycleMeter::Cycle& cycle = drive.meter->cycles()[i];
+    const board_robot::CycleMeter::Cycle& cycle = drive.meter->cycles()[i];
     EXPECT_TRUE(cycle.reported);
     EXPECT_GT(cycle.startDelay, 0U);
     EXPECT_GT(cycle.toReport.cycles, cycle.startDelay);

@@ -9,8 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "sim/k64/VirtualBoard.hpp"
-#include "sim/scenario/BoardLine.hpp"
+#include "sim/board_robot/BoardSession.hpp"
+#include "sim/emulator/Image.hpp"
+#include "sim/emulator/VirtualBoard.hpp"
 
 namespace wr::test {
 
@@ -21,8 +22,8 @@ using std::chrono::nanoseconds;
 /// finding of the board fails the test.
 class DriverBoard {
  public:
-  explicit DriverBoard(k64::Options options = {})
-      : board(readImage(WR_DRIVERS_PROGRAM), std::move(options)) {}
+  explicit DriverBoard(emulator::Options options = {})
+      : board(emulator::readImage(WR_DRIVERS_PROGRAM), std::move(options)) {}
   DriverBoard(const DriverBoard&) = delete;
   DriverBoard& operator=(const DriverBoard&) = delete;
   ~DriverBoard() { EXPECT_FALSE(board.finding()) << text(); }
@@ -48,7 +49,7 @@ class DriverBoard {
     return numbers;
   }
 
-  k64::VirtualBoard board;
+  emulator::VirtualBoard board;
 
  private:
   [[nodiscard]] std::string text() const {

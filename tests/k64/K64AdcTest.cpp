@@ -74,8 +74,8 @@ TEST(K64AdcOnBoard, FR142_EachInputIsConvertedOnceInEachTick) {
   DriverBoard drivers;
   drivers.startUp();
   std::vector<std::array<int, kInputs.size()>> ticks;
-  drivers.board.onEvent([&](const k64::Event& event) {
-    if (event.kind == k64::Event::Kind::LineRaised && event.number == kTick) {
+  drivers.board.onEvent([&](const emulator::Event& event) {
+    if (event.kind == emulator::Event::Kind::LineRaised && event.number == kTick) {
       ticks.emplace_back();
     }
   });
@@ -166,7 +166,7 @@ TEST(K64AdcOnBoard, FR143_AfterAFailedCalibrationThereAreNoValues) {
   EXPECT_NEAR(drivers.board.pwmDuty(0, 0), 0.5, 1e-9) << "the other devices work";
 }
 
-constexpr std::uint16_t kAllCurrents = 0b010'010'010'010;  // bits of PcReport::measured
+constexpr std::uint16_t kAllCurrents = 0b010'010'010'010;  // bits of scenario::PcReport::measured
 constexpr std::uint16_t kSteeringPosition = 1U << 12U;
 
 /// @brief The reports of a robot that stands have the currents of all wheels and the angle of the steering.
@@ -203,7 +203,7 @@ TEST(K64AdcInTheRobot, FR205_OpenInputOfTheAngleIsMissing) {
 /// are missing.
 /// @verifies FR-143
 TEST(K64AdcInTheRobot, FR143_AfterAFailedCalibrationTheCurrentsAreMissing) {
-  BoardRobot robot(k64::Options{.calibrates = {false, false}});
+  BoardRobot robot(emulator::Options{.calibrates = {false, false}});
   robot.startUp();
   robot.connect();
   robot.cycles(3);

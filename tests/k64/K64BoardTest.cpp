@@ -8,6 +8,7 @@
 
 #include "k64/BoardRobot.hpp"
 #include "k64/patch.hpp"
+#include "sim/emulator/Image.hpp"
 
 namespace wr::test {
 namespace {
@@ -20,7 +21,7 @@ bool isClock(std::uint32_t address) {
   return address >= kClockBegin && address < kClockEnd;
 }
 
-std::vector<std::uint32_t> memoryOf(const k64::VirtualBoard& board) {
+std::vector<std::uint32_t> memoryOf(const emulator::VirtualBoard& board) {
   std::vector<std::uint32_t> words;
   for (std::uint32_t i = 0; i < kWordsOfMemory; ++i) {
     words.push_back(board.word(kUpperMemory + 4 * i));
@@ -68,7 +69,7 @@ TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeMemoryIsInitialised) {
   const std::vector<std::uint32_t> before = memoryOf(robot.board);
   std::optional<std::vector<std::uint32_t>> whenSafe;
   std::optional<std::vector<std::uint32_t>> atClock;
-  robot.board.reset(k64::Reset::Pin);
+  robot.board.reset(emulator::Reset::Pin);
   robot.board.onWrite([&](std::uint32_t address, unsigned /*size*/, std::uint32_t /*value*/) {
     if (!whenSafe && robot.unsafePins().empty()) {
       whenSafe = memoryOf(robot.board);
@@ -93,11 +94,11 @@ TEST(K64BoardOnBoard, FR71_NoOutputLeavesItsSafeLevel) {
   };
   BoardRobot robot;
   std::vector<std::uint32_t> changed;
-  robot.line.onEvent([&](const k64::Event& event) {
-    EXPECT_NE(event.kind, k64::Event::Kind::PwmChanged);
+  robot.line.onEvent([&](const emulator::Event& event) {
+    EXPECT_NE(event.kind, emulator::Event::Kind::PwmChanged);
     for (const SafePin& pin : kSafePins) {
       const std::uint32_t number = kNumberOf(pin.port, static_cast<unsigned>(pin.number));
-      if (event.kind == k64::Event::Kind::PinChanged && event.number == number &&
+      if (event.kind == emulator::Event::Kind::PinChanged && event.number == number &&
           (event.value != 0) != pin.level) {
         changed.push_back(number);
       }
@@ -117,14 +118,14 @@ TEST(K64BoardOnBoard, FR71_NoOutputLeavesItsSafeLevel) {
 TEST(K64BoardOnBoard, FR72_CoreRunsAt120MegahertzBeforeTheFirstCycle) {
   BoardRobot robot;
   EXPECT_LT(robot.board.clockHz(), 22'000'000U);
-  ASSERT_TRUE(robot.board.runToInterrupt(BoardLine::kPulseInterrupt, seconds(1)));
+  ASSERT_TRUE(robot.board.runToInterrupt(board_robot::BoardSession::kPulseInterrupt, seconds(1)));
   EXPECT_EQ(robot.board.clockHz(), 120'000'000U);
   EXPECT_EQ(robot.askForWelcome().resetCause, kPowerOn);
 }
 
 struct ClockFailure {
   const char* name;
-  k64::Options options;
+  emulator::Options options;
   int step;
 };
 
@@ -171,9 +172,9 @@ TEST_P(K64BoardWithoutClock, FR73_StartIsTriedAgain) {
   robot.board.setExternalClock(true);
   robot.board.endClockFailure();
   robot.run(milliseconds(340));
-  const PcWelcome welcome = robot.askForWelcome();
+  const scenario::PcWelcome welcome = robot.askForWelcome();
   EXPECT_EQ(welcome.resetCause, kByWatchdog);
-  EXPECT_EQ(welcome.faultKind, kClockFailed);
+  EXPECT_EQ(welcome.fault, kClockFailed);
   EXPECT_EQ(welcome.faultNumber, GetParam().step);
   EXPECT_EQ(robot.board.clockHz(), 120'000'000U);
 }
@@ -189,7 +190,7 @@ INSTANTIATE_TEST_SUITE_P(
 /// @brief Without the external clock no cycle runs. When the clock comes back the cycles begin.
 /// @verifies FR-73
 TEST(K64BoardOnBoard, FR73_StartIsTriedAgainUntilTheClockComes) {
-  BoardRobot robot(k64::Options{.externalClock = false});
+  BoardRobot robot(emulator::Options{.externalClock = false});
   robot.run(seconds(1));
   EXPECT_EQ(robot.line.pulses().size(), 0U);
   robot.board.setExternalClock(true);
@@ -198,11 +199,11 @@ TEST(K64BoardOnBoard, FR73_StartIsTriedAgainUntilTheClockComes) {
 }
 
 // An order that turns all wheels.
-constexpr PcOrder kDriveOrder{.id = 1,
-                              .wheels = {{{.quantity = 1, .value = 6000},
-                                          {.quantity = 1, .value = 6000},
-                                          {.quantity = 1, .value = 6000},
-                                          {.quantity = 1, .value = 6000}}}};
+constexpr scenario::PcOrder kDriveOrder{.id = 1,
+                                        .wheels = {{{.quantity = 1, .value = 6000},
+                                                    {.quantity = 1, .value = 6000},
+                                                    {.quantity = 1, .value = 6000},
+                                                    {.quantity = 1, .value = 6000}}}};
 
 // Lets the robot drive by orders of the PC, with a voltage at each wheel.
 void driveByPc(BoardRobot& robot) {
@@ -272,7 +273,7 @@ struct Ending {
 };
 
 Image unchanged() {
-  return readImage(imageFile());
+  return emulator::readImage(imageFile());
 }
 
 template <Code (*kCode)()>
@@ -303,9 +304,9 @@ TEST_P(K64BoardEnds, FR75_SafelyWithRecordAndReset) {
   const Ending& ending = GetParam();
   BoardRobot robot(ending.image());
   robot.startUp();
-  PcWelcome welcome = robot.askForWelcome();
+  scenario::PcWelcome welcome = robot.askForWelcome();
   EXPECT_EQ(welcome.resetCause, kPowerOn);
-  EXPECT_EQ(welcome.faultKind, kNoFault);
+  EXPECT_EQ(welcome.fault, kNoFault);
   robot.confirm();
   robot.cycles(2);
   EXPECT_NE(robot.unsafePins(), "") << "the lights tell that cycles run";
@@ -315,7 +316,7 @@ TEST_P(K64BoardEnds, FR75_SafelyWithRecordAndReset) {
   robot.startUp();
   welcome = robot.askForWelcome();
   EXPECT_EQ(welcome.resetCause, kBySoftware);
-  EXPECT_EQ(welcome.faultKind, ending.kind);
+  EXPECT_EQ(welcome.fault, ending.kind);
   EXPECT_EQ(welcome.faultNumber, ending.number);
   if (ending.address) {
     EXPECT_EQ(welcome.faultAddress, *ending.address);
@@ -323,14 +324,13 @@ TEST_P(K64BoardEnds, FR75_SafelyWithRecordAndReset) {
     EXPECT_GE(welcome.faultAddress, 0x410U);
     EXPECT_LT(welcome.faultAddress, unchanged().size());
   }
-  EXPECT_EQ(robot.askForWelcome().faultKind, ending.kind)
-      << "each Welcome of a start tells the same";
+  EXPECT_EQ(robot.askForWelcome().fault, ending.kind) << "each Welcome of a start is the same";
 
-  robot.board.reset(k64::Reset::Pin);
+  robot.board.reset(emulator::Reset::Pin);
   robot.startUp();
   welcome = robot.askForWelcome();
   EXPECT_EQ(welcome.resetCause, kPinReset);
-  EXPECT_EQ(welcome.faultKind, kNoFault);
+  EXPECT_EQ(welcome.fault, kNoFault);
   EXPECT_EQ(welcome.faultNumber, 0);
   EXPECT_EQ(welcome.faultAddress, 0U);
 }
@@ -375,7 +375,7 @@ TEST(K64BoardOnBoard, FR206_DivisionByZeroIsAFault) {
   robot.board.raise(kUnusedException);
   EXPECT_EQ(unsafeAtReset(robot), "");
   robot.startUp();
-  EXPECT_EQ(robot.askForWelcome().faultKind, kUsageFault);
+  EXPECT_EQ(robot.askForWelcome().fault, kUsageFault);
 }
 
 /// @brief A stack that overflows is a fault like others: the record is made, and the reset comes.
@@ -386,9 +386,9 @@ TEST(K64BoardOnBoard, FR75_EndsSafelyWhenTheStackOverflowed) {
   robot.board.raise(kUnusedException);
   EXPECT_EQ(unsafeAtReset(robot), "");
   robot.startUp();
-  const PcWelcome welcome = robot.askForWelcome();
+  const scenario::PcWelcome welcome = robot.askForWelcome();
   EXPECT_EQ(welcome.resetCause, kBySoftware);
-  EXPECT_EQ(welcome.faultKind, kBusFault);
+  EXPECT_EQ(welcome.fault, kBusFault);
 }
 
 }  // namespace

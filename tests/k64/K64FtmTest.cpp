@@ -62,8 +62,8 @@ TEST(K64FtmOnBoard, FR140_WidthsChangeAtTheBeginningOfAPeriod) {
   drivers.startUp();
   std::vector<nanoseconds> changes;
   std::vector<nanoseconds> writes;
-  drivers.board.onEvent([&](const k64::Event& event) {
-    if (event.kind == k64::Event::Kind::PwmChanged) {
+  drivers.board.onEvent([&](const emulator::Event& event) {
+    if (event.kind == emulator::Event::Kind::PwmChanged) {
       changes.push_back(event.at);
     }
   });
@@ -116,7 +116,7 @@ TEST(K64FtmOnBoard, FR141_ResetEndsThePulses) {
   drivers.startUp();
   drivers.ask('P', 2, 5000);
   EXPECT_NEAR(drivers.board.pwmDuty(kTimer, 2), 0.5, 1e-9);
-  drivers.board.reset(k64::Reset::Pin);
+  drivers.board.reset(emulator::Reset::Pin);
   EXPECT_EQ(drivers.board.pwmDuty(kTimer, 2), 0.0);
   drivers.startUp();
   EXPECT_EQ(drivers.board.pwmDuty(kTimer, 2), 0.0);
@@ -125,8 +125,8 @@ TEST(K64FtmOnBoard, FR141_ResetEndsThePulses) {
 /// @brief A tension that the PC orders comes out as pulses: 6 V of 24 V are a quarter of the period.
 /// @verifies FR-140
 TEST(K64FtmInTheRobot, FR140_OrderedTensionComesOutAsPulses) {
-  constexpr PcOrder::Wheel kQuarter{.quantity = 1, .value = 6000};
-  const PcOrder order{.id = 1, .wheels = {{{}, {}, {}, kQuarter}}};
+  constexpr scenario::PcOrder::Wheel kQuarter{.quantity = 1, .value = 6000};
+  const scenario::PcOrder order{.id = 1, .wheels = {{{}, {}, {}, kQuarter}}};
   BoardRobot robot;
   robot.startUp();
   robot.commandByPc(order);

@@ -37,7 +37,7 @@ TEST(K64PitOnBoard, FR1_PulsesComeEvery100Milliseconds) {
 TEST(K64PitOnBoard, FR100_TicksComeEveryMillisecond) {
   constexpr std::uint32_t kTickException = exceptionOf(49);
   constexpr int kCycles = 20;
-  constexpr PcOrder kOrder{
+  constexpr scenario::PcOrder kOrder{
       .id = 1,
       .steering = 150,
       .wheels = {{{.value = 3000}, {.value = 3000}, {.value = 3000}, {.value = 3000}}}};
@@ -45,8 +45,8 @@ TEST(K64PitOnBoard, FR100_TicksComeEveryMillisecond) {
   robot.startUp();
   robot.commandByPc(kOrder);
   std::vector<nanoseconds> ticks;
-  robot.line.onEvent([&](const k64::Event& event) {
-    if (event.kind == k64::Event::Kind::ExceptionEntered && event.number == kTickException) {
+  robot.line.onEvent([&](const emulator::Event& event) {
+    if (event.kind == emulator::Event::Kind::ExceptionEntered && event.number == kTickException) {
       ticks.push_back(event.at);
     }
   });

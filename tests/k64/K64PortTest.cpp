@@ -2,11 +2,17 @@
 
 #include <array>
 #include <cstdint>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "k64/BoardRobot.hpp"
 #include "k64/DriverBoard.hpp"
 #include "k64/patch.hpp"
+#include "sim/board_robot/BoardSession.hpp"
+#include "sim/scenario/Scenario.hpp"
+#include "sim/scenario/ScenarioPlayer.hpp"
+#include "support/image.hpp"
 
 namespace wr::test {
 namespace {
@@ -229,9 +235,10 @@ TEST(K64PortInTheRobot, FR200_OneInterruptServesEdgesThatComeTogether) {
   BoardRobot robot;
   robot.startUp();
   int interrupts = 0;
-  robot.line.onEvent([&](const k64::Event& event) {
+  robot.line.onEvent([&](const emulator::Event& event) {
     interrupts +=
-        event.kind == k64::Event::Kind::ExceptionEntered && event.number == kEdgeException ? 1 : 0;
+        event.kind == emulator::Event::Kind::ExceptionEntered && event.number == kEdgeException ? 1
+                                                                                                : 0;
   });
   robot.board.drive('B', 18, true);
   robot.run(milliseconds(1));
@@ -240,6 +247,26 @@ TEST(K64PortInTheRobot, FR200_OneInterruptServesEdgesThatComeTogether) {
   robot.board.drive('B', 19, true);
   robot.run(milliseconds(1));
   EXPECT_EQ(interrupts, 2);
+}
+
+/// @brief The width of the direction pulse does not depend on the velocity pulse that begins at the same moment, however
+/// slow the flash is.
+/// @verifies FR-200
+TEST(K64PortInTheRobot, FR200_PulsesThatComeTogetherHaveTheirWidths) {
+  // 1 us of the pulse is 6.4 hundredths of a degree, and each of its edges may be 1 us off.
+  std::istringstream text(
+      "seed 5\nat 0 noise off\nat 0 rc coincident on\nat 0 rc velocity 0 steering 2000\nat 50 "
+      "connect\n"
+      "from 400 to 3000 every 400 keepalive\n"
+      "from 1000 to 3000 every 100 expect steering_set_point between 1988 2012\nat 3100 end\n");
+  const scenario::Scenario scenario(text, "coincident");
+  for (const emulator::Timing timing :
+       {emulator::Timing::NoWaitStates, emulator::Timing::SlowFlash}) {
+    const auto robot = switchBoardOn({.timing = timing});
+    const auto outcome = scenario::ScenarioPlayer(scenario, *robot).play();
+    EXPECT_FALSE(outcome.finding.has_value());
+    EXPECT_EQ(outcome.failures, std::vector<std::string>{});
+  }
 }
 
 /// @brief A robot at rest with pulses of 0.5 us at its Hall sensors counts none of them.
@@ -267,7 +294,7 @@ TEST(K64PortInTheRobot, FR202_ShortPulsesMoveNoWheel) {
 /// @brief The wheels that the PC lets turn are measured: their Hall sensors interrupt at each edge.
 /// @verifies FR-144
 TEST(K64PortInTheRobot, FR144_EdgesOfAWheelThatTurnsAreMeasured) {
-  PcOrder order{.id = 1};
+  scenario::PcOrder order{.id = 1};
   order.wheels.fill({.quantity = 0, .value = 500});
   BoardRobot robot;
   robot.startUp();

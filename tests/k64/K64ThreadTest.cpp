@@ -11,7 +11,7 @@
 namespace wr::test {
 namespace {
 
-using Kind = k64::Event::Kind;
+using Kind = emulator::Event::Kind;
 
 /// @brief A clock pulse ends before the cycle begins: the handler of the timer only pends the thread of the
 /// main controller, which runs once.
@@ -19,7 +19,7 @@ using Kind = k64::Event::Kind;
 TEST(K64ThreadOnBoard, FR1_CycleRunsAfterThePulseHasEnded) {
   BoardRobot robot;
   std::vector<std::string> events;
-  robot.line.onEvent([&](const k64::Event& event) {
+  robot.line.onEvent([&](const emulator::Event& event) {
     const bool entered = event.kind == Kind::ExceptionEntered;
     if (!entered && event.kind != Kind::ExceptionLeft) {
       return;
@@ -45,7 +45,7 @@ TEST(K64ThreadOnBoard, FR171_SerialPortInterruptsTheCycle) {
   robot.connect();
   bool inCycle = false;
   int interrupted = 0;
-  robot.line.onEvent([&](const k64::Event& event) {
+  robot.line.onEvent([&](const emulator::Event& event) {
     if (event.number == kMainThreadException) {
       inCycle = event.kind == Kind::ExceptionEntered;
     }
@@ -54,7 +54,7 @@ TEST(K64ThreadOnBoard, FR171_SerialPortInterruptsTheCycle) {
                                                                                                 : 0;
   });
   for (int cycle = 0; cycle < 20; ++cycle) {
-    robot.arriveBeforePulse(Bytes(100, 0), -milliseconds(4));
+    robot.arriveBeforePulse(scenario::Bytes(100, 0), -milliseconds(4));
     robot.keepAlive();
     robot.cycle();
   }

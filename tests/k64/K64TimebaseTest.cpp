@@ -14,13 +14,13 @@ TEST(K64TimebaseOnBoard, FR174_TimeGoesOnWhereTheCounterWraps) {
   BoardRobot robot;
   robot.startUp();
   robot.connect();
-  const std::uint32_t start = robot.report().time - 200;
+  const std::uint32_t start = robot.report().timeMs - 200;
   EXPECT_LT(start, 20U);
   for (std::uint32_t cycle = 3; cycle <= 1450; ++cycle) {
     robot.keepAlive();
     robot.cycle();
     ASSERT_EQ(robot.report().cycle, cycle);
-    ASSERT_EQ(robot.report().time, start + 100 * cycle);
+    ASSERT_EQ(robot.report().timeMs, start + 100 * cycle);
   }
 }
 
@@ -30,7 +30,9 @@ TEST(K64TimebaseOnBoard, FR174_TimeIsThatOfTheBoard) {
   BoardRobot robot;
   robot.startUp();
   robot.connect();
-  const auto ahead = [&] { return robot.line.pulses().back() - milliseconds(robot.report().time); };
+  const auto ahead = [&] {
+    return robot.line.pulses().back() - milliseconds(robot.report().timeMs);
+  };
   const nanoseconds first = ahead();
   for (int cycle = 0; cycle < 800; ++cycle) {
     robot.keepAlive();

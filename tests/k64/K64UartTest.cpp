@@ -11,9 +11,6 @@
 namespace wr::test {
 namespace {
 
-constexpr int kUnknownType = 3;  // place in PcReport::dropped
-constexpr int kDamaged = 0;
-
 class K64UartOnBoard : public testing::Test {
  protected:
   K64UartOnBoard() { robot.startUp(); }
@@ -38,8 +35,8 @@ TEST_F(K64UartOnBoard, FR171_FullLineLosesNoByte) {
   robot.cycle();
   robot.keepAlive();
   robot.cycle();
-  EXPECT_EQ(robot.report().dropped[kUnknownType], kFrames);
-  EXPECT_EQ(robot.report().dropped[kDamaged], 0);
+  EXPECT_EQ(robot.report().unknownType, kFrames);
+  EXPECT_EQ(robot.report().damaged, 0);
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
@@ -54,8 +51,8 @@ TEST_F(K64UartOnBoard, FR171_LineThatIsNeverIdleLosesNoByte) {
   }
   static_cast<void>(robot.line.takeSent());
   robot.connect();
-  EXPECT_EQ(robot.report().dropped[kUnknownType], kFrames);
-  EXPECT_EQ(robot.report().dropped[kDamaged], 0);
+  EXPECT_EQ(robot.report().unknownType, kFrames);
+  EXPECT_EQ(robot.report().damaged, 0);
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
@@ -69,13 +66,13 @@ TEST_F(K64UartOnBoard, FR37_FullControlLoadLosesNoByte) {
   constexpr int kCycles = 40;
   // With an order of 28 bytes 1160 bytes, of which the line brings 1152 in a cycle.
   constexpr int kLong = 11;  // frames of 102 bytes
-  const Bytes kLongPayload(95, 3);
-  const Bytes kShortPayload(3, 3);  // in one frame of 10 bytes
-  PcOrder order{.id = 1, .steering = 3000};
+  const scenario::Bytes kLongPayload(95, 3);
+  const scenario::Bytes kShortPayload(3, 3);  // in one frame of 10 bytes
+  scenario::PcOrder order{.id = 1, .steering = 3000};
   order.wheels.fill({.quantity = 0, .value = 3000});
   robot.commandByPc(order);
-  robot.line.remoteControl().set(sim::Sticks{.velocity = 1, .steering = 1});
-  const int before = robot.report().dropped[kUnknownType];
+  robot.line.remoteControl().set(plant::Sticks{.velocity = 1, .steering = 1});
+  const int before = robot.report().unknownType;
   for (int cycle = 0; cycle < kCycles; ++cycle) {
     order.steering = cycle / 20 % 2 == 0 ? -3000 : 3000;
     ++order.id;
@@ -91,8 +88,8 @@ TEST_F(K64UartOnBoard, FR37_FullControlLoadLosesNoByte) {
   robot.order(order);
   robot.cycle();
   robot.silentCycle();
-  EXPECT_EQ(robot.report().dropped[kUnknownType] - before, kCycles * (kLong + 1));
-  EXPECT_EQ(robot.report().dropped[kDamaged], 0);
+  EXPECT_EQ(robot.report().unknownType - before, kCycles * (kLong + 1));
+  EXPECT_EQ(robot.report().damaged, 0);
   EXPECT_EQ(robot.report().lostBytes, 0);
   EXPECT_EQ(robot.report().overruns, 0);
   EXPECT_GT(robot.report().velocity[0], 2700);
@@ -103,8 +100,8 @@ TEST_F(K64UartOnBoard, FR37_FullControlLoadLosesNoByte) {
 /// @verifies FR-171
 TEST(K64UartThatWaits, FR171_BytesWaitInTheFifo) {
   constexpr std::uint32_t kRounds = 14'400;  // 600 us of the core, five cycles for each
-  BoardRobot robot(
-      withHandler(readImage(imageFile()), kUnusedException, stubs::keepDevicesWaiting(kRounds)));
+  BoardRobot robot(withHandler(emulator::readImage(imageFile()), kUnusedException,
+                               stubs::keepDevicesWaiting(kRounds)));
   robot.startUp();
   robot.connect();
   constexpr int kFrames = 40;
@@ -117,8 +114,8 @@ TEST(K64UartThatWaits, FR171_BytesWaitInTheFifo) {
     robot.board.raise(kUnusedException);
   }
   robot.cycle();
-  EXPECT_EQ(robot.report().dropped[kUnknownType], kFrames);
-  EXPECT_EQ(robot.report().dropped[kDamaged], 0);
+  EXPECT_EQ(robot.report().unknownType, kFrames);
+  EXPECT_EQ(robot.report().damaged, 0);
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
@@ -127,11 +124,11 @@ TEST(K64UartThatWaits, FR171_BytesWaitInTheFifo) {
 /// @verifies FR-49
 TEST(K64UartThatWaits, FR49_OnlyTheByteWithTheWrongStopBitIsLost) {
   constexpr std::uint32_t kRounds = 14'400;
-  BoardRobot robot(
-      withHandler(readImage(imageFile()), kUnusedException, stubs::keepDevicesWaiting(kRounds)));
+  BoardRobot robot(withHandler(emulator::readImage(imageFile()), kUnusedException,
+                               stubs::keepDevicesWaiting(kRounds)));
   robot.startUp();
   robot.connect();
-  const Bytes frame = robot.pc.frame(0x55, {});
+  const scenario::Bytes frame = robot.pc.frame(0x55, {});
   robot.board.raise(kUnusedException);
   robot.arrive(std::span(frame).first(4));
   robot.board.receiveBroken(0x41);
@@ -139,8 +136,8 @@ TEST(K64UartThatWaits, FR49_OnlyTheByteWithTheWrongStopBitIsLost) {
   robot.arrive(std::span(frame).subspan(4));
   robot.keepAlive();
   robot.cycle();
-  EXPECT_EQ(robot.report().dropped[kUnknownType], 1);
-  EXPECT_EQ(robot.report().dropped[kDamaged], 0);
+  EXPECT_EQ(robot.report().unknownType, 1);
+  EXPECT_EQ(robot.report().damaged, 0);
   EXPECT_EQ(robot.report().lostBytes, 1);
 }
 
@@ -154,7 +151,7 @@ TEST_F(K64UartOnBoard, FR49_FramingErrorIsCounted) {
   robot.keepAlive();
   robot.cycle();
   EXPECT_EQ(robot.report().lostBytes, 3);
-  EXPECT_EQ(robot.report().dropped[kDamaged], 0);
+  EXPECT_EQ(robot.report().damaged, 0);
 }
 
 /// @brief When the main controller is kept away for so long that the storage of 2048 bytes is full, what
@@ -162,15 +159,16 @@ TEST_F(K64UartOnBoard, FR49_FramingErrorIsCounted) {
 /// @verifies FR-49
 TEST(K64UartOnBoardThatIsBusy, FR49_BytesBeyondTheStorageAreCounted) {
   constexpr std::uint32_t kRounds = 4'728'000;  // 197 ms of the core, five cycles for each
-  BoardRobot robot(withHandler(readImage(imageFile()), kUnusedException, stubs::takeTime(kRounds)));
+  BoardRobot robot(
+      withHandler(emulator::readImage(imageFile()), kUnusedException, stubs::takeTime(kRounds)));
   robot.startUp();
   robot.connect();
   robot.board.raise(kUnusedException);
   robot.run(milliseconds(1));
-  robot.arrive(Bytes(2048 + 100, 1));
+  robot.arrive(scenario::Bytes(2048 + 100, 1));
   robot.run(milliseconds(230));
   static_cast<void>(robot.line.takeSent());
-  robot.arrive(Bytes{0});
+  robot.arrive(scenario::Bytes{0});
   robot.keepAlive();
   robot.cycle();
   EXPECT_EQ(robot.report().lostBytes, 100);

@@ -6,6 +6,7 @@
 
 #include "k64/BoardRobot.hpp"
 #include "k64/patch.hpp"
+#include "sim/emulator/Image.hpp"
 
 namespace wr::test {
 namespace {
@@ -88,11 +89,12 @@ TEST_F(K64WatchdogOnBoard, FR70_StaysLocked) {
 /// @verifies FR-70
 /// @verifies FR-74
 TEST(K64WatchdogOnBoardThatHangs, FR70_ResetsAfter300Milliseconds) {
-  BoardRobot robot(withHandler(readImage(imageFile()), kMainThreadException, stubs::hang()));
+  BoardRobot robot(
+      withHandler(emulator::readImage(imageFile()), kMainThreadException, stubs::hang()));
   std::vector<nanoseconds> resets;
-  robot.line.onEvent([&](const k64::Event& event) {
-    if (event.kind == k64::Event::Kind::Reset) {
-      EXPECT_EQ(static_cast<k64::Reset>(event.number), k64::Reset::Watchdog);
+  robot.line.onEvent([&](const emulator::Event& event) {
+    if (event.kind == emulator::Event::Kind::Reset) {
+      EXPECT_EQ(static_cast<emulator::Reset>(event.number), emulator::Reset::Watchdog);
       resets.push_back(event.at);
     }
   });

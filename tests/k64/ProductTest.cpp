@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "services/SystemConstants.hpp"
+#include "sim/emulator/Image.hpp"
 #include "support/SignedLine.hpp"
 #include "support/image.hpp"
 #include "system/SteppedRobot.hpp"
@@ -55,22 +56,23 @@ class ProductRobot : public SteppedRobot {
   [[nodiscard]] bool redLight() const { return !line_.board.pin('B', 22); }
 
  private:
-  static std::unique_ptr<BoardLine> switchedOn(const std::string& product) {
-    std::vector<std::uint8_t> image = readImage(imageOf(product));
+  static std::unique_ptr<board_robot::BoardSession> switchedOn(const std::string& product) {
+    std::vector<std::uint8_t> image = emulator::readImage(imageOf(product));
     if (product == "weeding_robot_pc_bluetooth") {
       std::ranges::copy(kSharedKey, image.begin() + kKeyAddress);
     }
     return switchProductOn(product, std::move(image));
   }
 
-  explicit ProductRobot(std::unique_ptr<BoardLine> line) : ProductRobot(*line, line) {}
-  ProductRobot(BoardLine& line, std::unique_ptr<BoardLine>& owner)
+  explicit ProductRobot(std::unique_ptr<board_robot::BoardSession> line)
+      : ProductRobot(*line, line) {}
+  ProductRobot(board_robot::BoardSession& line, std::unique_ptr<board_robot::BoardSession>& owner)
       : SteppedRobot(std::move(owner)), line_(line) {}
 
-  BoardLine& line_;
+  board_robot::BoardSession& line_;
 
  protected:
-  [[nodiscard]] k64::VirtualBoard& board() { return line_.board; }
+  [[nodiscard]] emulator::VirtualBoard& board() { return line_.board; }
 };
 
 // The product with Bluetooth and a device that shares its key. The challenge of the robot gives the
@@ -85,27 +87,29 @@ class RobotWithDevice final : public ProductRobot {
     device_ = SigningDevice(kSharedKey, challenge());
     send(frames_.hello());
     silentCycle();
-    const Bytes answer = SigningDevice::bare(board().takeSentOn(kBluetoothPort));
-    send(frames_.confirm(welcomeOf(bodies(answer).at(0)).value().session));
+    const scenario::Bytes answer = SigningDevice::bare(board().takeSentOn(kBluetoothPort));
+    send(frames_.confirm(scenario::welcomeOf(scenario::bodies(answer).at(0)).value().session));
     silentCycle();
   }
 
   // A signed order over the line of the Bluetooth module.
-  void deviceOrder(const PcOrder& order) { send(frames_.order(order)); }
+  void deviceOrder(const scenario::PcOrder& order) { send(frames_.order(order)); }
 
   // The same without a tag.
-  void unsignedOrder(const PcOrder& order) {
+  void unsignedOrder(const scenario::PcOrder& order) {
     board().receiveOn(kBluetoothPort, frames_.order(order));
   }
 
  private:
-  void send(const Bytes& frame) { board().receiveOn(kBluetoothPort, device_.sign(frame)); }
+  void send(const scenario::Bytes& frame) {
+    board().receiveOn(kBluetoothPort, device_.sign(frame));
+  }
 
   // The number of this start: the robot answers a frame without a tag with it.
   std::uint64_t challenge() {
     board().receiveOn(kBluetoothPort, frames_.hello());
     silentCycle();
-    const Bytes body = bodies(board().takeSentOn(kBluetoothPort)).at(0);
+    const scenario::Bytes body = scenario::bodies(board().takeSentOn(kBluetoothPort)).at(0);
     if (body.at(1) != kChallenge) {
       throw std::runtime_error("the robot does not answer with a challenge");
     }
@@ -117,7 +121,7 @@ class RobotWithDevice final : public ProductRobot {
   }
 
   SigningDevice device_;
-  PcSender frames_;
+  scenario::PcSender frames_;
 };
 
 class Product : public testing::TestWithParam<const char*> {};
@@ -136,22 +140,31 @@ TEST_P(Product, RunsWithoutFinding) {
     EXPECT_EQ(robot.report().cycle, first + cycle);
     EXPECT_EQ(robot.report().source, kPc);
     EXPECT_EQ(robot.report().orderId, 5);
-    EXPECT_EQ(robot.report().steering, 100);
+    EXPECT_EQ(robot.report().steeringSetPoint, 100);
     EXPECT_EQ(robot.report().overruns, 0);
   }
 }
 
-/// @brief Each product follows the PC up to its outputs: 6 V of 24 V are a quarter of each period, and a stop ends
-/// the pulses.
+/// @brief Each product follows the PC up to its outputs: 0.96 V of 24 V are 4 % of each period, in the cycle of the
+/// order; 6 V are a quarter, after the six cycles that safety functions may take; a stop ends the
+/// pulses.
 /// @verifies NFR-2
+/// @verifies FR-80
 TEST_P(Product, NFR2_OrderedVoltageComesOutAsPulses) {
   ProductRobot robot(GetParam());
   robot.arm();
-  PcOrder quarter{.id = 3};
-  quarter.wheels.fill({.quantity = 1, .value = 6000});
-  for (int cycle = 0; cycle < 3; ++cycle) {
-    robot.order(quarter);
+  const auto ordered = [&robot](std::int16_t millivolts) {
+    scenario::PcOrder order{.id = 3};
+    order.wheels.fill({.quantity = 1, .value = millivolts});
+    robot.order(order);
     robot.cycle();
+  };
+  ordered(960);
+  for (int wheel = 0; wheel < 4; ++wheel) {
+    EXPECT_NEAR(robot.duty(wheel), 0.04, 1e-3) << "wheel " << wheel;
+  }
+  for (int cycle = 0; cycle < 6; ++cycle) {
+    ordered(6000);
   }
   for (int wheel = 0; wheel < 4; ++wheel) {
     EXPECT_NEAR(robot.duty(wheel), 0.25, 1e-3) << "wheel " << wheel;
@@ -196,7 +209,7 @@ TEST(ProductWithBluetooth, FR150_DeviceCommandsOverTheSecondPort) {
   }
   EXPECT_EQ(robot.report().source, kBluetooth);
   EXPECT_EQ(robot.report().orderId, 900 + kN - 1);
-  EXPECT_EQ(robot.report().steering, -50);
+  EXPECT_EQ(robot.report().steeringSetPoint, -50);
 }
 
 /// @brief Orders over the second serial port that are not signed are not read.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "services/SystemConstants.hpp"
+#include "sim/emulator/Image.hpp"
 #include "sim/scenario/Scenario.hpp"
 #include "sim/scenario/ScenarioPlayer.hpp"
 #include "support/image.hpp"
@@ -28,8 +29,9 @@ const int kN = SystemConstants::instance().waitingCycles();
 constexpr int kArmingCycles = 12;
 
 // The image with safety functions. A reset is a part of some scenarios: it does not stop the board.
-std::unique_ptr<BoardLine> switchSafeRobotOn() {
-  return switchProductOn(kProduct, readImage(imageOf(kProduct)), {.resetsAreFindings = false});
+std::unique_ptr<board_robot::BoardSession> switchSafeRobotOn() {
+  return switchProductOn(kProduct, emulator::readImage(imageOf(kProduct)),
+                         {.resetsAreFindings = false});
 }
 
 std::vector<std::string> scenarios() {
@@ -45,9 +47,10 @@ class SafetyScenariosOnBoard : public testing::TestWithParam<std::string> {};
 
 /// @brief After a single fault or a stop the image with safety functions does what the scenario expects.
 TEST_P(SafetyScenariosOnBoard, ImageStopsAsExpected) {
-  const Scenario scenario = Scenario::load(kFolder / (GetParam() + ".scenario"));
-  const std::unique_ptr<BoardLine> robot = switchSafeRobotOn();
-  const auto outcome = ScenarioPlayer(scenario, *robot).play();
+  const scenario::Scenario scenario =
+      scenario::Scenario::load(kFolder / (GetParam() + ".scenario"));
+  const std::unique_ptr<board_robot::BoardSession> robot = switchSafeRobotOn();
+  const auto outcome = scenario::ScenarioPlayer(scenario, *robot).play();
   EXPECT_FALSE(outcome.finding.has_value()) << outcome.finding->text;
   EXPECT_EQ(outcome.failures, std::vector<std::string>{});
 }
@@ -62,9 +65,10 @@ class ExamplesWithSafetyOnBoard : public testing::TestWithParam<const char*> {};
 /// @brief The image with safety functions does what the examples expect that are not of the paper's design alone.
 /// @verifies NFR-6
 TEST_P(ExamplesWithSafetyOnBoard, ImageDoesWhatIsExpected) {
-  const Scenario scenario = Scenario::load(kExamples / (std::string(GetParam()) + ".scenario"));
-  const std::unique_ptr<BoardLine> robot = switchSafeRobotOn();
-  const auto outcome = ScenarioPlayer(scenario, *robot).play();
+  const scenario::Scenario scenario =
+      scenario::Scenario::load(kExamples / (std::string(GetParam()) + ".scenario"));
+  const std::unique_ptr<board_robot::BoardSession> robot = switchSafeRobotOn();
+  const auto outcome = scenario::ScenarioPlayer(scenario, *robot).play();
   EXPECT_FALSE(outcome.finding.has_value()) << outcome.finding->text;
   EXPECT_EQ(outcome.failures, std::vector<std::string>{});
 }
@@ -73,24 +77,24 @@ INSTANTIATE_TEST_SUITE_P(Files, ExamplesWithSafetyOnBoard,
                          testing::Values("current_step", "downhill", "loss_of_the_pc", "rc_drive",
                                          "steering", "steering_faults", "stop",
                                          "stop_from_full_speed", "stop_on_a_slope", "tension_step",
-                                         "uphill", "velocity_step", "wheel_blocked"),
+                                         "uphill", "velocity_step"),
                          [](const auto& file) { return std::string(file.param); });
 
 /// @brief When the clock is lost while the robot drives, the first reset is that of the clock monitor, and the
 /// robot brakes and does not drive again by itself.
 /// @verifies FR-203
 TEST(ClockOfTheSafeRobot, FR203_FirstResetAfterALostClockIsThatOfTheMonitor) {
-  const Scenario scenario = Scenario::load(kFolder / "clock_lost.scenario");
-  const std::unique_ptr<BoardLine> robot = switchSafeRobotOn();
-  std::vector<k64::Event> resets;
-  robot->onEvent([&](const k64::Event& event) {
-    if (event.kind == k64::Event::Kind::Reset) {
+  const scenario::Scenario scenario = scenario::Scenario::load(kFolder / "clock_lost.scenario");
+  const std::unique_ptr<board_robot::BoardSession> robot = switchSafeRobotOn();
+  std::vector<emulator::Event> resets;
+  robot->onEvent([&](const emulator::Event& event) {
+    if (event.kind == emulator::Event::Kind::Reset) {
       resets.push_back(event);
     }
   });
-  EXPECT_EQ(ScenarioPlayer(scenario, *robot).play().failures, std::vector<std::string>{});
+  EXPECT_EQ(scenario::ScenarioPlayer(scenario, *robot).play().failures, std::vector<std::string>{});
   ASSERT_FALSE(resets.empty());
-  EXPECT_EQ(resets.front().number, static_cast<std::uint32_t>(k64::Reset::ClockLost));
+  EXPECT_EQ(resets.front().number, static_cast<std::uint32_t>(emulator::Reset::ClockLost));
   EXPECT_GE(resets.front().at, milliseconds(5000));
   EXPECT_LE(resets.front().at, milliseconds(5001));
 }
@@ -100,15 +104,15 @@ class SafeBoard final : public SteppedRobot {
  public:
   SafeBoard() : SafeBoard(switchSafeRobotOn()) {}
 
-  void enable(sim::EnablePosition position) { line_.remoteControl().setEnable(position); }
+  void enable(plant::EnablePosition position) { line_.remoteControl().setEnable(position); }
 
   void sticks(double velocity) {
-    line_.remoteControl().set(sim::Sticks{.velocity = velocity, .steering = 0});
+    line_.remoteControl().set(plant::Sticks{.velocity = velocity, .steering = 0});
   }
 
   // Orders of the PC: one velocity [0.1 rpm] for all wheels.
   void driveByPc(int velocity, int count) {
-    PcOrder wish{.id = 1};
+    scenario::PcOrder wish{.id = 1};
     wish.wheels.fill({.quantity = 0, .value = static_cast<std::int16_t>(velocity)});
     for (int i = 0; i < count; ++i) {
       order(wish);
@@ -118,7 +122,7 @@ class SafeBoard final : public SteppedRobot {
 
   // The PC arms the robot and drives.
   void letThePcDrive() {
-    enable(sim::EnablePosition::Pc);
+    enable(plant::EnablePosition::Pc);
     commandByPc();
     driveByPc(0, kArmingCycles);
     driveByPc(1000, 20);
@@ -126,7 +130,7 @@ class SafeBoard final : public SteppedRobot {
 
   // The remote control arms the robot and drives.
   void letTheRcDrive() {
-    enable(sim::EnablePosition::Drive);
+    enable(plant::EnablePosition::Drive);
     line_.remoteControl().setTremor(10);
     sticks(0);
     silentCycles(20);
@@ -143,11 +147,11 @@ class SafeBoard final : public SteppedRobot {
   }
 
  private:
-  explicit SafeBoard(std::unique_ptr<BoardLine> line) : SafeBoard(*line, line) {}
-  SafeBoard(BoardLine& line, std::unique_ptr<BoardLine>& owner)
+  explicit SafeBoard(std::unique_ptr<board_robot::BoardSession> line) : SafeBoard(*line, line) {}
+  SafeBoard(board_robot::BoardSession& line, std::unique_ptr<board_robot::BoardSession>& owner)
       : SteppedRobot(std::move(owner)), line_(line) {}
 
-  BoardLine& line_;
+  board_robot::BoardSession& line_;
 };
 
 /// Something that the robot does before the switch stops it.
@@ -200,7 +204,7 @@ TEST_P(SwitchOfTheRemoteControl, FR285_BrakesWithin200Milliseconds) {
     }
     ASSERT_FALSE(robot.physics().braking());
     robot.wait(milliseconds(phase));
-    robot.enable(sim::EnablePosition::Stop);
+    robot.enable(plant::EnablePosition::Stop);
     EXPECT_TRUE(robot.brakesWithin(milliseconds(200))) << phase << " ms after a cycle";
     robot.connect();
     robot.driveByPc(1000, 5);
@@ -220,7 +224,7 @@ TEST(SwitchWithoutCommand, FR285_StopsWhileReconnecting) {
   robot.letThePcDrive();
   robot.silentCycles(kN + 2);
   ASSERT_EQ(robot.report().state, kReconnecting);
-  robot.enable(sim::EnablePosition::Stop);
+  robot.enable(plant::EnablePosition::Stop);
   robot.silentCycles(2);
   EXPECT_TRUE(robot.report().stop());
   robot.driveByPc(1000, 2 * kN);

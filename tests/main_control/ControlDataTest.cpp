@@ -81,7 +81,7 @@ TEST_F(ControlDataTest, FR62_NextCycleForgetsWhatWasMeasured) {
                             .operationState = 1,
                             .readingMode = 1,
                             .source = 0,
-                            .setPoints = {.orderId = 9},
+                            .setPoints = {.orderId = 9, .repeated = true},
                             .overruns = 1,
                             .link = {.damaged = 5}};
   EXPECT_EQ(report(), expected);

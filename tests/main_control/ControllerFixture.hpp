@@ -91,7 +91,8 @@ class ControllerFixture : public testing::Test {
   void connect() {
     port.arrive(pc.hello());
     serveLink();
-    port.arrive(pc.confirm(welcomeOf(bodies(port.takeSent()).at(0)).value().session));
+    port.arrive(
+        pc.confirm(scenario::welcomeOf(scenario::bodies(port.takeSent()).at(0)).value().session));
     serveLink();
   }
 
@@ -102,16 +103,16 @@ class ControllerFixture : public testing::Test {
   }
 
   // The only report on the line.
-  PcReport sentReport() {
-    const std::vector<Bytes> sent = bodies(port.takeSent());
+  scenario::PcReport sentReport() {
+    const std::vector<scenario::Bytes> sent = scenario::bodies(port.takeSent());
     EXPECT_EQ(sent.size(), 1U);
-    return reportOf(sent.at(0)).value();
+    return scenario::reportOf(sent.at(0)).value();
   }
 
   FakeTimebase time;
-  HostSerialPort port;
-  HostScheduler scheduler;
-  HostThread thread{scheduler, 1};
+  host::HostSerialPort port;
+  host::HostScheduler scheduler;
+  host::HostThread thread{scheduler, 1};
   SerialReader pcReader;
   struct Link {
     Link()
@@ -124,8 +125,8 @@ class ControllerFixture : public testing::Test {
   } link;
   StartRecord start;
   PcConnection connection{port, pcReader, link.disconnected, start};
-  HostWatchdog watchdog{time};
-  PcSender pc;
+  host::HostWatchdog watchdog{time};
+  scenario::PcSender pc;
   ControlData data;
   ControlSystemPool systems;
   SpySystem system;

@@ -120,9 +120,9 @@ TEST_F(MainControllerTest, FR61_ReportTellsTheCycleAfterTheRead) {
   state.next = &other;
   time.advance(milliseconds(400));
   controller.clockPulse();
-  const PcReport report = sentReport();
+  const scenario::PcReport report = sentReport();
   EXPECT_EQ(report.cycle, 1U);
-  EXPECT_EQ(report.time, 400U);
+  EXPECT_EQ(report.timeMs, 400U);
   EXPECT_EQ(report.state, 3);
   EXPECT_EQ(report.mode, 1);
   EXPECT_EQ(report.source, 1);
@@ -140,7 +140,7 @@ TEST_F(MainControllerTest, FR160_ReportTellsWhatTheCyclesCost) {
   EXPECT_EQ(sentReport().awakeCycles, 0U);
   time.work(3000);
   controller.clockPulse();
-  const PcReport report = sentReport();
+  const scenario::PcReport report = sentReport();
   EXPECT_EQ(report.awakeCycles, 3000U);
   EXPECT_EQ(report.startCycles, 0U);
   EXPECT_EQ(report.reportCycles, 0U);
@@ -161,7 +161,7 @@ TEST_F(MainControllerTest, FR35_ServesTheLinkBeforeTheRead) {
   controller.start();
   port.arrive(pc.hello());
   controller.clockPulse();
-  EXPECT_TRUE(welcomeOf(bodies(port.takeSent()).at(0)).has_value());
+  EXPECT_TRUE(scenario::welcomeOf(scenario::bodies(port.takeSent()).at(0)).has_value());
 }
 
 /// @brief A line without a pause, 1152 bytes in each cycle at 115200 baud, costs no frame.
@@ -171,18 +171,18 @@ TEST_F(MainControllerTest, FR37_FullLineCostsNoFrame) {
   constexpr std::size_t kBytesPerCycle = 1152;
   connect();
   controller.start();
-  Bytes line;
+  scenario::Bytes line;
   std::size_t sent = 0;
   for (int cycle = 0; cycle < 100; ++cycle) {
     for (; line.size() < kBytesPerCycle; ++sent) {
-      const Bytes frame = pc.order({.id = static_cast<std::uint16_t>(sent)});
+      const scenario::Bytes frame = pc.order({.id = static_cast<std::uint16_t>(sent)});
       line.insert(line.end(), frame.begin(), frame.end());
     }
     port.arrive(std::span(line).first(kBytesPerCycle));
     line.erase(line.begin(), line.begin() + kBytesPerCycle);
     time.advance(milliseconds(100));
     controller.clockPulse();
-    ASSERT_TRUE(reportOf(bodies(port.takeSent()).back()));
+    ASSERT_TRUE(scenario::reportOf(scenario::bodies(port.takeSent()).back()));
   }
   EXPECT_GT(sent, 4000U);
   EXPECT_EQ(connection.counts(), LinkCounts());
@@ -196,16 +196,16 @@ TEST_F(MainControllerTest, FR37_FullLineCostsNoFrame) {
 TEST_F(MainControllerTest, FR49_LateCycleOnAFullLineLosesBytesAndGoesOn) {
   connect();
   controller.start();
-  Bytes line;
+  scenario::Bytes line;
   while (line.size() < 2 * 1152) {
-    const Bytes frame = pc.keepAlive();
+    const scenario::Bytes frame = pc.keepAlive();
     line.insert(line.end(), frame.begin(), frame.end());
   }
   port.arrive(line);
   controller.clockPulse();
-  EXPECT_EQ(connection.counts().lostBytes, line.size() - HostSerialPort::kReceived);
+  EXPECT_EQ(connection.counts().lostBytes, line.size() - host::HostSerialPort::kReceived);
   const LinkCounts before = connection.counts();
-  port.arrive(Bytes{0});
+  port.arrive(scenario::Bytes{0});
   port.arrive(pc.keepAlive());
   controller.clockPulse();
   EXPECT_TRUE(connection.connected());
@@ -225,11 +225,11 @@ TEST_F(MainControllerTest, FR4_PulseDuringACycleIsAnOverrun) {
     }
   };
   controller.clockPulse();
-  const std::vector<Bytes> sent = bodies(port.takeSent());
+  const std::vector<scenario::Bytes> sent = scenario::bodies(port.takeSent());
   ASSERT_EQ(sent.size(), 2U);
-  EXPECT_TRUE(reportOf(sent[0])->overran());
-  EXPECT_FALSE(reportOf(sent[1])->overran());
-  EXPECT_EQ(reportOf(sent[1])->overruns, 1);
+  EXPECT_TRUE(scenario::reportOf(sent[0])->overran());
+  EXPECT_FALSE(scenario::reportOf(sent[1])->overran());
+  EXPECT_EQ(scenario::reportOf(sent[1])->overruns, 1);
 }
 
 /// @brief Two clock pulses during a cycle are one cycle that overran.
@@ -245,9 +245,9 @@ TEST_F(MainControllerTest, FR4_CycleOverrunsOnce) {
     }
   };
   controller.clockPulse();
-  const std::vector<Bytes> sent = bodies(port.takeSent());
+  const std::vector<scenario::Bytes> sent = scenario::bodies(port.takeSent());
   ASSERT_EQ(sent.size(), 2U);
-  EXPECT_EQ(reportOf(sent[1])->overruns, 1);
+  EXPECT_EQ(scenario::reportOf(sent[1])->overruns, 1);
 }
 
 /// @brief A control system that has not completed this cycle makes it an overrun.

@@ -56,37 +56,37 @@ class ProductFixture : public testing::Test {
   }
 
   // A cycle, and its report when the PC is connected.
-  PcReport cycle() {
+  scenario::PcReport cycle() {
     time.advance(milliseconds(100));
     spy.calls.clear();
     cycleTimer.periodPassed();
-    PcReport report;
-    for (const Bytes& body : bodies(port.takeSent())) {
-      if (const auto sent = reportOf(body)) {
+    scenario::PcReport report;
+    for (const scenario::Bytes& body : scenario::bodies(port.takeSent())) {
+      if (const auto sent = scenario::reportOf(body)) {
         report = *sent;
       } else {
-        welcome = welcomeOf(body);
+        welcome = scenario::welcomeOf(body);
       }
     }
     return report;
   }
 
   // The same while the PC keeps the connection.
-  PcReport cycleWithPc() {
+  scenario::PcReport cycleWithPc() {
     port.arrive(pc.keepAlive());
     return cycle();
   }
 
-  HostTimebase time;
-  HostSerialPort port;
-  HostScheduler scheduler;
-  HostThread thread{scheduler, 1};
-  HostTimer cycleTimer{scheduler};
-  HostTimer tickTimer{scheduler};
-  HostWatchdog watchdog{time};
+  host::HostTimebase time;
+  host::HostSerialPort port;
+  host::HostScheduler scheduler;
+  host::HostThread thread{scheduler, 1};
+  host::HostTimer cycleTimer{scheduler};
+  host::HostTimer tickTimer{scheduler};
+  host::HostWatchdog watchdog{time};
   StartRecord start;
-  HostEdgeInput velocityPin{scheduler, false};
-  HostEdgeInput directionPin{scheduler, false};
+  host::HostEdgeInput velocityPin{scheduler, false};
+  host::HostEdgeInput directionPin{scheduler, false};
   Pipe<Velocity> velocity;
   Pipe<Angle> direction;
   SpyBuilder spyBuilder;
@@ -104,8 +104,8 @@ class ProductFixture : public testing::Test {
                                                                     .directionPin = directionPin,
                                                                     .velocity = velocity,
                                                                     .direction = direction}}};
-  PcSender pc;
-  std::optional<PcWelcome> welcome;
+  scenario::PcSender pc;
+  std::optional<scenario::PcWelcome> welcome;
 };
 
 }  // namespace wr::test

@@ -37,11 +37,14 @@ class SigningDevice {
       : key_(key), nonce_(nonce) {}
 
   /// The bytes of a frame with the next counter and its tag.
-  [[nodiscard]] Bytes sign(const Bytes& frame) { return signWith(++counter_, frame); }
+  [[nodiscard]] scenario::Bytes sign(const scenario::Bytes& frame) {
+    return signWith(++counter_, frame);
+  }
 
   /// The same with a chosen counter.
-  [[nodiscard]] Bytes signWith(std::uint32_t counter, const Bytes& frame) const {
-    Bytes bytes(frame.begin(), frame.end() - 1);
+  [[nodiscard]] scenario::Bytes signWith(std::uint32_t counter,
+                                         const scenario::Bytes& frame) const {
+    scenario::Bytes bytes(frame.begin(), frame.end() - 1);
     const std::string trailer = digits(counter, 8) + digits(tag('D', counter, bytes), 16);
     bytes.insert(bytes.end(), trailer.begin(), trailer.end());
     bytes.push_back(0);
@@ -49,20 +52,20 @@ class SigningDevice {
   }
 
   /// A frame of the robot without counter and tag, and without zero bytes before it.
-  [[nodiscard]] static Bytes bare(const Bytes& signedFrame) {
+  [[nodiscard]] static scenario::Bytes bare(const scenario::Bytes& signedFrame) {
     const auto begin =
         std::ranges::find_if(signedFrame, [](std::uint8_t byte) { return byte != 0; });
-    Bytes frame(begin, signedFrame.end() - 25);
+    scenario::Bytes frame(begin, signedFrame.end() - 25);
     frame.push_back(0);
     return frame;
   }
 
   /// Whether a frame of the robot has the expected counter and a right tag.
-  [[nodiscard]] bool verifies(std::uint32_t counter, const Bytes& frame) const {
+  [[nodiscard]] bool verifies(std::uint32_t counter, const scenario::Bytes& frame) const {
     if (frame.size() < 25) {
       return false;
     }
-    const Bytes inner(frame.begin(), frame.end() - 25);
+    const scenario::Bytes inner(frame.begin(), frame.end() - 25);
     const std::string trailer(frame.end() - 25, frame.end() - 1);
     return trailer == digits(counter, 8) + digits(tag('R', counter, inner), 16);
   }
@@ -76,8 +79,9 @@ class SigningDevice {
     return text;
   }
 
-  [[nodiscard]] std::uint64_t tag(char direction, std::uint32_t counter, const Bytes& frame) const {
-    Bytes covered;
+  [[nodiscard]] std::uint64_t tag(char direction, std::uint32_t counter,
+                                  const scenario::Bytes& frame) const {
+    scenario::Bytes covered;
     for (unsigned i = 0; i < 8; ++i) {
       covered.push_back(static_cast<std::uint8_t>(nonce_ >> (8 * i)));
     }

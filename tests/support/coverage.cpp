@@ -24,9 +24,12 @@
 // counter is set back or written to a file.
 extern "C" {
 #include <gcov.h>
-extern const gcov_info* const __start_wr_counters[];  // NOLINT
-extern const gcov_info* const __stop_wr_counters[];   // NOLINT
-void __gcov_init(const gcov_info* unit);              // NOLINT
+// Linker and compiler give these names.
+// NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
+extern const gcov_info* const __start_wr_counters[];
+extern const gcov_info* const __stop_wr_counters[];
+void __gcov_init(const gcov_info* unit);
+// NOLINTEND(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
 }
 
 namespace {
@@ -57,7 +60,7 @@ void keepWords(const void* data, unsigned bytes, void* unit) {
 }
 
 void* allocate(unsigned bytes, void* /*unit*/) {
-  return std::malloc(bytes);  // NOLINT: asked for by the runtime of the compiler
+  return std::malloc(bytes);  // the runtime of the compiler asks for memory of this kind
 }
 
 // How much the counters of a function grew.

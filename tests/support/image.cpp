@@ -14,20 +14,21 @@
 #include <string>
 #include <utility>
 
-#include "sim/k64/CallRecorder.hpp"
-#include "sim/k64/ExecutedCode.hpp"
+#include "sim/emulator/CallRecorder.hpp"
+#include "sim/emulator/ExecutedCode.hpp"
+#include "sim/emulator/Image.hpp"
 
 namespace wr::test {
 
 namespace {
 
-k64::CallRecorder& recorder() {
-  static k64::CallRecorder instance(elfFile());
+emulator::CallRecorder& recorder() {
+  static emulator::CallRecorder instance(elfFile());
   return instance;
 }
 
-k64::ExecutedCode& executed() {
-  static k64::ExecutedCode instance;
+emulator::ExecutedCode& executed() {
+  static emulator::ExecutedCode instance;
   return instance;
 }
 
@@ -82,16 +83,17 @@ std::filesystem::path elfFile() {
   return imageFile().replace_extension(".elf");
 }
 
-std::unique_ptr<BoardLine> switchBoardOn(k64::Options options) {
-  return switchBoardOn(readImage(imageFile()), std::move(options));
+std::unique_ptr<board_robot::BoardSession> switchBoardOn(emulator::Options options) {
+  return switchBoardOn(emulator::readImage(imageFile()), std::move(options));
 }
 
-std::unique_ptr<BoardLine> switchBoardOn(std::vector<std::uint8_t> image, k64::Options options) {
+std::unique_ptr<board_robot::BoardSession> switchBoardOn(std::vector<std::uint8_t> image,
+                                                         emulator::Options options) {
   options.elf = elfFile();
   // One in which a test changed a few instructions, to make a fault, is the same image but for
   // them.
-  const bool asLinked = image.size() == readImage(imageFile()).size();
-  auto robot = std::make_unique<BoardLine>(std::move(image), std::move(options));
+  const bool asLinked = image.size() == emulator::readImage(imageFile()).size();
+  auto robot = std::make_unique<board_robot::BoardSession>(std::move(image), std::move(options));
   if (asLinked) {
     robot->board.noteExecuted(executed());
   }
@@ -104,10 +106,11 @@ std::filesystem::path imageOf(const std::string& product) {
   return imageFile().replace_filename(product + ".bin");
 }
 
-std::unique_ptr<BoardLine> switchProductOn(const std::string& product,
-                                           std::vector<std::uint8_t> image, k64::Options options) {
+std::unique_ptr<board_robot::BoardSession> switchProductOn(const std::string& product,
+                                                           std::vector<std::uint8_t> image,
+                                                           emulator::Options options) {
   options.elf = imageOf(product).replace_extension(".elf");
-  auto robot = std::make_unique<BoardLine>(std::move(image), std::move(options));
+  auto robot = std::make_unique<board_robot::BoardSession>(std::move(image), std::move(options));
   if (!robot->board.runToSleep(std::chrono::milliseconds(50))) {
     throw std::runtime_error(product + " does not start");
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/scenario/BoardLine.hpp"
+#include "sim/board_robot/BoardSession.hpp"
 
 namespace wr::test {
 
@@ -18,11 +18,12 @@ namespace wr::test {
 
 /// @brief Switches a board with the image on. The calls of its firmware are recorded for the test.
 /// @param options what the board does and has; the file with the symbols is added
-[[nodiscard]] std::unique_ptr<BoardLine> switchBoardOn(k64::Options options = {});
+[[nodiscard]] std::unique_ptr<board_robot::BoardSession> switchBoardOn(
+    emulator::Options options = {});
 
 /// @brief The same with an image that a test has changed.
-[[nodiscard]] std::unique_ptr<BoardLine> switchBoardOn(std::vector<std::uint8_t> image,
-                                                       k64::Options options);
+[[nodiscard]] std::unique_ptr<board_robot::BoardSession> switchBoardOn(
+    std::vector<std::uint8_t> image, emulator::Options options);
 
 /// @brief Returns the file of the image of a product, which is in the folder of the image under test.
 [[nodiscard]] std::filesystem::path imageOf(const std::string& product);
@@ -32,8 +33,7 @@ namespace wr::test {
 /// @param product name of the product
 /// @param image what its flash holds
 /// @param options what the board does and has; the file with the symbols is added
-[[nodiscard]] std::unique_ptr<BoardLine> switchProductOn(const std::string& product,
-                                                         std::vector<std::uint8_t> image,
-                                                         k64::Options options = {});
+[[nodiscard]] std::unique_ptr<board_robot::BoardSession> switchProductOn(
+    const std::string& product, std::vector<std::uint8_t> image, emulator::Options options = {});
 
 }  // namespace wr::test

@@ -16,12 +16,12 @@ class ControlCycleOfRobot : public testing::Test {
 /// @verifies FR-1
 TEST_F(ControlCycleOfRobot, FR1_EachClockPulseBeginsOneCycle) {
   robot.connect();
-  const std::uint32_t start = robot.report().time - 200;
+  const std::uint32_t start = robot.report().timeMs - 200;
   for (std::uint32_t pulse = 3; pulse <= 20; ++pulse) {
     robot.keepAlive();
     robot.cycle();
     EXPECT_EQ(robot.report().cycle, pulse);
-    EXPECT_EQ(robot.report().time, start + pulse * 100);
+    EXPECT_EQ(robot.report().timeMs, start + pulse * 100);
   }
 }
 

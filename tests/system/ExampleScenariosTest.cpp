@@ -13,10 +13,10 @@ namespace wr::test {
 namespace {
 
 void play(const std::string& example) {
-  const Scenario scenario = Scenario::load(std::filesystem::path(WR_SOURCE_DIR) /
-                                           "sim/scenario/examples" / (example + ".scenario"));
-  const std::unique_ptr<RobotLine> robot = switchOn();
-  const auto outcome = ScenarioPlayer(scenario, *robot).play();
+  const scenario::Scenario scenario = scenario::Scenario::load(
+      std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/examples" / (example + ".scenario"));
+  const std::unique_ptr<scenario::RobotSession> robot = switchOn();
+  const auto outcome = scenario::ScenarioPlayer(scenario, *robot).play();
   EXPECT_FALSE(outcome.finding.has_value()) << outcome.finding->text;
   EXPECT_EQ(outcome.failures, std::vector<std::string>{});
   EXPECT_GE(outcome.reports, 50U);
@@ -92,6 +92,13 @@ TEST(ClosedLoopOfRobot, FR52_RemoteControlDrives) {
   play("rc_drive");
 }
 
+/// @brief A stop brings the wheels to rest and keeps the angle of the steering, also after the end of the
+/// connection, until it is released.
+/// @verifies FR-21
+TEST(ClosedLoopOfRobot, FR21_StopBringsTheWheelsToRest) {
+  play("stop");
+}
+
 class ExampleScenarios : public testing::TestWithParam<const char*> {};
 
 /// @brief The robot does what each other example of a scenario expects. That of ten minutes is played by
@@ -103,7 +110,7 @@ TEST_P(ExampleScenarios, RobotDoesWhatIsExpected) {
 
 INSTANTIATE_TEST_SUITE_P(Files, ExampleScenarios,
                          testing::Values("loss_of_the_pc", "sensors_broken", "steering_faults",
-                                         "stop", "stop_on_a_slope"));
+                                         "stop_on_a_slope"));
 
 }  // namespace
 }  // namespace wr::test

@@ -190,7 +190,7 @@ class Comparison {
     if (!robot_.reported()) {
       return;
     }
-    const PcReport& report = robot_.report();
+    const scenario::PcReport& report = robot_.report();
     ASSERT_EQ(report.state, reference_.state) << cycles;
     ASSERT_EQ(report.mode, reference_.mode) << cycles;
     ASSERT_EQ(report.orderRead(), reference_.orderRead) << cycles;
@@ -204,7 +204,7 @@ class Comparison {
   void note(int stateBefore, int modeBefore) {
     static const std::array<std::string, 4> names{"Working", "Waiting", "WaitingN", "Reconnecting"};
     if (robot_.reported()) {
-      const PcReport& report = robot_.report();
+      const scenario::PcReport& report = robot_.report();
       ++taken[names.at(static_cast<std::size_t>(stateBefore)) + "->" + names.at(report.state)];
       if (report.mode != modeBefore) {
         ++taken[modeBefore == kRc ? "RC->PC" : "PC->RC"];

@@ -91,8 +91,8 @@ TEST_F(OperationStatesOfRobot, FR13_MessageSetsWorkingFromEachState) {
 TEST_F(OperationStatesOfRobot, FR14_WaitingStatesFollowTheLastSetPoints) {
   for (int failed = 1; failed <= kN; ++failed) {
     robot.silentCycle();
-    EXPECT_EQ(robot.report().wheels[0].value, 500);
-    EXPECT_EQ(robot.report().steering, 200);
+    EXPECT_EQ(robot.report().setPoint[0], 500);
+    EXPECT_EQ(robot.report().steeringSetPoint, 200);
     EXPECT_FALSE(robot.report().held()) << failed;
   }
 }

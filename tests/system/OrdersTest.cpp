@@ -106,7 +106,7 @@ TEST_F(OrdersOfRobot, FR249_ReportRepeatsTheTimeOfTheSender) {
 /// @verifies FR-243
 TEST_F(OrdersOfRobot, FR243_AnOrderThatIsRepeatedIsStale) {
   robot.commandByPc();
-  const Bytes order = robot.pc.order({.id = 32});
+  const scenario::Bytes order = robot.pc.order({.id = 32});
   robot.arrive(order);
   robot.cycle();
   EXPECT_TRUE(robot.report().orderRead());
@@ -135,7 +135,7 @@ TEST_F(OrdersOfRobot, FR241_AnOrderThatMovesDoesNotRelease) {
   robot.commandByPc();
   robot.order({.id = 40, .stop = true});
   robot.cycle();
-  PcOrder moving{.id = 41};
+  scenario::PcOrder moving{.id = 41};
   moving.wheels[3] = {.quantity = 1, .value = 1};
   robot.order(moving);
   robot.cycle();
@@ -209,7 +209,7 @@ TEST_F(OrdersOfRobot, FR36_OrderWithoutConnectionIsNoMessage) {
   }
   robot.connect();
   EXPECT_EQ(robot.report().source, kNobody);
-  EXPECT_EQ(robot.report().dropped[kUnexpected], kN + 6);
+  EXPECT_EQ(robot.report().unexpected, kN + 6);
 }
 
 /// @brief An order that arrived is no message any more when the connection ends before it is read.
@@ -238,17 +238,17 @@ TEST_F(OrdersOfRobot, FR37_OrderIsInTheReportOfItsCycle) {
   robot.cycle();
   EXPECT_EQ(robot.report().cycle, before + 1);
   EXPECT_EQ(robot.report().orderId, 60);
-  EXPECT_EQ(robot.report().steering, -1200);
-  EXPECT_EQ(robot.report().wheels[1].quantity, 1);
-  EXPECT_EQ(robot.report().wheels[1].value, -2);
-  EXPECT_EQ(robot.report().wheels[3].value, -4);
+  EXPECT_EQ(robot.report().steeringSetPoint, -1200);
+  EXPECT_EQ(robot.report().quantity[1], 1);
+  EXPECT_EQ(robot.report().setPoint[1], -2);
+  EXPECT_EQ(robot.report().setPoint[3], -4);
 }
 
 /// @brief An order whose last byte comes after clock pulse n has no effect in cycle n.
 /// @verifies FR-37
 TEST_F(OrdersOfRobot, FR37_OrderThatIsNotWholeWaitsForTheNextCycle) {
   robot.commandByPc();
-  const Bytes bytes = robot.pc.order({.id = 61});
+  const scenario::Bytes bytes = robot.pc.order({.id = 61});
   robot.arrive(std::span(bytes).first(bytes.size() - 1));
   robot.cycle();
   EXPECT_EQ(robot.report().orderId, 1);

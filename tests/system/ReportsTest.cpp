@@ -22,7 +22,7 @@ class ReportsOfRobot : public testing::Test {
  protected:
   // Orders the same tension for all wheels in some cycles.
   static void orderTensions(SteppedRobot& robot, std::int16_t millivolts, int cycles) {
-    PcOrder order{.id = 100};
+    scenario::PcOrder order{.id = 100};
     order.wheels.fill({.quantity = 1, .value = millivolts});
     for (int i = 0; i < cycles; ++i) {
       ++order.id;
@@ -51,11 +51,11 @@ TEST_F(ReportsOfRobot, FR60_NoReportWithoutConnection) {
 TEST_F(ReportsOfRobot, FR60_OneReportInEveryCycle) {
   robot.connect();
   const std::uint32_t start =
-      robot.report().time - 200;  // of the firmware, before the first period
+      robot.report().timeMs - 200;  // of the firmware, before the first period
   EXPECT_LT(start, 10U);
   for (std::uint32_t cycle = 2; cycle < 50; ++cycle) {
     EXPECT_EQ(robot.report().cycle, cycle);
-    EXPECT_EQ(robot.report().time, start + cycle * 100);
+    EXPECT_EQ(robot.report().timeMs, start + cycle * 100);
     robot.keepAlive();
     robot.cycle();
   }
@@ -97,7 +97,7 @@ TEST_F(ReportsOfRobot, FR60_ReportsEndWhenTheLinkIsLost) {
   EXPECT_FALSE(robot.reported());
   robot.connect();
   EXPECT_EQ(robot.report().source, kNobody);
-  EXPECT_EQ(robot.report().dropped[kUnexpected], 1);
+  EXPECT_EQ(robot.report().unexpected, 1);
 }
 
 /// @brief A value that is measured or applied is marked as valid, also if it is 0.
@@ -114,11 +114,11 @@ TEST_F(ReportsOfRobot, FR62_ValuesThatExistAreMarkedAsValid) {
 /// @verifies FR-62
 TEST_F(ReportsOfRobot, FR62_MissingValuesAreMarked) {
   robot.connect();
-  robot.physics().setFault(sim::Fault::Angle, 0, true);
+  robot.physics().setFault(plant::Fault::Angle, 0, true);
   robot.keepAlive();
   robot.cycles(3);
   EXPECT_EQ(robot.report().measured, 0b0'1111'1111'1111);
-  EXPECT_EQ(robot.report().steeringPosition, 0);
+  EXPECT_EQ(robot.report().steering, 0);
 }
 
 /// @brief The report tells that the steering is off, turns, and holds, each while it does so.
@@ -158,7 +158,7 @@ TEST_F(ReportsOfRobot, FR66_EndStopThatIsReachedIsTold) {
 /// @brief The report tells that a wheel was cut off, and no other one.
 /// @verifies FR-67
 TEST_F(ReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
-  robot.physics().setFault(sim::Fault::Block, 2, true);
+  robot.physics().setFault(plant::Fault::Block, 2, true);
   robot.commandByPc({.id = 1});
   EXPECT_EQ(robot.report().cutOffs, 0);
   orderTensions(robot, 24000, 5);
@@ -169,7 +169,7 @@ TEST_F(ReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
 /// broken, or with one.
 /// @verifies FR-68
 TEST_F(ReportsOfRobot, FR68_BlindWheelIsTold) {
-  for (const sim::Fault fault : {sim::Fault::Hall, sim::Fault::HallB}) {
+  for (const plant::Fault fault : {plant::Fault::Hall, plant::Fault::HallB}) {
     SteppedRobot one;
     one.physics().setFault(fault, 1, true);
     one.commandByPc({.id = 1});
@@ -189,6 +189,28 @@ TEST_F(ReportsOfRobot, FR69_NoEdgeOfAWholeSensorIsRejected) {
   EXPECT_EQ(robot.report().rejectedEdges, (std::array<std::uint16_t, 4>{}));
 }
 
+/// @brief Each rejected edge of the whole robot is in the count of its wheel, from start on. A wheel at rest gets a
+/// pulse of 30 us in each ms: its first edge is a step, each of the others reverses the direction
+/// too soon.
+/// @verifies FR-69
+/// @verifies FR-123
+TEST_F(ReportsOfRobot, FR69_RejectedEdgesAreCountedByWheel) {
+  constexpr double kOneEachMillisecond = 1000;
+  robot.connect();
+  robot.keepAlive();
+  robot.physics().setFault(plant::Fault::HallGlitches, 2, true, kOneEachMillisecond);
+  robot.wait(std::chrono::milliseconds(10));
+  robot.physics().setFault(plant::Fault::HallGlitches, 2, false);
+  robot.cycle();
+  EXPECT_EQ(robot.report().rejectedEdges, (std::array<std::uint16_t, 4>{0, 0, 19, 0}));
+  robot.keepAlive();
+  robot.physics().setFault(plant::Fault::HallGlitches, 0, true, kOneEachMillisecond);
+  robot.wait(std::chrono::milliseconds(5));
+  robot.physics().setFault(plant::Fault::HallGlitches, 0, false);
+  robot.cycle();
+  EXPECT_EQ(robot.report().rejectedEdges, (std::array<std::uint16_t, 4>{9, 0, 19, 0}));
+}
+
 /// @brief Frames that are not in order are counted in the report of their cycle, each kind by itself, and
 /// nothing else is different from a cycle without them.
 /// @verifies FR-48
@@ -197,13 +219,13 @@ TEST_F(ReportsOfRobot, FR63_ReportCountsDroppedFramesByReason) {
   robot.connect();
   robot.keepAlive();
   robot.cycle();
-  const PcReport before = robot.report();
+  const scenario::PcReport before = robot.report();
 
-  Bytes damaged = robot.pc.keepAlive();
+  scenario::Bytes damaged = robot.pc.keepAlive();
   damaged[4] = static_cast<std::uint8_t>(damaged[4] ^ 0x10U);
-  const std::vector<std::pair<Bytes, int>> frames{
+  const std::vector<std::pair<scenario::Bytes, int>> frames{
       {damaged, 1},
-      {Bytes(220, 1), 2},
+      {scenario::Bytes(220, 1), 2},
       {robot.pc.frame(0x03, {}, 1), 3},
       {robot.pc.frame(0x55, {}), 4},
       {robot.pc.frame(0x04, std::array<std::uint8_t, 1>{9}), 5},
@@ -213,17 +235,20 @@ TEST_F(ReportsOfRobot, FR63_ReportCountsDroppedFramesByReason) {
   for (const auto& [bytes, times] : frames) {
     for (int i = 0; i < times; ++i) {
       robot.arrive(bytes);
-      robot.arrive(Bytes{0});
+      robot.arrive(scenario::Bytes{0});
     }
   }
   robot.cycle();
 
-  EXPECT_EQ(robot.report().dropped, (std::array<std::uint16_t, 7>{1, 2, 3, 4, 5, 6, 7}));
+  const scenario::PcReport& report = robot.report();
+  EXPECT_EQ((std::array{report.damaged, report.tooLong, report.unknownVersion, report.unknownType,
+                        report.wrongLength, report.outOfRange, report.unexpected}),
+            (std::array<std::uint16_t, 7>{1, 2, 3, 4, 5, 6, 7}));
   EXPECT_EQ(robot.report().cycle, before.cycle + 1);
   EXPECT_EQ(robot.report().flags, before.flags);
   EXPECT_EQ(robot.report().source, kNobody);
   EXPECT_EQ(robot.report().orderId, before.orderId);
-  EXPECT_EQ(robot.report().steering, before.steering);
+  EXPECT_EQ(robot.report().steeringSetPoint, before.steeringSetPoint);
   EXPECT_EQ(robot.report().overruns, before.overruns);
   EXPECT_EQ(robot.report().lostBytes, before.lostBytes);
   EXPECT_EQ(robot.report().reportsNotSent, before.reportsNotSent);

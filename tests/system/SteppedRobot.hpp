@@ -10,7 +10,7 @@
 
 #include "services/SystemConstants.hpp"
 #include "sim/scenario/PcFrames.hpp"
-#include "sim/scenario/RobotLine.hpp"
+#include "sim/scenario/RobotSession.hpp"
 
 namespace wr::test {
 
@@ -18,7 +18,7 @@ using std::chrono::microseconds;
 
 /// Switches a new robot on, and returns when it listens to its line. What it runs on is chosen when
 /// the tests are linked.
-[[nodiscard]] std::unique_ptr<RobotLine> switchOn();
+[[nodiscard]] std::unique_ptr<scenario::RobotSession> switchOn();
 
 /// Sequences of the comparison with the reference that this binding runs in reasonable time.
 [[nodiscard]] int referenceSequences();
@@ -36,7 +36,7 @@ inline constexpr int kNobody = 255;
 class SteppedRobot {
  public:
   SteppedRobot() : SteppedRobot(switchOn()) {}
-  explicit SteppedRobot(std::unique_ptr<RobotLine> line) : line_(std::move(line)) {}
+  explicit SteppedRobot(std::unique_ptr<scenario::RobotSession> line) : line_(std::move(line)) {}
   SteppedRobot(const SteppedRobot&) = delete;
   SteppedRobot& operator=(const SteppedRobot&) = delete;
   virtual ~SteppedRobot() = default;
@@ -57,7 +57,7 @@ class SteppedRobot {
   void wait(microseconds duration) { require(line_->runUntil(line_->now() + duration)); }
 
   /// The physics of the robot: its truth, its ground, its faults.
-  [[nodiscard]] sim::Robot& physics() { return line_->robot(); }
+  [[nodiscard]] plant::Robot& physics() { return line_->robot(); }
 
   void arrive(std::span<const std::uint8_t> bytes) { line_->send(bytes); }
   void arriveBeforePulse(std::span<const std::uint8_t> bytes, microseconds before) {
@@ -67,7 +67,7 @@ class SteppedRobot {
   void hello() { arrive(pc.hello()); }
   void confirm() { arrive(pc.confirm(welcome.value().session)); }
   void keepAlive() { arrive(pc.keepAlive()); }
-  void order(const PcOrder& order) { arrive(pc.order(order)); }
+  void order(const scenario::PcOrder& order) { arrive(pc.order(order)); }
 
   /// Connects the PC. It takes two cycles, of which the second one reports.
   void connect() {
@@ -78,7 +78,7 @@ class SteppedRobot {
   }
 
   /// Connects the PC, and lets it order until the robot works with its order.
-  void commandByPc(const PcOrder& first = {.id = 1}) {
+  void commandByPc(const scenario::PcOrder& first = {.id = 1}) {
     connect();
     for (int i = 0; i < kMostTries && !worksForPc(); ++i) {
       order(first);
@@ -102,7 +102,7 @@ class SteppedRobot {
   }
 
   /// The report of the last cycle.
-  [[nodiscard]] const PcReport& report() const {
+  [[nodiscard]] const scenario::PcReport& report() const {
     if (!report_) {
       throw std::runtime_error("the last cycle sent no report");
     }
@@ -111,8 +111,8 @@ class SteppedRobot {
 
   [[nodiscard]] bool reported() const { return report_.has_value(); }
 
-  PcSender pc;
-  std::optional<PcWelcome> welcome;  // the last one
+  scenario::PcSender pc;
+  std::optional<scenario::PcWelcome> welcome;  // the last one
 
  private:
   static constexpr int kMostTries = SystemConstants::instance().waitingCycles() + 4;
@@ -129,17 +129,17 @@ class SteppedRobot {
 
   void take() {
     report_.reset();
-    for (const Bytes& body : bodies(line_->takeSent())) {
-      if (const auto answer = welcomeOf(body)) {
+    for (const scenario::Bytes& body : scenario::bodies(line_->takeSent())) {
+      if (const auto answer = scenario::welcomeOf(body)) {
         welcome = answer;
       } else {
-        report_ = reportOf(body);
+        report_ = scenario::reportOf(body);
       }
     }
   }
 
-  std::unique_ptr<RobotLine> line_;
-  std::optional<PcReport> report_;
+  std::unique_ptr<scenario::RobotSession> line_;
+  std::optional<scenario::PcReport> report_;
 };
 
 }  // namespace wr::test

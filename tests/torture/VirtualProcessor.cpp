@@ -5,12 +5,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "sim/k64/CortexM4.hpp"
+#include "sim/emulator/CortexM4.hpp"
 
 namespace wr::torture {
 namespace {
 
-using k64::CortexM4;
+using emulator::CortexM4;
 
 constexpr unsigned kLines = 32;
 constexpr unsigned kPriorityBits = 4;

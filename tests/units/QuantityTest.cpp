@@ -27,17 +27,40 @@ TEST(Quantity, Computes) {
 }
 
 template <class A, class B>
-concept Mix = requires(A a, B b) { a + b; } || requires(A a, B b) { a - b; } ||
-              requires(A a, B b) { a < b; } || requires(A a, B b) { a = b; };
+concept Mix = requires(A a, B b) { a + b; } || requires(A a, B b) { a - b; } || requires(A a, B b) {
+  a < b;
+} || requires(A a, B b) { a == b; } || requires(A a, B b) { a = b; } || std::convertible_to<B, A>;
 
-/// @brief Quantities of different units do not mix.
+/// How many of the types B mix with A.
+template <class A, class... B>
+constexpr int mixed() {
+  return (0 + ... + (Mix<A, B> ? 1 : 0));
+}
+
+/// How many pairs of the types mix, each type with itself included.
+template <class... Types>
+constexpr int mixedPairs() {
+  return (0 + ... + mixed<Types, Types...>());
+}
+
+/// @brief Each unit mixes with itself only, and none with a plain number: all pairs of all units are tried.
 /// @verifies NFR-11
-TEST(Quantity, DoesNotMixUnits) {
-  EXPECT_FALSE((std::equality_comparable_with<Velocity, Current>));
-  EXPECT_FALSE((Mix<Velocity, Current>));
-  EXPECT_FALSE((Mix<Velocity, std::int32_t>));
-  EXPECT_TRUE((Mix<Velocity, Velocity>)) << "what is asked for exists";
-  EXPECT_FALSE((std::convertible_to<std::int32_t, Velocity>));
+TEST(Quantity, NFR11_NoTwoUnitsMix) {
+  EXPECT_EQ((mixedPairs<Velocity, Tension, Current, Angle, StepRate, HallCount, DutyCycle,
+                        Microseconds>()),
+            8);
+  EXPECT_EQ(
+      (mixed<std::int32_t, Velocity, Tension, Current, Angle, StepRate, HallCount, DutyCycle>()),
+      0);
+  EXPECT_EQ(
+      (mixed<std::int16_t, Velocity, Tension, Current, Angle, StepRate, HallCount, DutyCycle>()),
+      0);
+  EXPECT_EQ((mixed<Instant, Velocity, Tension, Current, Angle, StepRate, HallCount, DutyCycle>()),
+            0);
+  EXPECT_FALSE((Mix<Velocity, std::int32_t> || Mix<Tension, std::int32_t> ||
+                Mix<Current, std::int32_t> || Mix<Angle, std::int32_t> ||
+                Mix<StepRate, std::int32_t> || Mix<HallCount, std::int32_t> ||
+                Mix<DutyCycle, std::int32_t>));
 }
 
 /// @brief Instants and durations are computed with in microseconds; one is not taken for the other.
@@ -74,6 +97,17 @@ TEST(WheelSetPoint, NFR11_IsMadeOfItsOwnUnit) {
   EXPECT_FALSE((SetsVelocity<Tension> || SetsVelocity<Current> || SetsVelocity<std::int16_t>));
   EXPECT_FALSE((SetsTension<Velocity> || SetsTension<Current> || SetsTension<std::int16_t>));
   EXPECT_FALSE((SetsCurrent<Velocity> || SetsCurrent<Tension> || SetsCurrent<std::int16_t>));
+}
+
+/// @brief A set-point of a wheel is read in the unit of its quantity.
+/// @verifies NFR-11
+TEST(WheelSetPoint, NFR11_IsReadInItsUnit) {
+  EXPECT_EQ((WheelSetPoint{WheelQuantity::Velocity, -3000}).velocity(), Velocity(-3000));
+  EXPECT_EQ((WheelSetPoint{WheelQuantity::Tension, 24000}).tension(), Tension(24000));
+  EXPECT_EQ((WheelSetPoint{WheelQuantity::Current, -10000}).current(), Current(-10000));
+  EXPECT_TRUE((std::same_as<decltype(WheelSetPoint().velocity()), Velocity>));
+  EXPECT_TRUE((std::same_as<decltype(WheelSetPoint().tension()), Tension>));
+  EXPECT_TRUE((std::same_as<decltype(WheelSetPoint().current()), Current>));
 }
 
 /// @brief Set-points are the same only when each of their values is the same.

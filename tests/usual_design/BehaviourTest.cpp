@@ -21,9 +21,9 @@ TYPED_TEST_SUITE(Behaviour, Designs, DesignName);
 TYPED_TEST(Behaviour, WelcomesThePc) {
   this->robot.hello();
   this->robot.cycle();
-  const PcWelcome welcome = this->robot.welcome.value();
+  const scenario::PcWelcome welcome = this->robot.welcome.value();
   EXPECT_EQ(welcome.session, 1);
-  EXPECT_EQ(welcome.cyclePeriod, 100);
+  EXPECT_EQ(welcome.cyclePeriodMs, 100);
   EXPECT_EQ(welcome.waitingCycles, kN);
   EXPECT_EQ(welcome.resetCause, static_cast<int>(ResetCause::Pin));
   EXPECT_FALSE(this->robot.reported());
@@ -32,13 +32,13 @@ TYPED_TEST(Behaviour, WelcomesThePc) {
 /// @brief A confirmed PC gets a report in each cycle, with the number and the time of the cycle.
 TYPED_TEST(Behaviour, ReportsInEachCycle) {
   this->robot.connect();
-  const PcReport first = this->robot.report();
+  const scenario::PcReport first = this->robot.report();
   EXPECT_EQ(first.cycle, 2U);
-  EXPECT_EQ(first.time, 200U);
+  EXPECT_EQ(first.timeMs, 200U);
   EXPECT_EQ(first.source, kNobody);
   this->robot.silentCycle();
   EXPECT_EQ(this->robot.report().cycle, 3U);
-  EXPECT_EQ(this->robot.report().time, 300U);
+  EXPECT_EQ(this->robot.report().timeMs, 300U);
 }
 
 /// @brief A Confirm of another session, and an order before the connection, are unexpected.
@@ -49,25 +49,27 @@ TYPED_TEST(Behaviour, CountsWhatItDoesNotExpect) {
   this->robot.arrive(this->robot.pc.confirm(77));
   this->robot.confirm();
   this->robot.cycle();
-  EXPECT_EQ(this->robot.report().dropped[kUnexpected], 2);
+  EXPECT_EQ(this->robot.report().unexpected, 2);
 }
 
 /// @brief Damage, lengths, types and versions that cannot be, and values out of range, are counted each
 /// by itself; none of them is an order.
 TYPED_TEST(Behaviour, CountsBadFrames) {
   this->robot.commandByPc();
-  Bytes damaged = this->robot.pc.keepAlive();
+  scenario::Bytes damaged = this->robot.pc.keepAlive();
   damaged[1] ^= 0x40U;
   this->robot.arrive(damaged);
-  this->robot.arrive(Bytes(220, 1));
-  this->robot.arrive(Bytes{0});
+  this->robot.arrive(scenario::Bytes(220, 1));
+  this->robot.arrive(scenario::Bytes{0});
   this->robot.arrive(this->robot.pc.frame(3, {}, 9));
   this->robot.arrive(this->robot.pc.frame(0x55, {}));
   this->robot.arrive(this->robot.pc.frame(2, {}));
   this->robot.order({.id = 8, .steering = 3201});
   this->robot.cycle();
-  const PcReport report = this->robot.report();
-  EXPECT_EQ(report.dropped, (std::array<std::uint16_t, 7>{1, 1, 1, 1, 1, 1, 0}));
+  const scenario::PcReport report = this->robot.report();
+  EXPECT_EQ((std::array{report.damaged, report.tooLong, report.unknownVersion, report.unknownType,
+                        report.wrongLength, report.outOfRange, report.unexpected}),
+            (std::array<std::uint16_t, 7>{1, 1, 1, 1, 1, 1, 0}));
   EXPECT_FALSE(report.orderRead());
 }
 
@@ -89,13 +91,13 @@ TYPED_TEST(Behaviour, ReadsAnOrderOnce) {
   this->robot.commandByPc();
   this->robot.order({.id = 40, .steering = 100, .wheels = {{{0, 20}, {1, -30}, {2, 40}, {0, 5}}}});
   this->robot.cycle();
-  const PcReport report = this->robot.report();
+  const scenario::PcReport report = this->robot.report();
   EXPECT_TRUE(report.orderRead());
   EXPECT_EQ(report.source, kPc);
   EXPECT_EQ(report.orderId, 40);
-  EXPECT_EQ(report.steering, 100);
-  EXPECT_EQ(report.wheels[1].quantity, 1);
-  EXPECT_EQ(report.wheels[1].value, -30);
+  EXPECT_EQ(report.steeringSetPoint, 100);
+  EXPECT_EQ(report.quantity[1], 1);
+  EXPECT_EQ(report.setPoint[1], -30);
   this->robot.silentCycle();
   EXPECT_FALSE(this->robot.report().orderRead());
   EXPECT_EQ(this->robot.report().orderId, 40);
@@ -118,13 +120,13 @@ TYPED_TEST(Behaviour, FailedReadsLeadToReconnecting) {
   EXPECT_EQ(this->robot.report().state, kWorking);
   for (int failed = 1; failed <= kN + 1; ++failed) {
     this->robot.silentCycle();
-    const PcReport report = this->robot.report();
+    const scenario::PcReport report = this->robot.report();
     EXPECT_EQ(report.state, failed < kN    ? kWaiting
                             : failed == kN ? kWaitingN
                                            : kReconnecting)
         << failed;
     EXPECT_EQ(report.held(), failed > kN) << failed;
-    EXPECT_EQ(report.wheels[0].value, 300);
+    EXPECT_EQ(report.setPoint[0], 300);
   }
   this->robot.commandByPcAgain(order);
   EXPECT_EQ(this->robot.report().state, kWorking);
@@ -146,25 +148,25 @@ TYPED_TEST(Behaviour, ModesAlternateWithoutOrders) {
 
 /// @brief The remote control commands while its pulses come: velocity and steering follow its levers.
 TYPED_TEST(Behaviour, FollowsTheRemoteControl) {
-  this->robot.line.remoteControl().set(sim::Sticks{.velocity = 0.5, .steering = -1});
+  this->robot.line.remoteControl().set(plant::Sticks{.velocity = 0.5, .steering = -1});
   this->robot.connect();
   this->robot.silentCycles(3);
-  const PcReport report = this->robot.report();
+  const scenario::PcReport report = this->robot.report();
   EXPECT_EQ(report.state, kWorking);
   EXPECT_EQ(report.source, kRc);
-  EXPECT_EQ(report.steering, -3200);
-  EXPECT_EQ(report.wheels[0].quantity, 0);
-  EXPECT_NEAR(report.wheels[0].value, 1500, 3 * 6);  // the width of a pulse varies by 3 us
+  EXPECT_EQ(report.steeringSetPoint, -3200);
+  EXPECT_EQ(report.quantity[0], 0);
+  EXPECT_NEAR(report.setPoint[0], 1500, 3 * 6);  // the width of a pulse varies by 3 us
   EXPECT_EQ(report.orderId, 0);
 }
 
 /// @brief The levers in the middle order rest; without pulses there is no order.
 TYPED_TEST(Behaviour, RemoteControlInTheMiddleOrdersRest) {
-  this->robot.line.remoteControl().set(sim::Sticks{.velocity = 0.03, .steering = 0});
+  this->robot.line.remoteControl().set(plant::Sticks{.velocity = 0.03, .steering = 0});
   this->robot.connect();
   this->robot.silentCycles(2);
   EXPECT_TRUE(this->robot.report().orderRead());
-  EXPECT_EQ(this->robot.report().wheels[0].value, 0);
+  EXPECT_EQ(this->robot.report().setPoint[0], 0);
   this->robot.line.remoteControl().set(std::nullopt);
   this->robot.silentCycles(2);
   EXPECT_FALSE(this->robot.report().orderRead());
@@ -173,7 +175,7 @@ TYPED_TEST(Behaviour, RemoteControlInTheMiddleOrdersRest) {
 /// @brief A stop of the PC holds the robot, also while the remote control orders, until an order without
 /// stop.
 TYPED_TEST(Behaviour, StopHoldsInEachMode) {
-  this->robot.line.remoteControl().set(sim::Sticks{.velocity = 0.2, .steering = 0});
+  this->robot.line.remoteControl().set(plant::Sticks{.velocity = 0.2, .steering = 0});
   this->robot.connect();
   this->robot.silentCycles(2);
   EXPECT_FALSE(this->robot.report().held());
@@ -211,7 +213,7 @@ TYPED_TEST(Behaviour, ReachesAVelocity) {
 
 /// @brief A tension is applied as it is ordered, once the soft start is over.
 TYPED_TEST(Behaviour, AppliesATension) {
-  const PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
+  const scenario::PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
   this->robot.commandByPc(order);
   this->robot.orderedCycles(order, 3);
   EXPECT_EQ(this->robot.report().tension[0], 9000);
@@ -222,7 +224,7 @@ TYPED_TEST(Behaviour, AppliesATension) {
 
 /// @brief A current is reached within 5 percent in a second.
 TYPED_TEST(Behaviour, ReachesACurrent) {
-  const PcOrder order{.id = 4, .wheels = {{{2, 6000}}}};
+  const scenario::PcOrder order{.id = 4, .wheels = {{{2, 6000}}}};
   this->robot.commandByPc(order);
   this->robot.orderedCycles(order, 11);
   EXPECT_NEAR(this->robot.report().current[0], 6000, 300);
@@ -250,7 +252,7 @@ TYPED_TEST(Behaviour, SlowsDownBeforeItReverses) {
 
 /// @brief A wheel that is held gets its tension lowered step by step, to none.
 TYPED_TEST(Behaviour, LowersTheTensionWhenItIsHeld) {
-  const PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
+  const scenario::PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
   this->robot.commandByPc(order);
   this->robot.orderedCycles(order, 3);
   for (const int left : {6600, 4200, 1800, 0, 0}) {
@@ -263,10 +265,10 @@ TYPED_TEST(Behaviour, LowersTheTensionWhenItIsHeld) {
 
 /// @brief A wheel with tension whose Hall sensors give no edge is stopped, and stays so when it is held.
 TYPED_TEST(Behaviour, StopsAWheelWithoutMotionFeedback) {
-  this->robot.physics().setFault(sim::Fault::Hall, 0, true);
-  const PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
+  this->robot.physics().setFault(plant::Fault::Hall, 0, true);
+  const scenario::PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
   this->robot.commandByPc(order);
-  this->robot.orderedCycles(order, 20);
+  this->robot.orderedCycles(order, 100);
   EXPECT_EQ(this->robot.report().blindWheels, 1);
   EXPECT_EQ(this->robot.report().tension[0], 0);
   this->robot.order({.id = 5, .stop = true});
@@ -280,7 +282,7 @@ TYPED_TEST(Behaviour, StopsAWheelWithoutCurrent) {
   this->robot.commandByPc(order);
   this->robot.orderedCycles(order, 10);
   EXPECT_GT(this->robot.report().tension[0], 0);
-  this->robot.physics().setFault(sim::Fault::Current, 0, true);
+  this->robot.physics().setFault(plant::Fault::Current, 0, true);
   this->robot.orderedCycles(order, 10);
   EXPECT_EQ(this->robot.report().tension[0], 0);
   EXPECT_EQ(this->robot.report().measured & 2U, 0U);
@@ -289,8 +291,8 @@ TYPED_TEST(Behaviour, StopsAWheelWithoutCurrent) {
 /// @brief A current that is too high trips the wheel: it gets no tension, and brakes with its driver on. A
 /// hold does not end that.
 TYPED_TEST(Behaviour, OvercurrentTripsTheWheel) {
-  this->robot.physics().setFault(sim::Fault::Block, 0, true);
-  const PcOrder order{.id = 3, .wheels = {{{1, 24000}}}};
+  this->robot.physics().setFault(plant::Fault::Block, 0, true);
+  const scenario::PcOrder order{.id = 3, .wheels = {{{1, 24000}}}};
   this->robot.commandByPc(order);
   this->robot.orderedCycles(order, 6);
   EXPECT_EQ(this->robot.report().cutOffs, 1);
@@ -310,22 +312,22 @@ TYPED_TEST(Behaviour, OvercurrentTripsTheWheel) {
 struct SideBySide {
   OneWheelLine<UsualDesign> usual;
   OneWheelLine<PatternDesign> patterns;
-  PcSender pc;
+  scenario::PcSender pc;
 
-  void give(const Bytes& bytes) {
+  void give(const scenario::Bytes& bytes) {
     usual.send(bytes);
     patterns.send(bytes);
   }
 
   // A cycle of both, and what each sent.
-  std::pair<Bytes, Bytes> cycleApart() {
+  std::pair<scenario::Bytes, scenario::Bytes> cycleApart() {
     usual.runThroughPulse();
     patterns.runThroughPulse();
     return {usual.takeSent(), patterns.takeSent()};
   }
 
   // A cycle in which both get the bytes, and send the same.
-  void cycle(const Bytes& bytes) {
+  void cycle(const scenario::Bytes& bytes) {
     give(bytes);
     const auto [ofUsual, ofPatterns] = cycleApart();
     EXPECT_EQ(ofUsual, ofPatterns);
@@ -334,7 +336,7 @@ struct SideBySide {
 };
 
 // An order of any quantity and value, now and then a stop.
-PcOrder anyOrder(std::mt19937& random, std::uint16_t id) {
+scenario::PcOrder anyOrder(std::mt19937& random, std::uint16_t id) {
   const auto between = [&](int least, int greatest) {
     return std::uniform_int_distribution<int>(least, greatest)(random);
   };
@@ -359,7 +361,7 @@ TEST(BothDesigns, SendTheSameBytes) {
     both.cycleApart();
     both.give(both.pc.keepAlive());
   }
-  PcOrder order{.id = 1};
+  scenario::PcOrder order{.id = 1};
   for (std::uint16_t id = 2; id < 1500 && !testing::Test::HasFailure(); ++id) {
     if (random() % 8 == 0) {
       order = anyOrder(random, id);

@@ -123,6 +123,39 @@ TEST_F(ClosedLoopTest, FR85_BrakingCurrentIsReached) {
   EXPECT_NEAR(plant.current().count(), -500, 100);
 }
 
+/// @brief Over the whole range of currents, in both directions, the current is within 5 % of its order, or
+/// 0.1 A, after 1 s, whatever supply, winding and motor constant are. Friction takes 97 % of the
+/// torque: the wheel stays so slow that the supply suffices.
+/// @verifies FR-85
+TEST(CurrentLoop, FR85_CurrentsOverTheWholeRange) {
+  for (const double supply : {21.0, 24.0, 29.0}) {
+    for (const double resistance : {1.275, 1.725}) {
+      for (const double constant : {0.425, 0.575}) {
+        for (const int target : {100, 500, 1000, 2000, 3000, 5000, 8000, 10000}) {
+          for (const int direction : {1, -1}) {
+            ControlledWheel wheel;
+            WheelPlant plant;
+            plant.supply = supply;
+            plant.resistance = resistance;
+            plant.constant = constant;
+            plant.friction = 0.97 * constant * target / 1000;
+            const auto order = static_cast<std::int16_t>(direction * target);
+            for (int cycle = 0; cycle < 20; ++cycle) {
+              wheel.control(currentOf(order), plant.velocity(), plant.current());
+              plant.cycle(wheel);
+              if (cycle >= 10) {
+                EXPECT_NEAR(plant.current().count(), order, std::max(target / 20, 100))
+                    << cycle << ": " << supply << " V, " << resistance << " ohm, " << constant
+                    << " V s/rad";
+              }
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
 /// @brief A step that the limited rise delays is hardly overshot.
 /// @verifies FR-86
 TEST_F(ClosedLoopTest, FR86_DelayedStepIsHardlyOvershot) {

@@ -39,9 +39,9 @@ constexpr WheelSetPoint currentOf(std::int16_t value) {
 /// A wheel with its controller, composed as in the robot. The test is the sensors.
 class ControlledWheel {
  public:
-  HostPwmOutput pwm;
-  HostDigitalOutput orientation;
-  HostDigitalOutput enable;
+  host::HostPwmOutput pwm;
+  host::HostDigitalOutput orientation;
+  host::HostDigitalOutput enable;
   Wheel wheel{pwm, orientation, enable};
   StopWheel stopWheel{wheel};
   SetTension setTension{wheel};

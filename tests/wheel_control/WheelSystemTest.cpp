@@ -23,8 +23,8 @@ class WheelSystemTest : public testing::Test, protected SensedWheel {
 
   static constexpr std::size_t kWheel = 2;
 
-  HostScheduler scheduler;
-  HostThread thread{scheduler, kWheelPriority};
+  host::HostScheduler scheduler;
+  host::HostThread thread{scheduler, kWheelPriority};
   WheelSystem system{{.wheel = kWheel,
                       .thread = thread,
                       .readVelocity = readVelocity,
@@ -78,7 +78,7 @@ TEST_F(WheelSystemTest, FR92_WorkIsDoneWhenTheMainThreadGoesOn) {
     WheelSystem& ordered_;
   };
   Order order(system);
-  HostThread main(scheduler, kMainPriority);
+  host::HostThread main(scheduler, kMainPriority);
   system.start();
   main.start(order);
   pass(true, kMiddle);

@@ -13,9 +13,9 @@ namespace {
 
 class WheelTest : public testing::Test {
  protected:
-  HostPwmOutput pwm;
-  HostDigitalOutput orientation;
-  HostDigitalOutput enable;
+  host::HostPwmOutput pwm;
+  host::HostDigitalOutput orientation;
+  host::HostDigitalOutput enable;
   Wheel wheel{pwm, orientation, enable};
 };
 

@@ -5,53 +5,52 @@ from __future__ import annotations
 from pathlib import Path
 
 from traceability.checks import (
-    architecture,
-    board,
-    changes,
-    documents,
-    execution,
-    files,
-    links,
-    machines,
-    modules,
-    numbers,
-    paper,
-    patterns,
-    registers,
-    requirements,
-    safety,
-    secrets,
-    stack,
-    trees,
-    uses,
-    words,
+    architecture_checks,
+    board_checks,
+    change_checks,
+    document_checks,
+    execution_checks,
+    file_checks,
+    link_checks,
+    module_checks,
+    name_checks,
+    paper_checks,
+    pattern_checks,
+    register_checks,
+    requirement_checks,
+    safety_checks,
+    secret_checks,
+    stack_checks,
+    state_machine_checks,
+    tree_checks,
+    use_checks,
 )
 from traceability.checks.registry import KNOWN
-from traceability.metrics import figures
 from traceability.model.build import set_states
+from traceability.model.design_model import Model
 from traceability.model.evidence import settle_evidence
-from traceability.model.schema import Finding, Model
+from traceability.model.metrics import figures
+from traceability.schema import Finding
 
 FAMILIES = (
-    documents.check,
-    words.check,
-    numbers.check,
-    modules.check,
-    files.check,
-    patterns.check,
-    changes.check,
-    uses.check,
-    registers.check,
-    secrets.check,
-    board.check,
-    paper.check,
-    architecture.check,
-    execution.check,
-    stack.check,
-    machines.check,
-    trees.check,
-    requirements.check,
-    safety.check,
+    document_checks.check,
+    name_checks.check,
+    module_checks.check,
+    file_checks.check,
+    pattern_checks.check,
+    change_checks.check,
+    use_checks.check,
+    register_checks.check,
+    secret_checks.check,
+    board_checks.check,
+    paper_checks.check,
+    architecture_checks.check,
+    execution_checks.check,
+    stack_checks.check,
+    state_machine_checks.check,
+    tree_checks.check,
+    requirement_checks.check,
+    safety_checks.check,
 )
 
 
@@ -63,14 +62,14 @@ def run_checks(model: Model) -> list[Finding]:
     found = [finding for family in families for finding in family(model, model.facts)]
     settle_evidence(model, figures(model.facts.root, model), found, KNOWN)
     set_states(model)
-    model.findings = sort(found + requirements.unmet(model))
+    model.findings = sort(found + requirement_checks.unmet(model))
     return list(model.findings)
 
 
 def run_link_checks(model: Model, site: Path) -> list[Finding]:
     """The dead links of the built site, and the pages that it should have."""
-    clicks = links.dead_clicks(site) if model.facts else []
-    return sort(links.check(model, site) + paper.check_pages(model, site) + clicks)
+    clicks = link_checks.dead_clicks(site) if model.facts else []
+    return sort(link_checks.check(model, site) + paper_checks.check_pages(model, site) + clicks)
 
 
 def sort(findings: list[Finding]) -> list[Finding]:

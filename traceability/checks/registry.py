@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from traceability.model.entries import Entries
+from traceability.reading.toml_reader import Entries
 
 CLAUSES = Path(__file__).parents[2] / "design" / "clauses.toml"
 
@@ -75,7 +75,7 @@ _FIXED = [
         "doc-warning",
         "Documentation comments and pages in order",
         "Doxygen and Sphinx read every comment and page without a warning: each @param names a "
-        "parameter, each command is known, each link has a target.",
+        "parameter, each tag is one of this project, each link has a target.",
         _TEXT_BLIND,
         "correct the comment or the page as the message says.",
     ),
@@ -88,17 +88,6 @@ _FIXED = [
         "names that are words of the language too, such as that of the class Wheel; a name that "
         "means something else now.",
         "write the name that it has now.",
-    ),
-    Check(
-        "doc-figure",
-        "Figures of texts are those of the code",
-        "Each text that design/figures.toml names says the figure that the code has. A row of a "
-        "table of docs/ that names requirements has no other figures with a unit than these. In a "
-        "table of offsets each row begins where the one before ends, and the size that another "
-        "table gives for its section is where the last one ends.",
-        "other figures.",
-        "correct the text, or the code. A figure that a new text takes from the code is listed in "
-        "the file.",
     ),
     Check(
         "design-entry",
@@ -248,8 +237,8 @@ _FIXED = [
     Check(
         "uses-board",
         "Drivers and virtual board do not know each other",
-        "No file of sim/ or tests/ includes one that is for the K64 only, and no file of sim/k64 "
-        "one of the design: a driver and its model share no mistake. The programs of "
+        "No file of sim/ or tests/ includes one that is for the K64 only, and no file of "
+        "sim/emulator one of the design: a driver and its model share no mistake. The programs of "
         "tests/k64/program and tests/usual_design/k64 are compositions of drivers, which run on "
         "the virtual K64 itself. In src, `uses-allowed` shows who uses src/k64.",
         "the same number, written down wrongly twice.",
@@ -270,7 +259,7 @@ _FIXED = [
     Check(
         "board-finding",
         "Each finding of the virtual K64 has a test",
-        "Every finding in design/board_findings.toml is named in a test of tests/sim/k64, and "
+        "Every finding in design/board_findings.toml is named in a test of tests/sim/emulator, and "
         "every finding that a seeded driver fault gave is declared there.",
         "whether the test makes the finding happen; its result shows that.",
         "write a test that makes the finding happen, or correct the id.",
@@ -279,8 +268,8 @@ _FIXED = [
         "board-belief",
         "Each belief of the virtual K64 has a source",
         "Every belief in design/board_beliefs.toml names a register of src/k64/registers.hpp, a "
-        "file of sim/k64 that has it, and a declared source; it is marked as shared exactly when "
-        "that source is not an outside one.",
+        "file of sim/emulator that has it, and a declared source; it is marked as shared exactly "
+        "when that source is not an outside one.",
         "a belief that is not listed, and whether the source says what is stated.",
         "correct the entry, or find an outside source.",
     ),

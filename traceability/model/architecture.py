@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from traceability.model.schema import Connection, Model
-
-if TYPE_CHECKING:
-    from traceability.model.facts import Facts
+from traceability.model.design_model import Model
+from traceability.reading.source_facts import Facts
+from traceability.schema import Connection
 
 POST = "ControlThread::post"  # a thread executes its body later
 BODIES = "field ControlThread::body_"

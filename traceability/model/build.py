@@ -6,33 +6,42 @@ import re
 import subprocess
 from pathlib import Path
 
-from traceability.model.annotations import MemberText, Text, doxygen_beside, read_annotations
 from traceability.model.architecture import add_connections
-from traceability.model.changes import add_changes
-from traceability.model.closed_loop import read_closed_loop
-from traceability.model.code_facts import BodyFact, CallFact, ClassFact, MethodFact
-from traceability.model.coverage import Coverage, read_coverage
-from traceability.model.declared import read_declared
+from traceability.model.design_model import Model
 from traceability.model.dictionary import add_dictionary
 from traceability.model.evidence import read_evidence
 from traceability.model.evidence import reasons as reasons_of_evidence
 from traceability.model.execution import add_execution
-from traceability.model.facts import Facts, gather_facts
-from traceability.model.machines import add_machines
-from traceability.model.mutation import read_mutation
-from traceability.model.results import read_sizes
-from traceability.model.reverse import justify
+from traceability.model.likely_changes import add_changes
+from traceability.model.orphan_methods import justify
 from traceability.model.reviews import add_reviews
-from traceability.model.safety_case import add_safety, read_sources, settle_safety, words_of
-from traceability.model.schema import (
+from traceability.model.safety_case import add_safety, settle_safety
+from traceability.model.stack import prove
+from traceability.model.state_machines import add_machines
+from traceability.model.tests import add_board_findings, add_executed_modules, add_tests
+from traceability.model.trees import add_trees
+from traceability.model.verification import add_verification
+from traceability.reading.ast_facts import BodyFact, CallFact, ClassFact, MethodFact
+from traceability.reading.closed_loop_record import read_closed_loop
+from traceability.reading.comments import NO_COMMENT, Comment
+from traceability.reading.coverage import Coverage, read_coverage
+from traceability.reading.declared import read_declared
+from traceability.reading.declared_safety import read_sources, words_of
+from traceability.reading.doxygen_run import doxygen_beside
+from traceability.reading.mutation_record import read_mutation
+from traceability.reading.results import read_sizes
+from traceability.reading.source_facts import Facts, gather_facts
+from traceability.reading.syntax import read_syntax
+from traceability.reading.traces import Traces, nodes_of, read_traces
+from traceability.schema import (
     BINDINGS,
     HOST,
     VIRTUAL_K64,
     Call,
+    Constant,
     Function,
     LogicModule,
     Method,
-    Model,
     Module,
     Param,
     PatternApplication,
@@ -41,16 +50,9 @@ from traceability.model.schema import (
     RoleBinding,
     Use,
 )
-from traceability.model.stack import prove
-from traceability.model.syntax import read_syntax
-from traceability.model.tests import add_board_findings, add_executed_modules, add_tests
-from traceability.model.traces import nodes_of, read_traces
-from traceability.model.trees import add_trees
-from traceability.model.verification import add_verification
 from traceability.sources import DESIGN, SRC, files_below, source_hash
 
 DRIVERS = f"{SRC}/k64/"
-COMMENT = ("///", "//!", "*", "/*")  # how a line of a comment that Doxygen reads begins
 
 
 def build(root: Path) -> Model:
@@ -60,8 +62,19 @@ def build(root: Path) -> Model:
         declared = read_declared(root)
         traces = read_traces(root, build_folder)
         coverage = read_coverage(root, build_folder)
-        annotations = read_annotations(root, doxygen)
-    facts = gather_facts(root, annotations, syntax, declared)
+        facts = gather_facts(root, syntax, declared)
+        model = _assemble(root, build_folder, facts, traces, coverage)
+        facts.warnings = doxygen.warnings()
+    return model
+
+
+def _assemble(
+    root: Path,
+    build_folder: Path,
+    facts: Facts,
+    traces: dict[str, Traces],
+    coverage: dict[str, Coverage],
+) -> Model:
     model = Model(
         commit=commit(root),
         version=_version(root),
@@ -74,6 +87,7 @@ def build(root: Path) -> Model:
     _add_logic_modules(model, facts)
     _add_modules(model, facts)
     _add_calls(model, facts)
+    _add_constants(model, facts)
     _add_patterns(model, facts)
     _add_requirements(model, facts)
     _add_uses(model, facts)
@@ -87,12 +101,12 @@ def build(root: Path) -> Model:
     model.allowed_uses = facts.declared.allowed
     model.allowed_cycles = facts.declared.cycles
     model.kept_apart = facts.declared.apart
-    called = {call.target for body in syntax.bodies for call in body.calls}
+    called = {call.target for body in facts.syntax.bodies for call in body.calls}
     for recordings in traces.values():
         recordings.vectors = set(model.functions) - called
     add_tests(model, facts)
     add_board_findings(model, facts)
-    model.closed_loop = read_closed_loop(root, model.sources_hash, facts.declared.entries)
+    model.closed_loop = read_closed_loop(root, facts.declared.entries)
     add_executed_modules(model, traces)
     add_machines(model, facts, traces, build_folder / "cache")
     add_execution(model, facts)
@@ -161,8 +175,7 @@ def _places(facts: Facts) -> list[Place]:
 
 
 def _logic_module(facts: Facts, folder: str, parent: str) -> LogicModule:
-    described = facts.annotations.folders.get(folder)
-    text = described.text if described else Text()
+    comment = facts.folders.get(folder, NO_COMMENT)
     place = Place(f"{folder}/module.dox", 1)
     if not (facts.root / place.file).exists():
         first = min(place.file for place in _places(facts) if place.file.startswith(folder))
@@ -171,10 +184,10 @@ def _logic_module(facts: Facts, folder: str, parent: str) -> LogicModule:
         id=folder.removeprefix(f"{SRC}/"),
         name=camel(folder),
         parent=None if parent in (SRC, ".") else parent.removeprefix(f"{SRC}/"),
-        brief=text.brief,
-        function=text.one("Function"),
-        secret=text.one("Secret"),
-        hides=text.all("Hides"),
+        brief=comment.brief,
+        function=comment.one("function"),
+        secret=comment.one("secret"),
+        hides=comment.all("hides"),
         place=place,
     )
 
@@ -182,12 +195,12 @@ def _logic_module(facts: Facts, folder: str, parent: str) -> LogicModule:
 def _add_modules(model: Model, facts: Facts) -> None:
     sources = {str(path.relative_to(facts.root)) for path in files_below(facts.root, DESIGN)}
     for fact in facts.syntax.classes:
-        described = facts.annotations.classes.get(fact.qualified)
-        text = described.text if described else Text()
         if not fact.place.file.endswith(".hpp"):
             continue
+        comment = facts.comment(fact)
+        datatype = bool(comment.of("datatype"))
         nested = "::" in fact.name
-        if not text.datatype and (nested or fact.local or fact.kind in ("enum", "alias")):
+        if not datatype and (nested or fact.local or fact.kind in ("enum", "alias")):
             continue
         logic = logic_of(fact.place.file)
         source = fact.place.file.removesuffix(".hpp") + ".cpp"
@@ -196,11 +209,11 @@ def _add_modules(model: Model, facts: Facts) -> None:
             qualified=fact.qualified,
             logic=logic,
             abstract=fact.abstract or _for_heirs_only(fact),
-            datatype=text.datatype,
-            brief=text.brief,
-            function=text.one("Function"),
-            secret=text.one("Secret"),
-            hides=text.all("Hides"),
+            datatype=datatype,
+            brief=comment.brief,
+            function=comment.one("function"),
+            secret=comment.one("secret"),
+            hides=comment.all("hides"),
             place=Place(fact.place.file, fact.place.line, fact.end),
             header=fact.place.file,
             source=source if source in sources else None,
@@ -208,15 +221,12 @@ def _add_modules(model: Model, facts: Facts) -> None:
             heirs=sorted(facts.heirs.get(fact.name, [])),
         )
         module.roles = [
-            RoleBinding(application, role, fact.name, place)
-            for (application, role), place in zip(
-                text.roles, comment_places(facts.root, fact.place, r"[@\\]role\{"), strict=False
-            )
+            RoleBinding(tag.argument, tag.arguments[-1], fact.name, tag.place)
+            for tag in comment.of("role")
         ]
         module.registers = [b.name for b in facts.declared.blocks if fact.name in b.owners]
-        members = described.members if described else []
         module.methods = [
-            _method(method, _member_text(method, members), facts)
+            _method(method, facts)
             for method in fact.methods
             if not method.deleted
             and not method.name.startswith("~")
@@ -236,34 +246,9 @@ def _for_heirs_only(fact: ClassFact) -> bool:
     return bool(made) and set(made) == {"protected"}
 
 
-def comment_places(root: Path, place: Place, pattern: str) -> list[Place]:
-    """The lines of the comment above a declaration that match."""
-    lines = (root / place.file).read_text(encoding="utf-8").splitlines()
-    number = place.line - 1
-    while number > 0 and not lines[number - 1].lstrip().startswith(COMMENT):
-        if lines[number - 1].rstrip().endswith((";", "}")):
-            return []
-        number -= 1
-    found: list[Place] = []
-    while number > 0 and lines[number - 1].lstrip().startswith(COMMENT):
-        found += [Place(place.file, number) for _ in re.findall(pattern, lines[number - 1])]
-        number -= 1
-    return found[::-1]
-
-
-def _member_text(method: MethodFact, members: list[MemberText]) -> MemberText | None:
-    near = [
-        member
-        for member in members
-        if member.name == method.name
-        and member.place.file == method.place.file
-        and abs(member.place.line - method.place.line) <= 3
-    ]
-    return min(near, key=lambda item: abs(item.place.line - method.place.line), default=None)
-
-
-def _method(fact: MethodFact, member: MemberText | None, facts: Facts) -> Method:
-    text = member.text if member else Text()
+def _method(fact: MethodFact, facts: Facts) -> Method:
+    comment = facts.comment(fact)
+    params = comment.texts("param")
     bodies = facts.bodies.get(fact.id, [])
     body = _body_of(fact, bodies)
     return Method(
@@ -275,16 +260,16 @@ def _method(fact: MethodFact, member: MemberText | None, facts: Facts) -> Method
         kind=fact.kind,
         place=fact.place,
         body=Place(body.place.file, body.place.line, body.end) if body else None,
-        brief=text.brief,
-        details=text.details,
-        params=[Param(name, kind, text.params.get(name, "")) for name, kind in fact.params],
-        returns=text.returns,
-        pre=text.pre,
-        post=text.post,
-        errors=text.one("Errors"),
-        interrupt=text.one("Interrupt"),
-        satisfies=member.satisfies if member else [],
-        documented=bool(text.brief),
+        brief=comment.brief,
+        details=comment.details,
+        params=[Param(name, kind, params.get(name, "")) for name, kind in fact.params],
+        returns=comment.one("return"),
+        pre=comment.all("pre"),
+        post=comment.all("post"),
+        errors=comment.one("errors"),
+        interrupt=comment.one("isr"),
+        satisfies=comment.words("satisfies"),
+        documented=bool(comment.brief),
         overrides=fact.overrides,
     )
 
@@ -351,6 +336,18 @@ def _add_calls(model: Model, facts: Facts) -> None:
     _add_users(model, facts)
 
 
+def _add_constants(model: Model, facts: Facts) -> None:
+    """The constants by their names, without names that stand for several numbers."""
+    found: dict[str, list[Constant]] = {}
+    for fact in facts.syntax.values:
+        if fact.place.file.startswith(tuple(f"{name}/" for name in DESIGN)):
+            one = Constant(fact.number, fact.unit, fact.place)
+            found.setdefault(fact.name, []).append(one)
+    for name, ones in sorted(found.items()):
+        if len({(one.number, one.unit) for one in ones}) == 1:
+            model.constants[name] = ones[0]
+
+
 def _add_users(model: Model, facts: Facts) -> None:
     for named in facts.syntax.names:
         user, used = facts.user(named.by, named.place), named.target.split("::")[0]
@@ -365,20 +362,17 @@ def _add_users(model: Model, facts: Facts) -> None:
 
 def _add_patterns(model: Model, facts: Facts) -> None:
     for module in model.modules.values():
-        described = facts.annotations.classes.get(module.qualified)
-        text = described.text if described else Text()
-        ids = text.all("Application")
-        places = comment_places(facts.root, module.place, r"[@\\]patternapp\{")
-        for number, name in enumerate(ids):
-            after = _sections_after(text, number)
+        for part in facts.comment_of(module.name).parts("patternapp"):
+            tag = part.tags[0]
+            name, pattern, title = [*tag.arguments, "", "", ""][:3]
             model.patterns[name] = PatternApplication(
                 id=name,
-                pattern=after.get("Pattern", ""),
-                title=after.get("Title", ""),
-                why=after.get("Why", ""),
-                changes=after.get("Changes", ""),
+                pattern=pattern,
+                title=title,
+                why=part.one("why"),
+                changes=part.one("changes"),
                 module=module.name,
-                place=places[number] if number < len(places) else module.place,
+                place=tag.place,
             )
     for module in model.modules.values():
         for binding in module.roles:
@@ -387,41 +381,18 @@ def _add_patterns(model: Model, facts: Facts) -> None:
     model.patterns = dict(sorted(model.patterns.items()))
 
 
-def _sections_after(text: Text, number: int) -> dict[str, str]:
-    """The paragraphs that belong to the n-th application in a comment."""
-    found: dict[str, str] = {}
-    seen = -1
-    for title, words in text.sections:
-        if title == "Application":
-            seen += 1
-        if seen == number:
-            found.setdefault(title, words)
-    return found
-
-
 def requirement_key(name: str) -> tuple[str, int]:
     kind, _, number = name.partition("-")
     return (kind, int(number) if number.isdigit() else 0)
 
 
 def _add_requirements(model: Model, facts: Facts) -> None:
-    for item in facts.annotations.requirements.values():
-        model.requirements[item.id] = Requirement(
-            id=item.id,
-            text=item.title,
-            section=facts.annotations.pages.get(item.place.file, ""),
-            place=item.place,
-            rationale=item.text.one("Rationale"),
-            source=item.text.one("Source"),
-            priority=item.text.one("Priority"),
-            level=item.text.one("Level"),
-            products=words_of(item.text.all("Product")),
-            method=item.text.one("Method"),
-            partly=item.text.one("Partly"),
-            goals=words_of(item.text.all("Goal")),
-            sources=read_sources(item.text.one("Source")),
-            evidence=[read_evidence(text, item.place) for text in item.text.all("Evidence")],
-        )
+    sections: dict[str, str] = {}
+    for comment in facts.comments.below(("requirements",)):
+        for tag in comment.of("page"):
+            sections[tag.place.file] = tag.source.splitlines()[0].split(maxsplit=2)[-1]
+        for part in comment.parts("requirement"):
+            _add_requirement(model, part, sections)
     model.requirements = dict(
         sorted(model.requirements.items(), key=lambda entry: requirement_key(entry[0]))
     )
@@ -436,6 +407,27 @@ def _add_requirements(model: Model, facts: Facts) -> None:
                 if name not in module.requirements:
                     module.requirements.append(name)
         module.requirements.sort(key=requirement_key)
+
+
+def _add_requirement(model: Model, part: Comment, sections: dict[str, str]) -> None:
+    tag = part.tags[0]
+    requirement = Requirement(
+        id=tag.argument,
+        text=tag.text,
+        section=sections.get(tag.place.file, ""),
+        place=tag.place,
+        rationale=part.one("rationale"),
+        source=part.one("source"),
+        priority=part.one("priority"),
+        level=part.one("level"),
+        products=words_of(part.all("product")),
+        method=part.one("method"),
+        partly=part.one("partly"),
+        goals=words_of(part.all("goal")),
+        sources=read_sources(part.one("source")),
+        evidence=[read_evidence(text, tag.place) for text in part.all("evidence")],
+    )
+    model.requirements.setdefault(tag.argument, requirement)
 
 
 def logic_of(file: str) -> str:

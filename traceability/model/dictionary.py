@@ -7,13 +7,11 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from traceability.model.schema import DataPart, MessageField, Model
-
-if TYPE_CHECKING:
-    from traceability.model.code_facts import BodyFact
-    from traceability.model.facts import Facts
+from traceability.model.design_model import Model
+from traceability.reading.ast_facts import BodyFact, FieldFact
+from traceability.reading.source_facts import Facts
+from traceability.schema import DataPart, MessageField
 
 FIELDS = "FieldName"
 ACCESS = re.compile(r"\w*(Reader|Writer)::(read|write)([UI]\d+)")
@@ -23,23 +21,29 @@ UNIT = re.compile(r"\[([^\]]+)\]")
 def add_dictionary(model: Model, facts: Facts) -> None:
     users = part_users(model, facts)
     for module in model.modules.values():
-        described = facts.annotations.classes.get(module.qualified)
-        if not module.datatype or described is None:
+        if not module.datatype:
             continue
-        for part in described.parts:
+        for part in parts_of(module.name, facts):
             makers, readers = users.get(f"{module.name}::{part.name}", (set(), set()))
-            unit = UNIT.search(part.text) or UNIT.search(unit_text(part.type, model))
+            text = facts.comment(part).brief
+            unit = UNIT.search(text) or UNIT.search(unit_text(part.type, model))
             module.parts.append(
                 DataPart(
                     part.name,
                     part.type,
-                    part.text,
+                    text,
                     unit[1] if unit else "",
                     sorted(makers - {module.name}),
                     sorted(readers - makers - {module.name}),
                 )
             )
     model.messages = message_fields(model, facts)
+
+
+def parts_of(name: str, facts: Facts) -> list[FieldFact]:
+    """The public members of a class, or the values of an enumeration."""
+    fact = facts.classes.get(name)
+    return [one for one in fact.fields if one.access == "public"] + fact.values if fact else []
 
 
 def unit_text(kind: str, model: Model) -> str:
@@ -71,10 +75,9 @@ def part_users(model: Model, facts: Facts) -> dict[str, tuple[set[str], set[str]
 
 def message_fields(model: Model, facts: Facts) -> list[MessageField]:
     """The fields of the messages, in the order in which they are declared."""
-    described = facts.annotations.classes.get(f"wr::{FIELDS}")
     found = {
-        part.name: MessageField(part.name, part.text)
-        for part in (described.parts if described else [])
+        part.name: MessageField(part.name, facts.comment(part).brief)
+        for part in parts_of(FIELDS, facts)
     }
     tables: dict[str, list[str]] = {}  # a member that holds names of fields -> the names
     for flow in facts.syntax.flows:

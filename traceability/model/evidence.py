@@ -8,7 +8,8 @@ from collections import Counter
 from collections.abc import Collection, Iterable, Mapping
 from typing import Any
 
-from traceability.model.schema import Evidence, Finding, Model, Place
+from traceability.model.design_model import Model
+from traceability.schema import Evidence, Finding, Place
 
 WRITTEN = re.compile(r"(\S+) (at most|at least|exactly) (-?\d+(?:\.\d+)?)(?: (.+))?")
 CHECKS = "checks."

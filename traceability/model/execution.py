@@ -8,20 +8,11 @@ gave.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
-from traceability.model.schema import (
-    ExecutionContext,
-    Model,
-    Place,
-    SharedMember,
-    SharedPipe,
-)
-
-if TYPE_CHECKING:
-    from traceability.model.code_facts import BodyFact, FieldFact
-    from traceability.model.facts import Facts
-    from traceability.model.references import Object
+from traceability.model.design_model import Model
+from traceability.reading.ast_facts import BodyFact, FieldFact
+from traceability.reading.source_facts import Facts, Object
+from traceability.schema import ExecutionContext, Place, SharedMember, SharedPipe
 
 PIPE = "Pipe"
 READS = ("read", "newest")

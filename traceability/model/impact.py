@@ -10,8 +10,9 @@ from __future__ import annotations
 import difflib
 from dataclasses import dataclass, field
 
-from traceability.model.schema import Model, Requirement
-from traceability.model.traces import nodes_of
+from traceability.model.design_model import Model
+from traceability.reading.traces import nodes_of
+from traceability.schema import Requirement
 
 
 @dataclass

@@ -7,21 +7,19 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from traceability.model.entries import Entries, Keys, Problem
-from traceability.model.link_texts import (
+from traceability.model.design_model import Model
+from traceability.reading.link_texts import (
     hash_of_text,
-    specification_at,
+    specifications,
     texts_of_requirement,
     texts_of_test,
 )
-from traceability.model.schema import Method, Model, Place, Requirement, Review, Suspicion
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
+from traceability.reading.toml_reader import Entries, Keys, Problem
+from traceability.schema import Method, Place, Requirement, Review, Suspicion
 
 REVIEWS = Path("requirements/reviews.toml")
 HEADING = """\
@@ -88,8 +86,8 @@ def _methods(model: Model, method_id: str, requirement: str) -> list[Method]:
 
 
 def _specification(method: Method, sources: Sources) -> str:
-    lines = sources.text(method.place.file).splitlines()
-    return specification_at(lines, method.place.line)
+    found = specifications(sources.text(method.place.file))
+    return next((whole for lines, _, whole in found if method.place.line in lines), "")
 
 
 def read_reviews(root: Path, entries: Entries | None = None) -> dict[str, Review]:

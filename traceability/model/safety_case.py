@@ -1,183 +1,17 @@
-"""Reads ``design/safety_case.toml`` and settles what this run shows of its goals."""
+"""Adds the safety case to the model, and settles what this run shows of its goals."""
 
 from __future__ import annotations
 
-import ast
-import itertools
-import operator
 import re
-from collections.abc import Callable, Iterable
-from numbers import Real
+from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
 
-from traceability.model.entries import Entries, Entry, Keys
-from traceability.model.link_texts import texts_of_test
-from traceability.model.safety_cost import read_cost
-from traceability.model.schema import (
-    SOURCE_KINDS,
-    Assumption,
-    BindingResult,
-    Correction,
-    FaultScenario,
-    Hazard,
-    Model,
-    Place,
-    Requirement,
-    SafeState,
-    SafetyCase,
-    SafetyGoal,
-    SourceReference,
-    Test,
-)
-from traceability.sources import files_below
-
-if TYPE_CHECKING:
-    from traceability.model.facts import Facts
-
-FILE = Path("design/safety_case.toml")
-SCENARIOS = Path("sim/scenario/safety")
-GOAL_LINE = re.compile(r"#\s*goals?:?\s+(SG-\d+(?:[\s,]+SG-\d+)*)\s*$")
-COLUMNS, ROWS = ("C0", "C1", "C2", "C3"), ("E0", "E1", "E2", "E3", "E4")
-
-SAFE_STATE: Keys = {"id": str, "says": str, "safe": str, "not_safe": str}
-ASSUMPTION: Keys = {"id": str, "title": str, "text": str, "by": str, "confirm": str}
-GOAL: Keys = {
-    **{"id": str, "title": str, "text": str, "safe_states": list, "time": Real, "formula": str},
-    **{"because": str, "reaction": Real, "reacts": str, "requirements": list, "scenarios": list},
-}
-HAZARD: Keys = {
-    **{"id": str, "title": str, "situation": str, "harm": str, "severity": str, "exposure": str},
-    **{"avoidance": str, "goals": list, "assumptions": list, "answer": str},
-}
-OPERATORS: dict[type[ast.operator], Callable[[float, float], float]] = {
-    ast.Add: operator.add,
-    ast.Sub: operator.sub,
-    ast.Mult: operator.mul,
-    ast.Div: operator.truediv,
-    ast.Pow: operator.pow,
-}
-
-
-def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
-    """The case as it is declared, with its scenarios; empty without the file."""
-    path = root / FILE
-    if not path.exists():
-        return SafetyCase()
-    item: dict[str, Any] = entries.value(path, "item", {})
-    risk: dict[str, Any] = entries.value(path, "risk", {})
-    case = SafetyCase(
-        base=str(entries.value(path, "base", "")),
-        says=str(item.get("says", "")),
-        conditions=list(item.get("conditions", [])),
-        limits=list(item.get("limits", [])),
-        risk_source=str(risk.get("source", "")),
-        levels=list(risk.get("levels", [])),
-        graph={name: rows for name, rows in risk.items() if re.fullmatch(r"S\d", name)},
-        words=dict(risk.get("words", {})),
-        priorities=dict(risk.get("priority", {})),
-        data_sheets=list(entries.value(path, "data_sheets", [])),
-        scenarios=read_scenarios(root),
-    )
-
-    def read(name: str, keys: Keys) -> list[Entry]:
-        return entries.tables(path, name, keys, own="id")
-
-    states, assumed = read("safe_state", SAFE_STATE), read("assumption", ASSUMPTION)
-    case.safe_states = {item["id"]: SafeState(**item, place=at) for item, at in states}
-    case.assumptions = {item["id"]: Assumption(**item, place=at) for item, at in assumed}
-    case.goals = {item["id"]: SafetyGoal(**item, place=at) for item, at in read("goal", GOAL)}
-    case.hazards = {item["id"]: Hazard(**item, place=at) for item, at in read("hazard", HAZARD)}
-    case.corrections = [
-        Correction(i["paths"], i["why"], p, i.get("for_safety", 0))
-        for i, p in entries.tables(
-            path, "correction", {"paths": list, "why": str}, {"for_safety": int}
-        )
-    ]
-    link(case)
-    return case
-
-
-def link(case: SafetyCase) -> None:
-    """Derives levels, times and the links from goals and assumptions back to hazards."""
-    for hazard in case.hazards.values():
-        hazard.level = level_of(case, hazard.severity, hazard.exposure, hazard.avoidance)
-        for name in hazard.goals:
-            if name in case.goals:
-                case.goals[name].hazards.append(hazard.id)
-        for name in hazard.assumptions:
-            if name in case.assumptions:
-                case.assumptions[name].hazards.append(hazard.id)
-    for goal in case.goals.values():
-        goal.computed = evaluate(goal.formula)
-        goal.level = highest(case, [case.hazards[name].level for name in goal.hazards])
-
-
-def level_of(case: SafetyCase, severity: str, exposure: str, avoidance: str) -> str:
-    """The performance level that the risk graph requires; empty when it has no such place."""
-    rows = case.graph.get(severity, [])
-    if exposure not in ROWS or avoidance not in COLUMNS or len(rows) != len(ROWS):
-        return ""
-    levels = rows[ROWS.index(exposure)].split()
-    return levels[COLUMNS.index(avoidance)] if len(levels) == len(COLUMNS) else ""
-
-
-def highest(case: SafetyCase, levels: Iterable[str]) -> str:
-    known = [level for level in levels if level in case.levels]
-    return max(known, key=case.levels.index) if known else ""
-
-
-def evaluate(formula: str) -> float | None:
-    """The value of a formula of numbers; ``None`` when it is none."""
-    try:
-        return _value(ast.parse(formula, mode="eval").body)
-    except (SyntaxError, ValueError, ZeroDivisionError):
-        return None
-
-
-def _value(node: ast.expr) -> float:
-    if isinstance(node, ast.BinOp) and type(node.op) in OPERATORS:
-        return OPERATORS[type(node.op)](_value(node.left), _value(node.right))
-    if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)):
-        return float(node.value)
-    raise ValueError("not a number")
-
-
-def words_of(texts: Iterable[str]) -> list[str]:
-    """The names in texts such as "SG-1, SG-2"."""
-    return [word for text in texts for word in re.split(r"[\s,]+", text.strip(" .")) if word]
-
-
-def read_sources(text: str) -> list[SourceReference]:
-    """The references of a text such as "goal: SG-2; paper: Section VII"; other words: no kind."""
-    found: list[SourceReference] = []
-    for part in filter(None, (one.strip() for one in text.split(";"))):
-        kind, colon, name = part.partition(":")
-        known = bool(colon) and kind.strip() in SOURCE_KINDS
-        found.append(
-            SourceReference(kind.strip(), name.strip().rstrip("."))
-            if known
-            else SourceReference("", part)
-        )
-    return found
-
-
-# ---- fault scenarios ------------------------------------------------------------
-
-
-def read_scenarios(root: Path) -> dict[str, FaultScenario]:
-    """Name -> scenario: the first comment is its title, "# goal SG-1" names its goals."""
-    paths = files_below(root, (str(SCENARIOS),), (".scenario",))
-    return {path.stem: _scenario(root, path) for path in paths}
-
-
-def _scenario(root: Path, path: Path) -> FaultScenario:
-    lines = path.read_text(encoding="utf-8").splitlines()
-    goals = [match[1] for line in lines if (match := GOAL_LINE.match(line))]
-    first = itertools.takewhile(lambda line: line.startswith("#"), lines)
-    title = " ".join(line.strip("# ") for line in first if not GOAL_LINE.match(line))
-    place = Place(str(path.relative_to(root)), 1)
-    return FaultScenario(path.stem, title or path.stem, words_of(goals), place)
+from traceability.model.design_model import Model
+from traceability.reading.declared_safety import SCENARIOS
+from traceability.reading.gtest_cases import read_tests
+from traceability.reading.safety_cost import read_cost
+from traceability.reading.source_facts import Facts
+from traceability.schema import BindingResult, FaultScenario, Requirement, SafetyGoal, Test
 
 
 def add_safety(model: Model, facts: Facts) -> None:
@@ -191,8 +25,9 @@ def add_safety(model: Model, facts: Facts) -> None:
     model.safety.cost = read_cost(facts.root, model.safety)
     texts = {test.place.file: "" for test in model.tests.values()}
     texts = {file: _playing(facts.root / file) for file in texts}
+    code = {case.id: case.code for text in texts.values() for case in read_tests(text)}
     for test in model.tests.values():
-        body = " ".join(texts_of_test(texts[test.place.file], test.id))
+        body = code.get(test.id, "")
         runs = [name for result in test.results.values() for name in result.recordings]
         every = not runs and body.startswith("TEST_P") and str(SCENARIOS) in texts[test.place.file]
         for scenario in model.safety.scenarios.values():
@@ -257,6 +92,7 @@ def own_result(scenario: FaultScenario, test: Test, run: BindingResult) -> str |
 
 def _reasons(model: Model, goal: SafetyGoal) -> Iterable[str]:
     """Why a goal is not verified in this run."""
+    yield from (f"it does not hold: {case}" for case in goal.exceptions)
     if not goal.requirements:
         yield "no requirement serves it"
     for name in goal.requirements:

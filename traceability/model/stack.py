@@ -12,19 +12,19 @@ import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from traceability.image import TOTALS, sources_of_image
-from traceability.model.call_graph import (
+from traceability.model.design_model import Model
+from traceability.model.execution import DISPATCH
+from traceability.reading.ast_facts import CallFact
+from traceability.reading.call_graph import (
     Function,
     read_graph,
     short_name,
     symbol_value,
     uses_floats,
 )
-from traceability.model.code_facts import CallFact
-from traceability.model.execution import DISPATCH
-from traceability.model.facts import Facts
-from traceability.model.results import read_json
-from traceability.model.schema import Model, Place, StackCall, StackContext, StackProof
+from traceability.reading.image_record import read_image
+from traceability.reading.source_facts import Facts
+from traceability.schema import Place, StackCall, StackContext, StackProof
 
 DECLARED = Path("design/stack.toml")
 BUILD = Path("build/k64")
@@ -57,8 +57,7 @@ def read_declared(root: Path) -> Declared:
 def prove(root: Path, model: Model, facts: Facts) -> StackProof | None:
     """The proof for the image of the robot; nothing when it was not built from these sources."""
     elf = root / BUILD / f"{PRODUCT}.elf"
-    record = read_json(root / TOTALS)
-    fresh = isinstance(record, dict) and record.get("sources") == sources_of_image(root)
+    fresh = read_image(root) is not None
     if not fresh or not elf.exists() or not model.contexts:
         return None
     built = elf.resolve()

@@ -2,59 +2,48 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from traceability.model.results import (
+from traceability.model.design_model import Model
+from traceability.reading.gtest_cases import Case, read_tests
+from traceability.reading.results import (
     Result,
     bindings_of,
     read_driver_faults,
     read_results,
     read_results_hash,
 )
-from traceability.model.schema import BINDINGS, HOST, BindingResult, Model, Test
-from traceability.model.traces import Traces
+from traceability.reading.source_facts import Facts
+from traceability.reading.traces import Traces
+from traceability.schema import BINDINGS, HOST, BindingResult, Place, Test
+from traceability.sources import files_below
 
-if TYPE_CHECKING:
-    from traceability.model.facts import Facts
-
-BOARD_TESTS = "tests/sim/k64/"
-TEST_MACRO = re.compile(r"^TEST(?:_F|_P)?\(\s*(\w+)\s*,\s*(\w+)\s*\)")
+BOARD_TESTS = "tests/sim/emulator/"
 
 
 def add_tests(model: Model, facts: Facts) -> None:
     """Each test with its results. A binding that has tests is to have results of these sources."""
     results = {binding: read_results(facts.root, binding) for binding in BINDINGS}
-    tested = {
-        binding for member in facts.annotations.tests for binding in bindings_of(member.place.file)
-    }
+    cases = written_tests(facts.root)
+    tested = {binding for file in cases for binding in bindings_of(file)}
     for binding in BINDINGS:
         if binding in tested or binding == HOST:
             model.results_hashes[binding] = read_results_hash(facts.root, binding)
-    lines: dict[str, list[str]] = {}
-    for member in facts.annotations.tests:
-        file = member.place.file
-        if not bindings_of(file):
-            continue
-        if file not in lines:
-            lines[file] = (facts.root / file).read_text(encoding="utf-8").splitlines()
-        macro = _test_name(lines[file], member.place.line)
-        if macro is None:
-            continue
-        suite, case = macro
-        model.tests[f"{suite}.{case}"] = Test(
-            id=f"{suite}.{case}",
-            suite=suite,
-            name=case,
-            brief=member.text.brief,
-            place=member.place,
-            verifies=member.verifies,
-            results={
-                binding: _result_of(results[binding].get(f"{suite}.{case}"), model, binding)
-                for binding in bindings_of(file)
-            },
-        )
+    for file, written in cases.items():
+        for case in written:
+            comment = facts.comments.at(file, case.line - 1)
+            model.tests[case.id] = Test(
+                id=case.id,
+                suite=case.suite,
+                name=case.name,
+                brief=comment.brief,
+                place=Place(file, case.line),
+                verifies=comment.words("verifies"),
+                results={
+                    binding: _result_of(results[binding].get(case.id), model, binding)
+                    for binding in bindings_of(file)
+                },
+            )
     for test in model.tests.values():
         for name in test.verifies:
             if name in model.requirements:
@@ -77,9 +66,14 @@ def _result_of(found: Result | None, model: Model, binding: str) -> BindingResul
     )
 
 
-def _test_name(lines: list[str], line: int) -> tuple[str, str] | None:
-    match = TEST_MACRO.match(" ".join(lines[line - 1 : line + 2]))
-    return (match[1], match[2]) if match else None
+def written_tests(root: Path) -> dict[str, list[Case]]:
+    """File -> its tests, of the files that are built for a binding."""
+    files = {str(path.relative_to(root)): path for path in files_below(root, ("tests",), (".cpp",))}
+    return {
+        file: list(read_tests(path.read_text(encoding="utf-8")))
+        for file, path in files.items()
+        if bindings_of(file)
+    }
 
 
 def add_board_findings(model: Model, facts: Facts) -> None:

@@ -5,17 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from itertools import product
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from traceability.model.code_facts import BodyFact
-from traceability.model.fold import Edges, fold, starts
-from traceability.model.kept import code_of, kept
-from traceability.model.schema import BINDINGS, HOST, Model, Requirement, TreeNode, TreeRun
-from traceability.model.traces import Row, Traces, embed, excerpt, nodes_of, recorded_nodes
-from traceability.model.units import is_board
-
-if TYPE_CHECKING:
-    from traceability.model.facts import Facts
+from traceability.model.design_model import Model
+from traceability.model.trace_summary import Edges, fold, starts
+from traceability.reading.ast_facts import BodyFact
+from traceability.reading.result_cache import code_of, kept
+from traceability.reading.source_facts import Facts
+from traceability.reading.traces import Row, Traces, embed, excerpt, nodes_of, recorded_nodes
+from traceability.reading.translation_units import is_board
+from traceability.schema import BINDINGS, HOST, Requirement, TreeNode, TreeRun
 
 
 def add_trees(model: Model, facts: Facts, recordings: dict[str, Traces], cache: Path) -> None:
@@ -48,7 +46,7 @@ def add_trees(model: Model, facts: Facts, recordings: dict[str, Traces], cache: 
         sorted(known),
         sorted(edges.items()),
         [search.asked() for search in searches],
-        *code_of("trees", "traces", "fold"),
+        *code_of("model/trees", "reading/traces", "model/trace_summary"),
     ]
     found = kept(cache / "trees.pickle", parts, lambda: [search.find() for search in searches])
     for search, result in zip(searches, found, strict=True):

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
-from traceability.model.arcs import Covered
-from traceability.model.code_facts import BodyFact
-from traceability.model.coverage import Coverage
-from traceability.model.schema import HOST, LineGap, MethodCoverage, Model, Place, Requirement
-from traceability.model.traces import nodes_of
+from traceability.model.design_model import Model
 from traceability.model.trees import accepted
-from traceability.model.units import is_board
-
-if TYPE_CHECKING:
-    from traceability.model.facts import Facts
+from traceability.reading.ast_facts import BodyFact
+from traceability.reading.coverage import Coverage
+from traceability.reading.gcov_arcs import Covered
+from traceability.reading.source_facts import Facts
+from traceability.reading.traces import nodes_of
+from traceability.reading.translation_units import is_board
+from traceability.schema import HOST, LineGap, MethodCoverage, Place, Requirement
 
 
 def add_verification(model: Model, facts: Facts, coverage: dict[str, Coverage]) -> None:

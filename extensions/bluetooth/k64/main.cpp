@@ -76,7 +76,7 @@ namespace wr {
 void runRobot() {
   platform::startDevices();
   platform::stopMemory.begin(platform::startRecord.cause);
-  platform::protectionMemory.begin(platform::startRecord.cause);
+  platform::protectionMemory.begin(platform::startRecord);
   deviceStop.begin(platform::startRecord.cause);
   bluetoothPort.start();
   director.construct();

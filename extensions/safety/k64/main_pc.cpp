@@ -36,7 +36,7 @@ namespace wr {
 void runRobot() {
   platform::startDevices();
   platform::stopMemory.begin(platform::startRecord.cause);
-  platform::protectionMemory.begin(platform::startRecord.cause);
+  platform::protectionMemory.begin(platform::startRecord);
   director.construct();
   platform::enableInterrupts();
   director.start();

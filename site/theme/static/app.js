@@ -70,6 +70,11 @@
     }),
   );
   document.addEventListener("keydown", (event) => {
+    if ((event.ctrlKey || event.metaKey) && event.key === "k") {
+      one("#q").focus();
+      one("#q").select();
+      event.preventDefault();
+    }
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const target = event.target,
       group = target.closest(".vk"),
@@ -178,82 +183,44 @@
     { passive: true },
   );
 
-  /* search: typed and grouped */
+  /* search: the hits of search.js, in groups */
   const input = one("#q"),
     hits = one("#hits");
-  const ORDER = [
-    "Modules",
-    "Logic modules",
-    "Pattern applications",
-    "Requirements",
-    "Methods",
-    "Data types",
-    "Explanations",
-    "Paper",
-    "Tests",
-    "Checks",
-    "Pages",
-    "Source",
-  ];
+  const GROUP_SIZE = 5; // hits of a group that are shown
   let chosen = -1;
-  function lit(text, word) {
-    const i = text.toLowerCase().indexOf(word);
-    return i < 0
-      ? escape(text)
-      : escape(text.slice(0, i)) +
-          "<mark>" +
-          escape(text.slice(i, i + word.length)) +
-          "</mark>" +
-          escape(text.slice(i + word.length));
+  /* a text with the found words marked */
+  function lit(text, words) {
+    const sorted = [...words].sort((a, b) => b.length - a.length);
+    if (!sorted.length) return escape(text);
+    return text
+      .split(new RegExp(`(${sorted.join("|")})`, "giu"))
+      .map((part, i) => (i % 2 ? `<mark>${escape(part)}</mark>` : escape(part)))
+      .join("");
   }
-  /* what a text says around a word that it was found by */
-  function around(text = "", word) {
-    const i = text.toLowerCase().indexOf(word);
-    return i < 0 ? "" : `: … ${text.slice(text.lastIndexOf(" ", Math.max(0, i - 20)) + 1, i + 80)} …`;
-  }
-  function rank(entry, word) {
-    const title = entry[2].toLowerCase(),
-      i = title.indexOf(word);
-    return title === word
-      ? 0
-      : i === 0
-        ? 1
-        : i > 0
-          ? 2
-          : entry[3].toLowerCase().includes(word)
-            ? 3
-            : (entry[5] || "").toLowerCase().includes(word)
-              ? 4
-              : -1;
+  /* what a text says around the first of the words that it was found by */
+  function around(text = "", words) {
+    const small = text.toLowerCase();
+    const i = Math.min(...words.map((word) => small.indexOf(word)).filter((at) => at >= 0));
+    if (!Number.isFinite(i)) return "";
+    return `: … ${text.slice(text.lastIndexOf(" ", Math.max(0, i - 20)) + 1, i + 80)} …`;
   }
   function find(text) {
-    const word = text.trim().toLowerCase();
-    if (!word) return close();
-    const groups = {};
-    for (const entry of data.entries) {
-      const r = rank(entry, word);
-      if (r >= 0) (groups[entry[0]] = groups[entry[0]] || []).push([r, entry]);
-    }
-    const best = (group) => Math.min(...groups[group].map((hit) => hit[0]));
-    const order = ORDER.filter((group) => groups[group]).sort(
-      (a, b) => (best(a) > 0) - (best(b) > 0),
-    );
+    if (!text.trim()) return close();
     let out = "",
       count = 0;
-    for (const group of order) {
-      const found = groups[group].sort((a, b) => a[0] - b[0] || a[1][2].length - b[1][2].length);
+    for (const [group, found] of PortalSearch.grouped(text)) {
       out += `<div class="g" role="presentation"><span>${group}</span><span>${found.length}</span></div>`;
-      for (const [, entry] of found.slice(0, 5)) {
-        const letter =
-          entry[1].length === 1 && entry[1] === entry[1].toUpperCase()
-            ? `<span class="key" aria-hidden="true">${entry[1]}</span>`
-            : "<span></span>";
-        out += `<a role="option" tabindex="-1" id="hit${count++}" class="${entry[1]}" href="${base + entry[4]}">${letter}<b>${lit(entry[2], word)}</b><span class="d">${lit(entry[3] + around(entry[5], word), word)}</span></a>`;
+      for (const { id, terms } of found.slice(0, GROUP_SIZE)) {
+        const [, key, title, words, address, more] = data.entries[id];
+        const letter = /^[A-Z]$/.test(key)
+          ? `<span class="key" aria-hidden="true">${key}</span>`
+          : "<span></span>";
+        out += `<a role="option" tabindex="-1" id="hit${count++}" class="${key}" href="${base + address}">${letter}<b>${lit(title, terms)}</b><span class="d">${lit(words + around(more, terms), terms)}</span></a>`;
       }
     }
     hits.innerHTML =
       (out ||
-        '<div class="g">Nothing has this name. Try a module, a method, a pattern, FR-15.</div>') +
+        '<div class="g">Nothing has these words. Try a module, a method, a pattern, FR-15.</div>') +
       '<div class="hint">↑ ↓ choose &ensp; Enter open &ensp; Esc close</div>';
     hits.hidden = false;
     input.setAttribute("aria-expanded", "true");
@@ -275,6 +242,7 @@
       }
     });
   }
+  input.addEventListener("focus", () => setTimeout(PortalSearch.prepare));
   input.addEventListener("input", () => find(input.value));
   input.addEventListener("keydown", (event) => {
     const count = all("a", hits).length;
@@ -282,7 +250,10 @@
       choose((chosen + (event.key === "ArrowDown" ? 1 : count - 1)) % count);
       event.preventDefault();
     } else if (event.key === "Enter" && chosen >= 0) location.href = all("a", hits)[chosen].href;
-    else if (event.key === "Escape") close();
+    else if (event.key === "Escape") {
+      close(); // the focus stays
+      event.preventDefault();
+    }
   });
   document.addEventListener("pointerdown", (event) => {
     if (!event.target.closest(".search")) close();

@@ -20,7 +20,7 @@ class Crc16 final {
   /// @satisfies FR-40
   void add(std::span<const std::uint8_t> bytes);
 
-  /// @brief Tells the check sum of all bytes that were added.
+  /// @brief Returns the check sum of all bytes that were added.
   /// @return the check sum
   /// @isr{yes}
   /// @satisfies FR-40

@@ -19,7 +19,7 @@ enum class Decoded : std::uint8_t {
 };
 
 /// @brief Finds frames in the bytes from the line.
-/// @function Collects bytes until a frame ends, and tells whether the frame is in order. After any
+/// @function Collects bytes until a frame ends, and checks whether the frame is in order. After any
 /// damage it finds the next frame.
 /// @secret How a frame is collected and checked, and how its place is found again after damage.
 class FrameDecoder final {
@@ -56,7 +56,7 @@ class FrameDecoder final {
   /// @satisfies FR-41
   bool removeStuffing();
 
-  /// @brief Tells whether the CRC at the end of the body is that of the bytes before.
+  /// @brief Returns whether the CRC at the end of the body is that of the bytes before.
   /// @return true when it is
   /// @satisfies FR-41
   [[nodiscard]] bool crcIsRight() const;

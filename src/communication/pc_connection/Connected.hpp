@@ -5,8 +5,8 @@
 namespace wr {
 
 /// @brief The PC is connected.
-/// @function Takes orders, and ends the connection when the PC is silent or begins anew.
-/// @secret What keeps a connection, and what is dropped when it ends.
+/// @function Takes orders, and ends the connection when the PC is silent or begins again.
+/// @secret The events that keep a connection, and the data that are dropped at its end.
 /// @role{pc-mcu-connection, Concrete State}
 class Connected final : public ConnectionState {
  public:
@@ -43,7 +43,7 @@ class Connected final : public ConnectionState {
   /// @satisfies FR-33
   void checkTime(PcConnection& connection) override;
 
-  /// @brief Tells that the PC is connected.
+  /// @brief Returns true: the PC is connected.
   /// @return true
   /// @isr{no}
   /// @satisfies FR-36

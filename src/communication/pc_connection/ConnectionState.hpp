@@ -10,7 +10,7 @@ struct Frame;
 /// @brief What the connection with the PC does in one of its states.
 /// @function Answers each frame of the PC, and looks at the time, in the way of one state.
 /// @secret What differs between the states of the connection. A frame is unexpected unless a state
-/// says otherwise.
+/// defines otherwise.
 /// @role{pc-mcu-connection, State}
 ///
 /// @patternapp{pc-mcu-connection, State, PC-MCU connection}
@@ -27,7 +27,7 @@ class ConnectionState {
   /// @isr{no}
   virtual void hello(PcConnection& connection) = 0;
 
-  /// @brief Takes a Confirm. Unless a state says otherwise it is counted as unexpected.
+  /// @brief Takes a Confirm. Unless a state defines otherwise it is counted as unexpected.
   /// @param connection the connection that received it
   /// @param session number of the session that the PC accepts
   /// @return false when the frame was dropped
@@ -35,14 +35,14 @@ class ConnectionState {
   /// @satisfies FR-47
   virtual bool confirm(PcConnection& connection, std::uint8_t session);
 
-  /// @brief Takes a KeepAlive. Unless a state says otherwise it is counted as unexpected.
+  /// @brief Takes a KeepAlive. Unless a state defines otherwise it is counted as unexpected.
   /// @param connection the connection that received it
   /// @return false when the frame was dropped
   /// @isr{no}
   /// @satisfies FR-47
   virtual bool keepAlive(PcConnection& connection);
 
-  /// @brief Takes an order. Unless a state says otherwise it is counted as unexpected.
+  /// @brief Takes an order. Unless a state defines otherwise it is counted as unexpected.
   /// @param connection the connection that received it
   /// @param frame the frame of the order
   /// @return false when the frame was dropped
@@ -51,12 +51,12 @@ class ConnectionState {
   virtual bool order(PcConnection& connection, const Frame& frame);
 
   /// @brief Checks the silence before each frame, at the time when the frame was received, and after
-  /// the frames of a cycle, at its clock pulse. Unless a state says otherwise nothing happens.
+  /// the frames of a cycle, at its clock pulse. Unless a state defines otherwise nothing happens.
   /// @param connection the connection whose time is checked
   /// @isr{no}
   virtual void checkTime(PcConnection& connection);
 
-  /// @brief Tells whether the PC is connected. Unless a state says otherwise it is not.
+  /// @brief Returns whether the PC is connected. Unless a state defines otherwise it is not.
   /// @return true when the PC is connected
   /// @isr{no}
   [[nodiscard]] virtual bool connected() const;

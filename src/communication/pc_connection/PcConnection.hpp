@@ -31,7 +31,7 @@ class PcConnection final {
   /// @param port serial line to the PC
   /// @param orders takes the orders of the PC
   /// @param initial state after start
-  /// @param start why the firmware started; each Welcome tells it
+  /// @param start why the firmware started; each Welcome has it
   PcConnection(SerialPort& port, SerialReader& orders, ConnectionState& initial,
                const StartRecord& start);
 
@@ -56,7 +56,7 @@ class PcConnection final {
   /// @satisfies FR-245
   void service();
 
-  /// @brief Tells whether the PC is connected.
+  /// @brief Returns whether the PC is connected.
   /// @return true when the PC is connected
   /// @isr{no}
   /// @satisfies FR-36
@@ -71,7 +71,7 @@ class PcConnection final {
   /// @satisfies FR-64
   bool sendReport(const Serializable& report);
 
-  /// @brief Tells what went wrong on the link since start.
+  /// @brief Returns the counts of the faults on the link since start.
   /// @return the counts, as they were at the end of the last service or report
   /// @isr{no}
   /// @satisfies FR-63

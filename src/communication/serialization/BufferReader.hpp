@@ -20,10 +20,10 @@ class BufferReader final : public Reader {
   /// @brief Connects the reader to the signals.
   /// @param velocity velocity signal; one beyond the limit counts as the limit
   /// @param direction direction signal; one beyond the limit counts as the limit
-  /// @param clock tells the age of the signals
+  /// @param clock gives the age of the signals
   BufferReader(Pipe<Velocity>& velocity, Pipe<Angle>& direction, const Timebase& clock);
 
-  /// @brief Tells whether both signals hold a value that was not read and is not too old.
+  /// @brief Returns whether both signals hold a value that was not read and is not too old.
   /// @return true when there is a complete order
   /// @isr{no}
   /// @satisfies FR-20
@@ -31,7 +31,7 @@ class BufferReader final : public Reader {
   /// @satisfies FR-56
   [[nodiscard]] bool available() const override;
 
-  /// @brief Tells that the remote control does not stop the robot.
+  /// @brief Returns whether the remote control orders stop.
   /// @return false
   /// @isr{no}
   [[nodiscard]] bool stopOrdered() const override;

@@ -19,13 +19,13 @@ enum class FieldName : std::uint8_t {
   OperationState,    ///< operation state after the read
   ReadingMode,       ///< reading mode after the read
   Source,            ///< source of the set-points
-  Flags,             ///< what is so in this cycle
+  Flags,             ///< conditions of this cycle
   SteeringPosition,  ///< measured position of the steering
   WheelVelocity,     ///< measured velocity of a wheel
   WheelCurrent,      ///< measured current of a wheel
   WheelPosition,     ///< measured position of a wheel
   Measured,          ///< which measurements are valid
-  WheelTension,      ///< applied tension of a wheel
+  WheelTension,      ///< applied voltage of a wheel
   Turn,              ///< applied turn direction
   Applied,           ///< which applied values are valid
   Overruns,          ///< count of cycles that overran
@@ -41,8 +41,8 @@ enum class FieldName : std::uint8_t {
   ReportsNotSent,    ///< count of reports that were not sent
   SteeringState,     ///< what the steering does
   SteeringEnds,      ///< which end stops of the steering are reached
-  CutOffs,           ///< which wheels are cut off
-  BlindWheels,       ///< which wheels have tension and give no Hall edge
+  CutOffs,           ///< wheels whose driver the overcurrent trip switched off
+  BlindWheels,       ///< which wheels have voltage and give no Hall edge
   RejectedEdges,     ///< count of Hall edges of a wheel that were rejected
   ReportCost,        ///< processor cycles from a clock pulse to the report of its cycle
   AwakeCost,         ///< processor cycles not asleep between two clock pulses

@@ -9,7 +9,8 @@ namespace wr {
 
 namespace {
 
-bool within(std::int32_t value, std::int32_t limit) {
+template <class Quantity>
+bool within(Quantity value, Quantity limit) {
   return -limit <= value && value <= limit;
 }
 
@@ -17,11 +18,11 @@ bool wheelInRange(const WheelSetPoint& wheel) {
   const SystemConstants& constants = SystemConstants::instance();
   switch (wheel.quantity) {
     case WheelQuantity::Velocity:
-      return within(wheel.value, constants.velocityLimit().count());
+      return within(wheel.velocity(), constants.velocityLimit());
     case WheelQuantity::Tension:
-      return within(wheel.value, constants.tensionLimit().count());
+      return within(wheel.tension(), constants.tensionLimit());
     case WheelQuantity::Current:
-      return within(wheel.value, constants.currentLimit().count());
+      return within(wheel.current(), constants.currentLimit());
   }
   return false;
 }
@@ -39,7 +40,7 @@ bool OrderMessage::neutral() const {
 }
 
 bool OrderMessage::inRange() const {
-  return within(setPoints_.steering.count(), SystemConstants::instance().steeringLimit().count()) &&
+  return within(setPoints_.steering, SystemConstants::instance().steeringLimit()) &&
          std::ranges::all_of(setPoints_.wheels, wheelInRange) &&
          commands_ <= (kStop | kAcknowledge);
 }

@@ -6,7 +6,7 @@
 namespace wr {
 
 /// @brief One order: the set-points of the robot, and whether it is to stop.
-/// @function Holds a complete order, and tells whether the robot can do what it orders.
+/// @function Holds a complete order, and checks whether the robot can do what it orders.
 /// @secret The fields of an order, and the range of each.
 /// @role{serializer, Concrete Element}
 class OrderMessage final : public Serializable {
@@ -22,7 +22,7 @@ class OrderMessage final : public Serializable {
   /// @param stop whether the robot is to stop
   OrderMessage(const SetPoints& setPoints, bool stop);
 
-  /// @brief Tells what the order sets.
+  /// @brief Returns the set-points of the order.
   /// @return the set-points
   /// @satisfies FR-170
   /// @isr{yes}

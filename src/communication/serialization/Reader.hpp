@@ -7,7 +7,7 @@
 namespace wr {
 
 /// @brief A source of orders.
-/// @function Tells whether its source has an order that can be read, and gives the fields of that
+/// @function Checks whether its source has an order that can be read, and gives the fields of that
 /// order by their names.
 /// @secret From which source an order comes, and in what form.
 /// @role{serializer, Reader}
@@ -16,7 +16,7 @@ class Reader {
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
-  /// @brief Tells whether an order can be read: complete, the newest of its source, not older than
+  /// @brief Returns whether an order can be read: complete, the newest of its source, not older than
   /// the lifetime of an order, and not read before.
   /// @return true when there is such an order
   /// @isr{no}

@@ -23,7 +23,7 @@ struct LinkCounts {
   std::uint16_t reportsNotSent = 0;  ///< reports for which the port had no room
   std::uint16_t staleOrders = 0;     ///< orders that were not newer than the frame before
 
-  /// @brief Tells whether two sets of counts are the same.
+  /// @brief Returns whether two sets of counts are the same.
   friend constexpr bool operator==(const LinkCounts&, const LinkCounts&) = default;
 };
 
@@ -34,11 +34,11 @@ struct CycleCosts {
   std::uint32_t awake = 0;   ///< not asleep between the last two clock pulses
   std::uint32_t start = 0;   ///< from the last clock pulse to the start of its cycle
 
-  /// @brief Tells whether two costs are the same.
+  /// @brief Returns whether two costs are the same.
   friend constexpr bool operator==(const CycleCosts&, const CycleCosts&) = default;
 };
 
-/// @brief What a report tells about one control cycle.
+/// @brief Values of one control cycle in a report.
 /// @datatype
 struct ReportData {
   /// @brief Source of the set-points before the first order was read.
@@ -60,7 +60,7 @@ struct ReportData {
   LinkCounts link{};                ///< what went wrong on the PC link
   CycleCosts costs{};               ///< what the cycles cost
 
-  /// @brief Tells whether two reports tell the same.
+  /// @brief Returns whether two reports have the same values.
   friend constexpr bool operator==(const ReportData&, const ReportData&) = default;
 };
 

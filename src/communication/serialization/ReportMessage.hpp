@@ -15,10 +15,10 @@ class ReportMessage final : public Serializable {
   ReportMessage() = default;
 
   /// @brief Makes a report.
-  /// @param data what the report tells
+  /// @param data values of the report
   explicit ReportMessage(const ReportData& data);
 
-  /// @brief Tells what the report tells.
+  /// @brief Returns the values of the report.
   /// @return the data of the report
   /// @satisfies FR-170
   /// @isr{yes}

@@ -26,7 +26,7 @@ class SerialWriter final : public Writer {
   /// @satisfies FR-170
   void clear();
 
-  /// @brief Tells the bytes that were written since the last clear.
+  /// @brief Returns the bytes that were written since the last clear.
   /// @return the bytes, valid until the next write or clear
   /// @isr{no}
   /// @satisfies FR-170

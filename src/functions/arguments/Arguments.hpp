@@ -12,18 +12,18 @@ enum class ArgumentId : std::uint8_t {
   Elapsed,  ///< in what time [us]
   Scale,    ///< what a result is multiplied by
   Divisor,  ///< what a result is divided by
-  Offset,   ///< the raw value that stands for zero
+  Offset,   ///< the raw value of zero
   Lowest,   ///< least value that is accepted
   Highest   ///< greatest value that is accepted
 };
 
 /// @brief The arguments of a function.
-/// @function Tells a function the value of each argument by name.
+/// @function Gives a function the value of each argument by name.
 /// @secret Which arguments there are for one calculation.
 /// @role{function-arguments, Component}
 ///
 /// @patternapp{function-arguments, Decorator, Function arguments}
-/// @why All functions need the same few arguments, and each needs some others. What is added to the
+/// @why All functions need the same few arguments, and each needs some others. An addition to the
 /// basic ones is wrapped around them, so that a function is given what it needs and no more.
 /// @changes Arguments may be added or dropped as a function comes to need them, without change to
 /// the others.
@@ -32,7 +32,7 @@ class Arguments {
   Arguments(const Arguments&) = delete;
   Arguments& operator=(const Arguments&) = delete;
 
-  /// @brief Tells the value of an argument.
+  /// @brief Returns the value of an argument.
   /// @param id name of the argument
   /// @return its value; nothing when it was not given
   /// @isr{yes}

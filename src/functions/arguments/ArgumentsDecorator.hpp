@@ -8,8 +8,8 @@
 namespace wr {
 
 /// @brief Arguments that extend other arguments.
-/// @function Asks the arguments that it wraps. Heirs answer for the names that they add.
-/// @secret How a name that an heir does not know reaches the arguments that know it.
+/// @function Asks the arguments that it wraps. Subclasses answer for the names that they add.
+/// @secret How a name reaches the arguments that have a value for it.
 /// @role{function-arguments, Decorator}
 class ArgumentsDecorator : public Arguments {
  public:

@@ -15,11 +15,11 @@ namespace wr {
 class BaseArguments final : public Arguments {
  public:
   /// @brief Makes arguments of a raw value and a time.
-  /// @param raw raw value, in the unit that the function says
+  /// @param raw raw value, in the unit of the function
   /// @param elapsed time that belongs to it [us]; beyond 2147483647 it counts as that, below 0 as 0
   BaseArguments(std::int32_t raw, Microseconds elapsed);
 
-  /// @brief Tells Raw and Elapsed.
+  /// @brief Returns Raw and Elapsed.
   /// @param id name of the argument
   /// @return its value; nothing for any other name
   /// @isr{yes}

@@ -15,11 +15,11 @@ class RangeArguments final : public ArgumentsDecorator {
  public:
   /// @brief Extends arguments by a range.
   /// @param wrapped the extended arguments
-  /// @param lowest least accepted value, in the unit that the function says
+  /// @param lowest least accepted value, in the unit of the function
   /// @param highest greatest accepted value, in the same unit
   RangeArguments(const Arguments& wrapped, std::int32_t lowest, std::int32_t highest);
 
-  /// @brief Tells Lowest and Highest, and what the wrapped arguments tell.
+  /// @brief Returns Lowest and Highest, and the values of the wrapped arguments.
   /// @param id name of the argument
   /// @return its value; nothing when it was not given
   /// @isr{yes}

@@ -18,11 +18,11 @@ class ScaleArguments final : public ArgumentsDecorator {
   /// @param wrapped the extended arguments
   /// @param scale factor
   /// @param divisor number to divide by; with 0 no function gives a result
-  /// @param offset raw value that stands for zero
+  /// @param offset raw value of zero
   ScaleArguments(const Arguments& wrapped, std::int32_t scale, std::int32_t divisor,
                  std::int32_t offset);
 
-  /// @brief Tells Scale, Divisor and Offset, and what the wrapped arguments tell.
+  /// @brief Returns Scale, Divisor and Offset, and the values of the wrapped arguments.
   /// @param id name of the argument
   /// @return its value; nothing when it was not given
   /// @isr{yes}

@@ -33,7 +33,7 @@ extern const std::uint32_t stackTop[];
 }
 }
 
-// The stack may have overflowed, and it is not needed any more: it is begun anew.
+// The stack may have overflowed, and it is not needed any more: it begins again.
 [[gnu::naked]] void unexpected() {
   asm volatile(
       "mov r0, sp\n\t"

@@ -23,7 +23,7 @@ namespace wr::platform {
 /// @brief Devices of one wheel.
 /// @datatype
 struct WheelDevices {
-  K64Ftm pwm;           ///< tension
+  K64Ftm pwm;           ///< voltage
   K64Gpio orientation;  ///< on: backwards
   K64Gpio enable;       ///< on: current may flow
   K64Port hallA;        ///< first Hall sensor
@@ -84,7 +84,7 @@ void allowEdges();
 /// @isr{no}
 void calibrateConverters();
 
-/// @brief Starts the devices. The outputs for the tension leave their safe level for the timer, which
+/// @brief Starts the devices. The outputs for the voltage leave their safe level for the timer, which
 /// holds them low.
 /// @pre The converters are calibrated, and the core runs at its full clock.
 /// @isr{no}

@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief A sub-system that measures, controls and actuates one part of the robot.
 ///
-/// @function Gives every control system the same sequence of orders in each cycle. Heirs say how they
+/// @function Gives every control system the same sequence of orders in each cycle. Subclasses define how they
 /// carry out each order.
 ///
 /// @secret The sequence of orders in one control cycle of a control system.
@@ -42,7 +42,7 @@ class ControlSystem {
   /// @isr{no}
   void acknowledge(std::uint32_t cycle);
 
-  /// @brief Tells whether the work that was ordered for a cycle is done.
+  /// @brief Returns whether the work that was ordered for a cycle is done.
   /// @param cycle number of the control cycle, from 1
   /// @return true if the last work that was done is the work of that cycle.
   /// @isr{no}

@@ -52,7 +52,7 @@ class ControlSystemPool {
   /// @isr{no}
   void acknowledge(std::uint32_t cycle);
 
-  /// @brief Tells whether all control systems have done the work of a cycle.
+  /// @brief Returns whether all control systems have done the work of a cycle.
   /// @param cycle number of the control cycle, from 1
   /// @return true if every control system has; true for an empty pool.
   /// @satisfies FR-5

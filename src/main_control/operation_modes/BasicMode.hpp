@@ -23,7 +23,7 @@ class BasicMode final : public Mode {
   /// @isr{no}
   void serve() override;
 
-  /// @brief Tells whether the reader holds an order that can be read now.
+  /// @brief Returns whether the reader holds an order that can be read now.
   /// @return true if the order is the newest of its source, young enough, and was not read before.
   /// @satisfies FR-20
   /// @isr{no}
@@ -38,7 +38,7 @@ class BasicMode final : public Mode {
   /// @isr{no}
   void read(MainController& mCtrl) override;
 
-  /// @brief Changes nothing: the basic part knows no other mode.
+  /// @brief Changes nothing: the basic part has no other mode.
   /// @param mCtrl controller, left as it is
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;

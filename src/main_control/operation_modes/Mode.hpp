@@ -17,9 +17,9 @@ enum class ModeId : std::uint8_t {
 /// @brief A reading mode: the source that orders are read from.
 ///
 /// @function Gives the operation states one way to ask for a message, to read it and to change to the
-/// other source. It also tells whether the source ordered a stop, in whatever mode the system is.
+/// other source. It also returns whether the source ordered a stop, in whatever mode the system is.
 ///
-/// @secret Which source stands behind a reading mode.
+/// @secret Which source belongs to a reading mode.
 ///
 /// @role{reading-modes, State}
 /// @role{mode-extensions, Component}
@@ -28,7 +28,7 @@ enum class ModeId : std::uint8_t {
 /// @why How an order is read depends on whether the system takes orders from the PC or from the remote
 /// control. Each mode is a state, so no other module asks which mode it is.
 /// @changes The way a mode reads may change. A new source of orders, such as a Bluetooth device, is a
-/// new heir of this class and touches no other module of Main Control.
+/// new subclass of this class and touches no other module of Main Control.
 class Mode {
  public:
   Mode(const Mode&) = delete;
@@ -39,7 +39,7 @@ class Mode {
   /// @isr{no}
   virtual void serve() = 0;
 
-  /// @brief Tells whether an order can be read now.
+  /// @brief Returns whether an order can be read now.
   /// @return true if the source holds a fresh and complete order that was not read before.
   /// @isr{no}
   [[nodiscard]] virtual bool newMessage() const = 0;
@@ -56,7 +56,7 @@ class Mode {
   /// @isr{no}
   virtual void changeMode(MainController& mCtrl) = 0;
 
-  /// @brief Tells whether the source ordered a stop and has not released it.
+  /// @brief Returns whether the source ordered a stop and has not released it.
   /// @return true from a stop order until the same source orders without stop.
   /// @isr{no}
   [[nodiscard]] virtual bool stopOrdered() const = 0;

@@ -6,7 +6,7 @@ namespace wr {
 
 /// @brief A mode that extends another mode.
 ///
-/// @function Forwards what a mode does not extend to the mode that it wraps. Heirs give the operations
+/// @function Forwards what a mode does not extend to the mode that it wraps. Subclasses give the operations
 /// that they extend.
 ///
 /// @secret Which operations of the wrapped mode are passed on as they are.

@@ -28,7 +28,7 @@ class PC final : public ModeDecorator {
   /// @isr{no}
   void serve() override;
 
-  /// @brief Tells whether the PC is connected and has an order that can be read now.
+  /// @brief Returns whether the PC is connected and has an order that can be read now.
   /// @return true if the PC is connected and the wrapped mode has a message.
   /// @satisfies FR-36
   /// @isr{no}

@@ -18,7 +18,7 @@ enum class OperationStateId : std::uint8_t {
 
 /// @brief What the main controller does in a cycle: a state of Main Control.
 ///
-/// @function Reads orders in the same steps in every state, and leaves to its heirs what is done with a
+/// @function Reads orders in the same steps in every state, and leaves to its subclasses what is done with a
 /// message and without one. Orders the control systems and the report of the cycle.
 ///
 /// @secret The steps of reading an order that all operation states share.
@@ -30,7 +30,7 @@ enum class OperationStateId : std::uint8_t {
 /// @why What the main controller does, and what it orders the control systems to do, depends on its
 /// operation state.
 /// @changes The behaviour of a state may change. A new state, such as one that warns after some failed
-/// reads, is a new heir of this class and leaves the other states as they are.
+/// reads, is a new subclass of this class and leaves the other states as they are.
 ///
 /// @patternapp{read-orders, Template Method, Read orders in the operation states}
 /// @why Reading an order has the same steps in every state: ask for a message, then act with it or

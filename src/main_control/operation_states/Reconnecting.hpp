@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief Nobody commands: the system stands still and looks for orders in turn at each source.
+/// @brief Nobody commands: the system is at rest and looks for orders in turn at each source.
 ///
 /// @function Holds the control systems. Each failed read changes the reading mode; a message ends the
 /// search.

@@ -14,7 +14,7 @@ namespace wr {
 class CntSensor final {
  public:
   /// @brief Binds the sensor.
-  /// @param collector tells the samples
+  /// @param collector gives the samples
   /// @param function calculates the current; it refuses one that cannot be
   /// @param current takes the current, with the time of its newest sample
   CntSensor(ValueCollector& collector, const Function& function, Pipe<Current>& current);
@@ -22,7 +22,7 @@ class CntSensor final {
   CntSensor(const CntSensor&) = delete;
   CntSensor& operator=(const CntSensor&) = delete;
 
-  /// @brief Writes the mean of the samples that the collector told since the last call to the pipe.
+  /// @brief Writes the mean of the samples that the collector gave since the last call to the pipe.
   /// @pre No more than 500000 samples came since the last call.
   /// @errors Without samples, or with a mean beyond 16 A, nothing is written: the value in the pipe
   /// grows old.

@@ -9,7 +9,7 @@
 
 namespace wr {
 
-/// @brief What is known of the samples of a current. Sum and number count from start, and wrap: who
+/// @brief Record of the samples of a current. Sum and number count from start, and wrap: who
 /// wants those of a time takes the difference. It is right for 500000 samples and less, the sum
 /// read as a number with a sign.
 /// @datatype
@@ -33,13 +33,13 @@ class ValueCollector final {
   /// @brief Number of samples from which the zero is taken.
   static constexpr std::int32_t kZeroSamples = 64;
 
-  /// @brief Number of samples after which the record is told anew.
+  /// @brief Number of samples after which the record is written again.
   static constexpr std::uint32_t kGroup = 8;
 
   /// @brief Binds the command that ends an overcurrent.
   /// @param overcurrent is executed, in the interrupt, at each sample from the fifth in a row that
   /// is too high
-  /// @param timebase tells the time of a sample
+  /// @param timebase gives the time of a sample
   ValueCollector(Command& overcurrent, const Timebase& timebase);
 
   ValueCollector(const ValueCollector&) = delete;
@@ -56,7 +56,7 @@ class ValueCollector final {
   /// @satisfies FR-128
   void collect(std::uint16_t raw);
 
-  /// @brief Tells all that is known of the samples, as of the last of 8.
+  /// @brief Returns all that is known of the samples, as of the last of 8.
   /// @return the record; empty before the eighth sample after the zero
   /// @pre No other call of record() is under way: only the thread of the wheel calls it.
   /// @isr{no}
@@ -70,7 +70,7 @@ class ValueCollector final {
   /// @brief Acts when the samples are too high.
   void guard(std::int32_t raw);
 
-  /// @brief Tells the samples up to now to the thread.
+  /// @brief Writes the samples up to now for the thread.
   void publish();
 
   Command& overcurrent_;

@@ -7,7 +7,7 @@
 namespace wr {
 
 /// @brief The collector that every other extends.
-/// @function Knows when the last edge came.
+/// @function Records the time of the last edge.
 /// @secret That of all edges only the last is kept.
 /// @role{instant-collectors, Concrete Component}
 class BasicCollector final : public InstantCollector {
@@ -21,7 +21,7 @@ class BasicCollector final : public InstantCollector {
   /// @satisfies FR-120
   void collect(const Edge& edge) override;
 
-  /// @brief Tells when the last edge came.
+  /// @brief Adds to the record the time of the last edge.
   /// @param instants takes `last`; nothing before the first edge
   /// @isr{yes}
   /// @satisfies FR-120

@@ -5,7 +5,7 @@
 namespace wr {
 
 /// @brief A collector that extends another collector.
-/// @function Forwards edges and questions to the collector that it wraps. Heirs add a value of
+/// @function Forwards edges and questions to the collector that it wraps. Subclasses add a value of
 /// their own.
 /// @secret Which operations of the wrapped collector are passed on as they are.
 /// @role{instant-collectors, Decorator}

@@ -7,7 +7,7 @@
 namespace wr {
 
 /// @brief Adds the number of edges.
-/// @function Knows how many edges came forwards, less those that came backwards.
+/// @function Counts the edges that came forwards, less those that came backwards.
 /// @secret How edges are counted, and what happens when the count reaches its end.
 /// @role{instant-collectors, Concrete Decorator}
 class CountCollector final : public CollectorDecorator {
@@ -23,7 +23,7 @@ class CountCollector final : public CollectorDecorator {
   /// @satisfies FR-121
   void collect(const Edge& edge) override;
 
-  /// @brief Tells what the wrapped collector tells, and the count.
+  /// @brief Adds to the record of the wrapped collector the count.
   /// @param instants takes `count` [edges since start]
   /// @isr{yes}
   /// @satisfies FR-121

@@ -15,7 +15,7 @@ struct Edge {
   std::int8_t direction = 0;  ///< 1 forwards, -1 backwards, 0 when the signal has no direction
 };
 
-/// @brief What collectors know of the edges of a signal. What is absent was not collected.
+/// @brief Record of the edges of a signal. An absent value was not collected.
 /// @datatype
 struct Instants {
   std::optional<Instant> last;         ///< when the last edge came
@@ -25,8 +25,8 @@ struct Instants {
 };
 
 /// @brief Collects instants of the edges of a signal.
-/// @function Takes each edge of a signal, and tells what follows from all of them.
-/// @secret Which instants are kept of the edges, and what is calculated from them.
+/// @function Takes each edge of a signal, and computes the values that follow from all of them.
+/// @secret Which instants are kept of the edges, and the values that follow from them.
 /// @role{instant-collectors, Component}
 ///
 /// @patternapp{instant-collectors, Decorator, Collectors of time instants}
@@ -44,7 +44,7 @@ class InstantCollector {
   /// @isr{yes}
   virtual void collect(const Edge& edge) = 0;
 
-  /// @brief Tells what is known; leaves alone what this collector does not know.
+  /// @brief Writes the values of this collector, and no others.
   /// @param instants where it is put
   /// @isr{yes}
   virtual void fill(Instants& instants) const = 0;

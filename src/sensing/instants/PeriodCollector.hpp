@@ -7,7 +7,7 @@
 namespace wr {
 
 /// @brief Adds the period of the signal.
-/// @function Knows the time between the two last rising edges.
+/// @function Measures the time between the two last rising edges.
 /// @secret Between which edges a period is taken.
 /// @role{instant-collectors, Concrete Decorator}
 class PeriodCollector final : public CollectorDecorator {
@@ -22,7 +22,7 @@ class PeriodCollector final : public CollectorDecorator {
   /// @satisfies FR-55
   void collect(const Edge& edge) override;
 
-  /// @brief Tells what the wrapped collector tells, and the period.
+  /// @brief Adds to the record of the wrapped collector the period.
   /// @param instants takes `period` [us]; nothing before the second rising edge
   /// @isr{yes}
   /// @satisfies FR-55

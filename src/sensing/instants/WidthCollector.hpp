@@ -7,7 +7,7 @@
 namespace wr {
 
 /// @brief Adds the width of a pulse.
-/// @function Knows how long the last pulse was.
+/// @function Measures the width of the last pulse.
 /// @secret When a rising and a falling edge are the two ends of one pulse.
 /// @role{instant-collectors, Concrete Decorator}
 class WidthCollector final : public CollectorDecorator {
@@ -23,7 +23,7 @@ class WidthCollector final : public CollectorDecorator {
   /// @satisfies FR-52
   void collect(const Edge& edge) override;
 
-  /// @brief Tells what the wrapped collector tells, and the width.
+  /// @brief Adds to the record of the wrapped collector the width.
   /// @param instants takes `width` [us]; nothing without a whole pulse
   /// @isr{yes}
   /// @satisfies FR-52

@@ -21,7 +21,7 @@ class DirSensor final {
   /// @brief Binds the sensor.
   /// @param input converts the voltage of the sensor
   /// @param function calculates the angle of 8 samples
-  /// @param timebase tells the time
+  /// @param timebase gives the time
   /// @param position takes the angle, with the time of the measurement
   DirSensor(AnalogInput& input, const Function& function, const Timebase& timebase,
             Pipe<Angle>& position);

@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief The two Hall sensors of a wheel.
 /// @function Interrupts at each edge of either sensor, executes the command that it was given, and
-/// tells the present levels of both.
+/// gives the present levels of both.
 /// @secret The hardware that senses the turning of a wheel.
 /// @role{hall-interrupt, Invoker}
 class ActiveSensor final {
@@ -24,7 +24,7 @@ class ActiveSensor final {
   ActiveSensor& operator=(const ActiveSensor&) = delete;
 
   /// @brief Makes the edges of both sensors interrupt from now on. Executes the command once
-  /// before, so that who counts knows where the wheel stands.
+  /// before, so that the counter has the position of the wheel.
   /// @isr{no}
   /// @satisfies FR-120
   void start();
@@ -35,7 +35,7 @@ class ActiveSensor final {
   /// @satisfies FR-120
   void serve();
 
-  /// @brief Tells the present levels.
+  /// @brief Returns the present levels.
   /// @return bit 0 is set when the first sensor is high, bit 1 when the second is [0 to 3]
   /// @isr{yes}
   /// @satisfies FR-120

@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief What an edge of a Hall sensor does: it is collected.
 /// @function Passes the levels after an edge, with their time, on to the collector.
-/// @secret Which module acts on an edge of a Hall sensor, and what it is told.
+/// @secret Which module acts on an edge of a Hall sensor, and the values that it gets.
 /// @role{hall-interrupt, Concrete Command}
 ///
 /// @patternapp{hall-interrupt, Command, Process Hall sensor interruptions}
@@ -21,8 +21,8 @@ class CountSignal final : public Command {
  public:
   /// @brief Binds the command to sensor and collector.
   /// @param collector takes the edges
-  /// @param sensor tells the levels
-  /// @param timebase tells the time of an edge
+  /// @param sensor gives the levels
+  /// @param timebase gives the time of an edge
   CountSignal(SensorCollector& collector, const ActiveSensor& sensor, const Timebase& timebase);
 
   /// @brief Gives the present levels and the time to the collector.

@@ -20,9 +20,9 @@ namespace wr {
 class VelSensor final {
  public:
   /// @brief Binds the sensor.
-  /// @param collector tells the edges
+  /// @param collector gives the edges
   /// @param function calculates the velocity; it refuses one that cannot be
-  /// @param timebase tells the time
+  /// @param timebase gives the time
   /// @param velocity takes the velocity, with the time of the measurement
   VelSensor(SensorCollector& collector, const Function& function, const Timebase& timebase,
             Pipe<Velocity>& velocity);
@@ -69,7 +69,7 @@ class VelSensor final {
   /// @brief Velocity when edges came since the measurement before.
   [[nodiscard]] std::optional<Velocity> withEdges(const Instants& instants, Instant now);
 
-  /// @brief Velocity when the wheel stood at the measurement before. It stood somewhere between two
+  /// @brief Velocity when the wheel was at rest at the measurement before. It rested somewhere between two
   /// edges: the way to the first edge is half of one to the next, on average.
   [[nodiscard]] std::optional<Velocity> fromStandstill(std::int32_t edges,
                                                        Microseconds elapsed) const;

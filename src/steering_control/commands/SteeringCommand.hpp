@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief One action on the steering, which the controller orders without knowing who acts.
+/// @brief One action on the steering, which the controller orders without the name of the device.
 /// @function Lets the steering controller order an action that may take a rate.
 /// @secret Which element of the steering a command acts on.
 /// @role{steering-commands, Command}

@@ -32,7 +32,7 @@ class PoweredOff final : public SteeringPower {
   /// @satisfies FR-113
   void tick(SteeringDevice& device) override;
 
-  /// @brief Tells that the motor cannot step.
+  /// @brief Returns false: the motor cannot step.
   /// @param device device whose motor it is
   /// @return false
   /// @isr{yes}

@@ -32,7 +32,7 @@ class PoweredOn final : public SteeringPower {
   /// @satisfies FR-107
   void tick(SteeringDevice& device) override;
 
-  /// @brief Tells whether the motor has settled.
+  /// @brief Returns whether the motor has settled.
   /// @param device device whose motor it is
   /// @return true when it has
   /// @isr{yes}

@@ -35,7 +35,7 @@ class SteeringPower {
   /// @isr{yes}
   virtual void tick(SteeringDevice& device) = 0;
 
-  /// @brief Tells whether the motor can step.
+  /// @brief Returns whether the motor can step.
   /// @param device device whose motor it is
   /// @return true when it is on and has settled
   /// @isr{yes}

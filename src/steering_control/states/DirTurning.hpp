@@ -5,7 +5,7 @@
 namespace wr {
 
 /// @brief The steering turns towards its target.
-/// @function Has the motor turn as the algorithm says, until it has come to rest; watches whether
+/// @function Lets the motor turn as the algorithm demands, until it has come to rest; watches whether
 /// the steering moves.
 /// @secret How a turn is led and watched, and what ends it.
 /// @role{steering-controller-states, Concrete State}

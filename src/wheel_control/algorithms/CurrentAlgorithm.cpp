@@ -6,7 +6,7 @@ namespace wr {
 
 namespace {
 
-// The derivation of these figures stands in docs/wheel_control.rst.
+// docs/wheel_control.rst derives these values.
 constexpr std::int32_t kWinding = SystemConstants::instance().winding();
 constexpr PiGains kGains{.proportional = 0, .integral = kWinding / 2};
 constexpr std::int32_t kThousand = 1000;
@@ -19,11 +19,11 @@ Tension CurrentAlgorithm::calculate(std::int16_t setPoint, const WheelFeedback& 
   Tension correction;
   Velocity foreseen = feedback.velocity;
   if (before_) {
-    correction = regulator_.regulate(setPoint_ - feedback.current.count());
+    correction = regulator_.regulate((setPoint_ - feedback.current).count());
     foreseen = feedback.velocity * 2 - *before_;
   }
   before_ = feedback.velocity;
-  setPoint_ = setPoint;
+  setPoint_ = Current(setPoint);
   const Tension winding(kWinding * setPoint / kThousand);
   const Tension turning(SystemConstants::instance().motorConstant().count() * foreseen.count() /
                         kThousand);

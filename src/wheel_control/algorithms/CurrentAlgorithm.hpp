@@ -10,7 +10,7 @@ namespace wr {
 
 /// @brief Brings the current of a wheel to its set-point: a set torque.
 ///
-/// @function Gives the wheel the tension that drives the current through the winding, plus the tension
+/// @function Gives the wheel the voltage that drives the current through the winding, plus the voltage
 /// that the turning motor opposes to it, and regulates what the model misses.
 ///
 /// @secret The model of the motor's winding, and how its velocity is foreseen.
@@ -21,16 +21,16 @@ class CurrentAlgorithm final : public WheelAlgorithm {
   /// @brief Makes the algorithm.
   CurrentAlgorithm();
 
-  /// @brief Calculates the tension. All quotients are rounded towards zero.
+  /// @brief Calculates the voltage. All quotients are rounded towards zero.
   /// @param setPoint current [mA], -10000 to 10000
   /// @param feedback its velocity and its current are used
-  /// @return tension [mV], positive forwards
+  /// @return voltage [mV], positive forwards
   /// @satisfies FR-85
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
   /// @brief Learns what was applied.
-  /// @param tension tension that stands at the wheel [mV], positive forwards
+  /// @param tension voltage that is at the wheel [mV], positive forwards
   /// @satisfies FR-86
   /// @isr{no}
   void applied(Tension tension) override;
@@ -42,7 +42,7 @@ class CurrentAlgorithm final : public WheelAlgorithm {
  private:
   PiRegulator regulator_;
   std::optional<Velocity> before_;  // velocity of the cycle before; nothing after a reset
-  std::int16_t setPoint_ = 0;       // set-point of the cycle that ends
+  Current setPoint_{};              // set-point of the cycle that ends
   Tension calculated_{};            // result of the last calculation
 };
 

@@ -15,7 +15,7 @@ constexpr std::int32_t kMostIntegral = SystemConstants::instance().supply().coun
 // orientation, and the integral must be able to raise it.
 constexpr Tension kSlight(100);
 
-// A wheel that got less tension than it should have stays behind, and one that got more runs ahead.
+// A wheel that got less voltage than it should have stays behind, and one that got more runs ahead.
 bool explains(Tension shortfall, std::int32_t error) {
   return (shortfall >= kSlight && error > 0) || (shortfall <= -kSlight && error < 0);
 }
@@ -25,7 +25,7 @@ bool explains(Tension shortfall, std::int32_t error) {
 PiRegulator::PiRegulator(const PiGains& gains) : gains_(gains) {}
 
 Tension PiRegulator::regulate(std::int32_t error) {
-  std::int32_t sum = integral();
+  std::int32_t sum = majority(integral_);
   if (!explains(shortfall_, error)) {
     sum = std::clamp(sum + gains_.integral * error, -kMostIntegral, kMostIntegral);
   }
@@ -42,9 +42,8 @@ void PiRegulator::reset() {
   shortfall_ = Tension();
 }
 
-// Each bit as at least two of the copies have it.
-std::int32_t PiRegulator::integral() const {
-  const auto& [a, b, c] = integral_;
+std::int32_t PiRegulator::majority(const Copies& copies) {
+  const auto& [a, b, c] = copies;
   return (a & b) | (b & c) | (a & c);
 }
 

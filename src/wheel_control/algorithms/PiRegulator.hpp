@@ -10,20 +10,31 @@ namespace wr {
 /// @brief Gains of a regulator, up to 16000 each.
 /// @datatype
 struct PiGains {
-  std::int32_t proportional = 0;  ///< tension of the present error [uV per unit of the error]
-  std::int32_t integral = 0;      ///< tension that each cycle of the error adds [uV per unit]
+  std::int32_t proportional = 0;  ///< voltage of the present error [uV per unit of the error]
+  std::int32_t integral = 0;      ///< voltage that each cycle of the error adds [uV per unit]
 };
 
 /// @brief Takes an error to zero.
 ///
-/// @function Adds a share of the present error and a share of each error before it to one tension. An error
-/// that comes from a tension that could not be applied is not kept.
+/// @function Adds a share of the present error and a share of each error before it to one voltage. An error
+/// that comes from a voltage that could not be applied is not kept.
 ///
-/// @secret How the integral is limited while the tension is limited, how fractions of a millivolt are
+/// @secret How the integral is limited while the voltage is limited, how fractions of a millivolt are
 /// kept, and how a bit that changes in the memory of the integral is corrected: the wheels of a
 /// robot would work against each other for a long time.
 class PiRegulator final {
  public:
+  /// @brief Three copies of a number, so that a bit that changes in one of them has no effect.
+  /// @datatype
+  using Copies = std::array<std::int32_t, 3>;
+
+  /// @brief Returns a number of which three copies are kept.
+  /// @param copies the copies
+  /// @return the number, each bit as at least two of the copies have it, in the unit of the copies
+  /// @satisfies FR-224
+  /// @isr{no}
+  [[nodiscard]] static std::int32_t majority(const Copies& copies);
+
   /// @brief Makes a regulator without memory.
   /// @param gains how strongly it acts
   explicit PiRegulator(const PiGains& gains);
@@ -34,7 +45,7 @@ class PiRegulator final {
   /// @brief Takes the error of the cycle that ends.
   /// @param error what should have been measured less what was measured, in the unit of the gains, -65535
   /// to 65535
-  /// @return tension that works against the error [mV], rounded towards zero
+  /// @return voltage that works against the error [mV], rounded towards zero
   /// @post The part of the integral is at most the supply.
   /// @satisfies FR-83
   /// @satisfies FR-85
@@ -42,9 +53,9 @@ class PiRegulator final {
   /// @isr{no}
   Tension regulate(std::int32_t error);
 
-  /// @brief Learns by how much the wheel will miss its tension in the cycle that begins. An error of that
-  /// cycle that the missing tension explains is not kept. Less than 0.1 V explains nothing.
-  /// @param shortfall calculated less applied tension [mV]
+  /// @brief Learns by how much the wheel will miss its voltage in the cycle that begins. An error of that
+  /// cycle that the missing voltage explains is not kept. Less than 0.1 V explains nothing.
+  /// @param shortfall calculated less applied voltage [mV]
   /// @satisfies FR-86
   /// @isr{no}
   void missed(Tension shortfall);
@@ -54,11 +65,9 @@ class PiRegulator final {
   void reset();
 
  private:
-  [[nodiscard]] std::int32_t integral() const;
-
   PiGains gains_;
-  std::array<std::int32_t, 3> integral_{};  // [uV] three copies of the integral
-  Tension shortfall_{};                     // of the cycle whose error comes next
+  Copies integral_{};    // [uV]
+  Tension shortfall_{};  // of the cycle whose error comes next
 };
 
 }  // namespace wr

@@ -4,9 +4,9 @@
 
 namespace wr {
 
-/// @brief Gives a wheel the tension of its set-point.
+/// @brief Gives a wheel the voltage of its set-point.
 ///
-/// @function Passes the set-point on as tension.
+/// @function Passes the set-point on as voltage.
 ///
 /// @secret That a tension order needs no measurement.
 ///
@@ -16,8 +16,8 @@ class TensionAlgorithm final : public WheelAlgorithm {
   /// @brief Makes the algorithm. It has no state.
   TensionAlgorithm() = default;
 
-  /// @brief Calculates the tension of the set-point.
-  /// @param setPoint tension [mV]
+  /// @brief Calculates the voltage of the set-point.
+  /// @param setPoint voltage [mV]
   /// @param feedback is not used
   /// @return the set-point [mV]
   /// @satisfies FR-80

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 #include "services/SystemConstants.hpp"
 
@@ -9,18 +10,21 @@ namespace wr {
 
 namespace {
 
-// The derivation of these figures stands in docs/wheel_control.rst.
+// docs/wheel_control.rst derives these values.
 constexpr std::int32_t kThousand = 1000;
-constexpr std::int32_t kDecay = 637;  // [1/1000] what is left of a deviation after a cycle
+constexpr std::int32_t kDecay = 637;  // [1/1000] part of a deviation that is left after a cycle
 constexpr std::int32_t kMean = 806;   // [1/1000] mean of a deviation during a cycle
 constexpr PiGains kGains{.proportional = 4650, .integral = 2094};
 
 // Edges that are lost make the measured velocity too low. It is doubtful when the motor makes more
-// tension than it would make at this velocity, by more than supply, winding and motor constant can
+// voltage than it would make at this velocity, by more than supply, winding and motor constant can
 // differ from the assumed values.
 constexpr std::int32_t kDoubt = 400;     // [mV]
-constexpr std::int32_t kDoubtShare = 3;  // and this part of the tension
+constexpr std::int32_t kDoubtShare = 3;  // and this part of the voltage
 constexpr std::uint8_t kMostDoubts = 5;  // cycles in a row
+
+// In place of a model that has not begun.
+constexpr std::int32_t kNoModel = std::numeric_limits<std::int32_t>::min();
 
 // Part of a deviation. The product would have more than 32 bits, which the core divides slowly; the
 // thousands and the rest of it do not. A set-point has 16 bits, and no measured velocity has more.
@@ -30,19 +34,22 @@ std::int32_t part(std::int32_t deviation, std::int32_t thousandths) {
 
 }  // namespace
 
-VelocityAlgorithm::VelocityAlgorithm() : regulator_(kGains) {}
+VelocityAlgorithm::VelocityAlgorithm() : regulator_(kGains) {
+  model_.fill(kNoModel);
+}
 
 Tension VelocityAlgorithm::calculate(std::int16_t setPoint, const WheelFeedback& feedback) {
   std::int32_t expected = feedback.velocity.count() * kThousand;
-  if (model_) {
-    const std::int32_t goal = setPoint_ * kThousand;
-    const std::int32_t deviation = *model_ - goal;
+  const std::int32_t model = PiRegulator::majority(model_);
+  if (model != kNoModel) {
+    const std::int32_t goal = PiRegulator::majority(setPoint_) * kThousand;
+    const std::int32_t deviation = model - goal;
     expected = goal + part(deviation, kMean);
-    model_ = goal + part(deviation, kDecay);
+    model_.fill(goal + part(deviation, kDecay));
   } else {
-    model_ = expected;
+    model_.fill(expected);
   }
-  setPoint_ = setPoint;
+  setPoint_.fill(setPoint);
   measured_ = doubtful(feedback) ? Velocity(expected / kThousand) : feedback.velocity;
   const Tension unloaded(SystemConstants::instance().motorConstant().count() * setPoint /
                          kThousand);
@@ -55,13 +62,13 @@ void VelocityAlgorithm::applied(Tension tension) {
   regulator_.missed(calculated_ - tension);
   applied_ = tension;
   if (tension != calculated_) {
-    model_ = measured_.count() * kThousand;
+    model_.fill(measured_.count() * kThousand);
   }
 }
 
 void VelocityAlgorithm::reset() {
   regulator_.reset();
-  model_.reset();
+  model_.fill(kNoModel);
   applied_.reset();
   doubts_ = 0;
 }

@@ -10,11 +10,11 @@ namespace wr {
 
 /// @brief Brings a wheel to a velocity, and keeps it there.
 ///
-/// @function Gives the wheel the tension that it needs at the set-point when nothing loads it, and
+/// @function Gives the wheel the voltage that it needs at the set-point when nothing loads it, and
 /// regulates what a load changes.
 ///
 /// @secret The model of a wheel that follows its set-point, the gains that correct a difference from it,
-/// and how a measured velocity is checked by tension and current.
+/// and how a measured velocity is checked by voltage and current.
 ///
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class VelocityAlgorithm final : public WheelAlgorithm {
@@ -22,11 +22,11 @@ class VelocityAlgorithm final : public WheelAlgorithm {
   /// @brief Makes the algorithm for a wheel at rest.
   VelocityAlgorithm();
 
-  /// @brief Calculates the tension. All quotients are rounded towards zero. For up to 5 cycles in a row
-  /// a velocity that does not agree with tension and current is replaced by that of the model.
+  /// @brief Calculates the voltage. All quotients are rounded towards zero. For up to 5 cycles in a row
+  /// a velocity that does not agree with voltage and current is replaced by that of the model.
   /// @param setPoint velocity [0.1 rpm], -3000 to 3000
   /// @param feedback velocity and current of the cycle that ends
-  /// @return tension [mV], positive forwards
+  /// @return voltage [mV], positive forwards
   /// @satisfies FR-82
   /// @satisfies FR-83
   /// @satisfies FR-84
@@ -35,9 +35,9 @@ class VelocityAlgorithm final : public WheelAlgorithm {
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
-  /// @brief Learns what was applied. After another tension than the calculated one the model goes on from
+  /// @brief Learns what was applied. After another voltage than the calculated one the model goes on from
   /// the measured velocity.
-  /// @param tension tension that stands at the wheel [mV], positive forwards
+  /// @param tension voltage that is at the wheel [mV], positive forwards
   /// @satisfies FR-86
   /// @isr{no}
   void applied(Tension tension) override;
@@ -50,12 +50,12 @@ class VelocityAlgorithm final : public WheelAlgorithm {
   [[nodiscard]] bool doubtful(const WheelFeedback& feedback);
 
   PiRegulator regulator_;
-  std::optional<std::int32_t> model_;  // [0.0001 rpm] velocity of the model when the cycle began
-  std::int16_t setPoint_ = 0;          // set-point of the cycle that ends
-  Velocity measured_{};                // velocity that the last calculation used
-  Tension calculated_{};               // result of the last calculation
-  std::optional<Tension> applied_;     // tension of the cycle that ends; nothing after a reset
-  std::uint8_t doubts_ = 0;            // doubtful velocities in a row
+  PiRegulator::Copies model_{};     // [0.0001 rpm] velocity of the model when the cycle began
+  PiRegulator::Copies setPoint_{};  // [0.1 rpm] set-point of the cycle that ends
+  Velocity measured_{};             // velocity that the last calculation used
+  Tension calculated_{};            // result of the last calculation
+  std::optional<Tension> applied_;  // voltage of the cycle that ends; nothing after a reset
+  std::uint8_t doubts_ = 0;         // doubtful velocities in a row
 };
 
 }  // namespace wr

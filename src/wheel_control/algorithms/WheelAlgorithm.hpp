@@ -13,9 +13,9 @@ struct WheelFeedback {
   Current current{};    ///< mean current of the cycle that ends
 };
 
-/// @brief How the tension of a wheel follows from its set-point.
+/// @brief How the voltage of a wheel follows from its set-point.
 ///
-/// @function Calculates a tension in each cycle, and learns what was applied instead.
+/// @function Calculates a voltage in each cycle, and learns what was applied instead.
 ///
 /// @secret Which quantity is set, and the control law that reaches it.
 ///
@@ -23,22 +23,22 @@ struct WheelFeedback {
 ///
 /// @patternapp{wheel-control-algorithms, Strategy, Control algorithms for wheels}
 /// @why An order gives a wheel a tension, a current or a velocity. Each of them needs an algorithm of its
-/// own to calculate the tension.
+/// own to calculate the voltage.
 /// @changes An algorithm may change, or a new one may be needed.
 class WheelAlgorithm {
  public:
   WheelAlgorithm(const WheelAlgorithm&) = delete;
   WheelAlgorithm& operator=(const WheelAlgorithm&) = delete;
 
-  /// @brief Calculates the tension for the next cycle.
+  /// @brief Calculates the voltage for the next cycle.
   /// @param setPoint what shall be reached, in the unit of the quantity that the algorithm sets
   /// @param feedback what was measured
-  /// @return tension [mV], positive forwards; it may be beyond what the wheel can have
+  /// @return voltage [mV], positive forwards; it may be beyond what the wheel can have
   /// @isr{no}
   virtual Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) = 0;
 
   /// @brief Learns what was applied after the last calculation.
-  /// @param tension tension that stands at the wheel [mV], positive forwards
+  /// @param tension voltage that is at the wheel [mV], positive forwards
   /// @pre calculate() was called in this cycle.
   /// @isr{no}
   virtual void applied(Tension tension) = 0;

@@ -7,20 +7,20 @@ namespace wr {
 
 /// @brief Lets a wheel advance.
 ///
-/// @function Applies what is demanded, at once.
+/// @function Applies the demand at once.
 ///
-/// @secret That nothing stands between demand and wheel.
+/// @secret That nothing is between demand and wheel.
 ///
 /// @role{wheel-behaviours, Concrete Strategy}
 /// @role{behaviour-extensions, Concrete Component}
 class Advance final : public WheelBehaviour {
  public:
   /// @brief Binds the behaviour to a command.
-  /// @param setTension sets the tension of the wheel
+  /// @param setTension sets the voltage of the wheel
   explicit Advance(WheelCommand& setTension);
 
-  /// @brief Sets the tension that is demanded.
-  /// @param demand tension [mV], in the present orientation of the wheel
+  /// @brief Sets the voltage that is demanded.
+  /// @param demand voltage [mV], in the present orientation of the wheel
   /// @param velocity is not used
   /// @return the demand
   /// @satisfies FR-80

@@ -8,13 +8,17 @@ namespace wr {
 
 namespace {
 
-constexpr Tension kSlight(100);  // least tension that is worth a change of orientation
+constexpr Tension kSlight(100);  // least voltage that is worth a change of orientation
 
 constexpr std::uint8_t kSlowCycles = 2;  // slow cycles in a row that show that a wheel is slow
 
-bool isSlow(Velocity velocity) {
-  constexpr Velocity kSlow = SystemConstants::instance().slow();
-  return velocity < kSlow && velocity > -kSlow;
+// A short-circuited wheel that a slope keeps turning becomes no slower.
+constexpr std::uint8_t kBrakedCycles = 10;
+constexpr Velocity kCreep(800);
+
+bool isSlow(Velocity velocity, bool braked) {
+  const Velocity slow = braked ? kCreep : SystemConstants::instance().slow();
+  return velocity < slow && velocity > -slow;
 }
 
 // A wheel that turns the way of a demand needs no time to change its direction.
@@ -30,21 +34,26 @@ Reverse::Reverse(WheelBehaviour& wrapped, WheelBehaviour& stop, WheelCommand& se
 Tension Reverse::apply(Tension demand, Velocity velocity) {
   if (!opposes(demand)) {
     slowCycles_ = 0;
+    brakedCycles_ = 0;
     applied_ = BehaviourDecorator::apply(agreeing(demand), velocity);
     return applied_;
   }
-  if (!isSlow(velocity) && !turnsAlong(demand, velocity)) {
+  if (!isSlow(velocity, brakedCycles_ == kBrakedCycles) && !turnsAlong(demand, velocity)) {
     slowCycles_ = 0;
   } else if (slowCycles_ < kSlowCycles) {
     ++slowCycles_;
   }
   if (!canTurn()) {
+    if (applied_ == Tension() && brakedCycles_ < kBrakedCycles) {
+      ++brakedCycles_;
+    }
     resume(stop_.apply(applied_, velocity));
     return applied_;
   }
   setOrientation_.execute(demand);
   backwards_ = !backwards_;
   slowCycles_ = 0;
+  brakedCycles_ = 0;
   applied_ = BehaviourDecorator::apply(demand, velocity);
   return applied_;
 }

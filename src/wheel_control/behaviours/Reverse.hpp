@@ -25,18 +25,19 @@ class Reverse final : public BehaviourDecorator {
   Reverse(WheelBehaviour& wrapped, WheelBehaviour& stop, WheelCommand& setOrientation);
 
   /// @brief Has the demand applied when it agrees with the orientation. Otherwise the wheel is stopped
-  /// until, in two cycles in a row, its velocity was below 40 rpm or had the direction of the
-  /// demand, and no tension is left; then the orientation changes. A demand of less than 0.1 V the
+  /// until, in two cycles in a row, its velocity was below 40 rpm, or below 80 rpm after ten cycles
+  /// without voltage, or had the direction of the demand, and no voltage is left; then the
+  /// orientation changes. A demand of less than 0.1 V the
   /// other way is taken as 0: the noise of a measurement must not turn a wheel that rests.
-  /// @param demand tension that is demanded [mV], -24000 to 24000, positive forwards
+  /// @param demand voltage that is demanded [mV], -24000 to 24000, positive forwards
   /// @param velocity measured velocity [0.1 rpm]
-  /// @return tension that was applied [mV], positive forwards
+  /// @return voltage that was applied [mV], positive forwards
   /// @satisfies FR-87
   /// @isr{no}
   Tension apply(Tension demand, Velocity velocity) override;
 
-  /// @brief Takes note of a tension that must be taken away before the orientation changes.
-  /// @param applied tension that stands at the wheel [mV], positive forwards
+  /// @brief Records a voltage that must fall to 0 before the orientation changes.
+  /// @param applied voltage that is at the wheel [mV], positive forwards
   /// @satisfies FR-87
   /// @isr{no}
   void resume(Tension applied) override;
@@ -50,7 +51,8 @@ class Reverse final : public BehaviourDecorator {
   WheelCommand& setOrientation_;
   bool backwards_ = false;
   Tension applied_{};
-  std::uint8_t slowCycles_ = 0;  // slow cycles in a row, while stopped
+  std::uint8_t slowCycles_ = 0;    // slow cycles in a row, while stopped
+  std::uint8_t brakedCycles_ = 0;  // cycles without tension, while it waits
 };
 
 }  // namespace wr

@@ -6,7 +6,7 @@ namespace wr {
 
 namespace {
 
-constexpr Tension kRise(12000);  // most that the magnitude of the tension rises in a cycle
+constexpr Tension kRise(12000);  // most that the magnitude of the voltage rises in a cycle
 
 }  // namespace
 

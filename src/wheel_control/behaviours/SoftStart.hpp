@@ -4,31 +4,31 @@
 
 namespace wr {
 
-/// @brief Lets the tension of a wheel rise step by step.
+/// @brief Lets the voltage of a wheel rise step by step.
 ///
-/// @function Extends a behaviour: limits how much the magnitude of the tension rises in a cycle. A lower
+/// @function Extends a behaviour: limits how much the magnitude of the voltage rises in a cycle. A lower
 /// magnitude passes at once.
 ///
-/// @secret How fast the tension of a wheel may rise.
+/// @secret How fast the voltage of a wheel may rise.
 ///
 /// @role{behaviour-extensions, Concrete Decorator}
 class SoftStart final : public BehaviourDecorator {
  public:
   /// @brief Binds the extension to a behaviour.
-  /// @param wrapped behaviour that applies the limited tension
+  /// @param wrapped behaviour that applies the limited voltage
   explicit SoftStart(WheelBehaviour& wrapped);
 
   /// @brief Has the demand applied, with a magnitude at most 12 V above the one before. A demand of the
   /// other sign starts again from 0.
-  /// @param demand tension that is demanded [mV], -24000 to 24000, positive forwards
+  /// @param demand voltage that is demanded [mV], -24000 to 24000, positive forwards
   /// @param velocity measured velocity [0.1 rpm]
-  /// @return tension that was applied [mV], positive forwards
+  /// @return voltage that was applied [mV], positive forwards
   /// @satisfies FR-81
   /// @isr{no}
   Tension apply(Tension demand, Velocity velocity) override;
 
-  /// @brief Takes note of a tension from which the next one rises.
-  /// @param applied tension that stands at the wheel [mV], positive forwards
+  /// @brief Records the voltage from which the next one rises.
+  /// @param applied voltage that is at the wheel [mV], positive forwards
   /// @satisfies FR-81
   /// @isr{no}
   void resume(Tension applied) override;

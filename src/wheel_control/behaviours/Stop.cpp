@@ -6,7 +6,7 @@ namespace wr {
 
 namespace {
 
-constexpr Tension kFall(2400);  // most that the tension falls in a cycle
+constexpr Tension kFall(2400);  // most that the voltage falls in a cycle
 
 }  // namespace
 

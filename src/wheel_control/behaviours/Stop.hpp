@@ -7,29 +7,29 @@ namespace wr {
 
 /// @brief Stops a wheel without a jerk.
 ///
-/// @function Lowers the tension cycle by cycle, then stops the wheel.
+/// @function Lowers the voltage cycle by cycle, then stops the wheel.
 ///
-/// @secret How fast the tension falls when a wheel is stopped.
+/// @secret How fast the voltage falls when a wheel is stopped.
 ///
 /// @role{wheel-behaviours, Concrete Strategy}
 /// @role{behaviour-extensions, Concrete Component}
 class Stop final : public WheelBehaviour {
  public:
   /// @brief Binds the behaviour to its commands.
-  /// @param setTension sets the tension of the wheel
+  /// @param setTension sets the voltage of the wheel
   /// @param stopWheel stops the wheel
   Stop(WheelCommand& setTension, WheelCommand& stopWheel);
 
-  /// @brief Lowers the magnitude of the tension by at most 2.4 V, and stops the wheel when nothing is
+  /// @brief Lowers the magnitude of the voltage by at most 2.4 V, and stops the wheel when nothing is
   /// left.
-  /// @param applied tension that stands at the wheel [mV], positive forwards
+  /// @param applied voltage that is at the wheel [mV], positive forwards
   /// @param velocity is not used
-  /// @return tension that stands at the wheel now [mV]
+  /// @return voltage that is at the wheel now [mV]
   /// @satisfies FR-88
   /// @isr{no}
   Tension apply(Tension applied, Velocity velocity) override;
 
-  /// @brief Needs no note: each call tells what stands at the wheel.
+  /// @brief Stores nothing: each call gets the voltage that is at the wheel.
   /// @param applied is not used
   /// @satisfies FR-88
   /// @isr{no}

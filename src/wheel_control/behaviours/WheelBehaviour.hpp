@@ -4,11 +4,11 @@
 
 namespace wr {
 
-/// @brief How a demanded tension is applied to a wheel.
+/// @brief How a demanded voltage is applied to a wheel.
 ///
-/// @function Applies a tension in each cycle through commands of the wheel, and tells what it applied.
+/// @function Applies a voltage in each cycle through commands of the wheel, and returns what it applied.
 ///
-/// @secret What is done in a cycle so that a wheel moves as demanded.
+/// @secret The steps of a cycle by which a wheel moves as demanded.
 ///
 /// @role{wheel-behaviours, Strategy}
 /// @role{behaviour-extensions, Component}
@@ -22,15 +22,15 @@ class WheelBehaviour {
   WheelBehaviour(const WheelBehaviour&) = delete;
   WheelBehaviour& operator=(const WheelBehaviour&) = delete;
 
-  /// @brief Applies a tension for one cycle.
-  /// @param demand tension that is demanded [mV], -24000 to 24000, positive forwards
+  /// @brief Applies a voltage for one cycle.
+  /// @param demand voltage that is demanded [mV], -24000 to 24000, positive forwards
   /// @param velocity measured velocity [0.1 rpm]
-  /// @return tension that was applied [mV], positive forwards
+  /// @return voltage that was applied [mV], positive forwards
   /// @isr{no}
   virtual Tension apply(Tension demand, Velocity velocity) = 0;
 
-  /// @brief Takes note of a tension that another behaviour applied, to go on from it.
-  /// @param applied tension that stands at the wheel [mV], positive forwards
+  /// @brief Records the voltage that another behaviour applied, to go on from it.
+  /// @param applied voltage that is at the wheel [mV], positive forwards
   /// @isr{no}
   virtual void resume(Tension applied) = 0;
 

@@ -7,9 +7,9 @@ namespace wr {
 
 /// @brief Sets the orientation of a wheel.
 ///
-/// @function Makes the wheel turn forwards or backwards, as the sign of a tension says.
+/// @function Makes the wheel turn forwards or backwards, by the sign of a voltage.
 ///
-/// @secret How the orientation follows from a tension.
+/// @secret How the orientation follows from a voltage.
 ///
 /// @role{wheel-commands, Concrete Command}
 class SetOrientation final : public WheelCommand {

@@ -5,21 +5,21 @@
 
 namespace wr {
 
-/// @brief Sets the tension of a wheel.
+/// @brief Sets the voltage of a wheel.
 ///
-/// @function Gives the wheel the magnitude of a tension; its orientation stays.
+/// @function Gives the wheel the magnitude of a voltage; its orientation stays.
 ///
-/// @secret That the tension of a wheel has no sign.
+/// @secret That the voltage of a wheel has no sign.
 ///
 /// @role{wheel-commands, Concrete Command}
 class SetTension final : public WheelCommand {
  public:
   /// @brief Binds the command to the wheel.
-  /// @param wheel wheel whose tension is set
+  /// @param wheel wheel whose voltage is set
   explicit SetTension(Wheel& wheel);
 
-  /// @brief Sets the magnitude of the tension.
-  /// @param tension tension [mV], -24000 to 24000
+  /// @brief Sets the magnitude of the voltage.
+  /// @param tension voltage [mV], -24000 to 24000
   /// @satisfies FR-80
   /// @isr{no}
   void execute(Tension tension) override;

@@ -7,7 +7,7 @@ namespace wr {
 
 /// @brief Stops a wheel.
 ///
-/// @function Takes all tension from the wheel, whatever tension it is given.
+/// @function Takes all voltage from the wheel, whatever voltage it is given.
 ///
 /// @secret What it takes to stop a wheel.
 ///

@@ -4,17 +4,17 @@
 
 namespace wr {
 
-/// @brief One action on a wheel, executed by who does not know the wheel.
+/// @brief One action on a wheel, whose caller does not name the wheel.
 ///
 /// @function Lets the controller and the behaviours of a wheel act on it.
 ///
-/// @secret What an action on a wheel has in common with the others: it takes a tension.
+/// @secret What an action on a wheel has in common with the others: it takes a voltage.
 ///
 /// @role{wheel-commands, Command}
 ///
 /// @patternapp{wheel-commands, Command, Commands to control wheel behaviour}
-/// @why To stop a wheel, to set its tension and to change its orientation are actions that can affect
-/// several elements of the system. Who orders them need not know these elements.
+/// @why To stop a wheel, to set its voltage and to change its orientation are actions that can affect
+/// several elements of the system. The caller does not name these elements.
 /// @changes The actions that carry out an order may change, and so may the elements on which they act.
 class WheelCommand {
  public:
@@ -22,7 +22,7 @@ class WheelCommand {
   WheelCommand& operator=(const WheelCommand&) = delete;
 
   /// @brief Does the action.
-  /// @param tension tension that the action needs [mV], -24000 to 24000, positive forwards
+  /// @param tension voltage that the action needs [mV], -24000 to 24000, positive forwards
   /// @isr{no}
   virtual void execute(Tension tension) = 0;
 

@@ -9,7 +9,7 @@ namespace wr {
 /// @brief The order to follow the set-point.
 ///
 /// @function Has the controller control the wheel, unless its overcurrent trip has acted, and writes the
-/// applied tension into the work of the cycle.
+/// applied voltage into the work of the cycle.
 ///
 /// @secret What control does at a wheel after an overcurrent trip.
 ///
@@ -22,7 +22,7 @@ class ApplyControl final : public WheelOrder {
   ApplyControl(WheelController& controller, Wheel& wheel);
 
   /// @brief Controls the wheel. A position that is missing counts as one that does not change.
-  /// @param work gives set-point and position; takes tension and state of the wheel
+  /// @param work gives set-point and position; takes voltage and state of the wheel
   /// @satisfies FR-80
   /// @satisfies FR-89
   /// @satisfies FR-94

@@ -22,7 +22,7 @@ class HaltWheel final : public WheelOrder {
 
   /// @brief Stops the wheel. When a release is ordered, the faults of the controller end, and so does an
   /// overcurrent trip if the velocity is known and below 40 rpm.
-  /// @param work order to release; receives tension and state of the wheel
+  /// @param work order to release; receives voltage and state of the wheel
   /// @satisfies FR-88
   /// @satisfies FR-89
   /// @satisfies FR-91

@@ -8,17 +8,17 @@ namespace wr {
 
 /// @brief The order to read the current of a wheel.
 ///
-/// @function Has the current measured, and takes what the controller then knows into the work of the
+/// @function Has the current measured, and takes the value of the controller into the work of the
 /// cycle.
 ///
-/// @secret Who measures a current, and that the report tells the value that control uses.
+/// @secret Which module measures a current, and that the report shows the value that control uses.
 ///
 /// @role{wheel-orders, Concrete Strategy}
 class ReadCurrent final : public WheelOrder {
  public:
   /// @brief Binds the order to sensor and controller.
   /// @param sensor measures the current
-  /// @param controller knows the value that it uses
+  /// @param controller has the value that it uses
   ReadCurrent(CntSensor& sensor, WheelController& controller);
 
   /// @brief Reads the current.

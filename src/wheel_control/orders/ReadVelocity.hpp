@@ -8,17 +8,17 @@ namespace wr {
 
 /// @brief The order to read the velocity of a wheel.
 ///
-/// @function Has the velocity measured, and takes what the controller then knows into the work of the
+/// @function Has the velocity measured, and takes the value of the controller into the work of the
 /// cycle.
 ///
-/// @secret Who measures a velocity, and that the report tells the value that control uses.
+/// @secret Which module measures a velocity, and that the report shows the value that control uses.
 ///
 /// @role{wheel-orders, Concrete Strategy}
 class ReadVelocity final : public WheelOrder {
  public:
   /// @brief Binds the order to sensor and controller.
   /// @param sensor measures the velocity
-  /// @param controller knows the value that it uses
+  /// @param controller has the value that it uses
   ReadVelocity(VelSensor& sensor, WheelController& controller);
 
   /// @brief Reads the velocity.

@@ -10,7 +10,7 @@ namespace wr {
 /// @function Takes the position of the wheel, and how many edges its sensor rejected, into the work of
 /// the cycle.
 ///
-/// @secret Which sensor knows the position of a wheel.
+/// @secret Which sensor counts the position of a wheel.
 ///
 /// @role{wheel-orders, Concrete Strategy}
 class RegisterPosition final : public WheelOrder {

@@ -8,12 +8,12 @@
 
 namespace wr {
 
-/// @brief The work of one wheel in one cycle: what is ordered, what was measured, what was applied.
+/// @brief The work of one wheel in one cycle: order, measured values, applied voltage.
 /// @datatype
 struct WheelWork {
   WheelSetPoint setPoint{};        ///< what the wheel shall reach
   WheelMeasurements measured{};    ///< what was measured at the wheel
-  std::optional<Tension> applied;  ///< tension of the wheel; nothing while none is applied
+  std::optional<Tension> applied;  ///< voltage of the wheel; nothing while none is applied
   bool release = false;            ///< latched faults of the wheel are to be released
 };
 

@@ -34,7 +34,8 @@ class BluetoothRobot : public ProductFixture {
   void connectDevice() {
     devicePort.arrive(device.sign(frames.hello()));
     cycleWithPc();
-    const auto answer = welcomeOf(bodies(SigningDevice::bare(devicePort.takeSent())).at(0));
+    const auto answer =
+        scenario::welcomeOf(scenario::bodies(SigningDevice::bare(devicePort.takeSent())).at(0));
     devicePort.arrive(device.sign(frames.confirm(answer.value().session)));
     cycleWithPc();
   }
@@ -55,7 +56,7 @@ class BluetoothRobot : public ProductFixture {
     }
   }
 
-  HostSerialPort devicePort;
+  host::HostSerialPort devicePort;
   FixedRandom random{kStartNumber};
   KeptStop pcStop;
   KeptStop deviceStop;
@@ -68,7 +69,7 @@ class BluetoothRobot : public ProductFixture {
                               .start = start,
                               .stops = {.pc = pcStop, .device = deviceStop}}};
   SigningDevice device;
-  PcSender frames;
+  scenario::PcSender frames;
 };
 
 /// @brief The mode at start is PC; without orders the two modes follow each other.
@@ -90,7 +91,7 @@ TEST_F(BluetoothRobot, FR150_OrderOfTheDeviceIsApplied) {
   bluetoothOrder(77);
   cycleWithPc();
   bluetoothOrder(78);
-  const PcReport report = cycleWithPc();
+  const scenario::PcReport report = cycleWithPc();
   EXPECT_EQ(report.mode, kBluetooth);
   EXPECT_EQ(report.source, kBluetooth);
   EXPECT_EQ(report.orderId, 78);
@@ -106,7 +107,7 @@ TEST_F(BluetoothRobot, FR150_WhoOrdersKeepsTheCommand) {
   for (std::uint16_t order = 1; order <= 3 * kN; ++order) {
     pcOrder(order);
     bluetoothOrder(900);
-    const PcReport report = cycle();
+    const scenario::PcReport report = cycle();
     EXPECT_EQ(report.source, kPc);
     EXPECT_EQ(report.orderId, order);
   }
@@ -132,7 +133,7 @@ TEST_F(BluetoothRobot, FR151_StopOfTheDeviceActsInAnyMode) {
   EXPECT_EQ(spy.calls, kControlled);
   bluetoothOrder(2, true);
   pcOrder(3);
-  const PcReport stopped = cycle();
+  const scenario::PcReport stopped = cycle();
   EXPECT_EQ(stopped.mode, kPc);
   EXPECT_TRUE(stopped.stop());
   EXPECT_TRUE(stopped.held());
@@ -203,11 +204,11 @@ TEST_F(BluetoothRobotAfterAStop, FR290_NeutralOrderOfTheDeviceEndsIt) {
 /// @verifies FR-262
 TEST_F(BluetoothRobot, FR262_UnsignedFramesChangeNothing) {
   for (std::uint16_t order = 1; order < 20; ++order) {
-    devicePort.arrive(Bytes(1000, static_cast<std::uint8_t>(order * 13)));
+    devicePort.arrive(scenario::Bytes(1000, static_cast<std::uint8_t>(order * 13)));
     devicePort.arrive(frames.order({.id = 500, .stop = true}));
     devicePort.arrive(frames.hello());
     pcOrder(order);
-    const PcReport report = cycle();
+    const scenario::PcReport report = cycle();
     EXPECT_EQ(report.orderId, order);
     EXPECT_FALSE(report.stop());
   }
@@ -217,7 +218,7 @@ TEST_F(BluetoothRobot, FR262_UnsignedFramesChangeNothing) {
 /// @verifies FR-262
 TEST_F(BluetoothRobot, FR262_ReplayedOrderIsNotRead) {
   waitForMode(kBluetooth);
-  const Bytes recorded = device.sign(frames.order({.id = 31}));
+  const scenario::Bytes recorded = device.sign(frames.order({.id = 31}));
   devicePort.arrive(recorded);
   EXPECT_EQ(cycleWithPc().orderId, 31);
   for (int cycles = 0; cycles < kN + 1; ++cycles) {

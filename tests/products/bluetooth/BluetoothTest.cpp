@@ -15,7 +15,8 @@ class BluetoothTest : public ControllerFixture {
     devicePort.setClock(time);
     devicePort.arrive(device.sign(frames.hello()));
     mode.serve();
-    const auto welcome = welcomeOf(bodies(SigningDevice::bare(devicePort.takeSent())).at(0));
+    const auto welcome =
+        scenario::welcomeOf(scenario::bodies(SigningDevice::bare(devicePort.takeSent())).at(0));
     devicePort.arrive(device.sign(frames.confirm(welcome.value().session)));
     mode.serve();
   }
@@ -30,7 +31,7 @@ class BluetoothTest : public ControllerFixture {
     return data.report(OperationStateId::Working, mode.id(), connection.counts()).source;
   }
 
-  HostSerialPort devicePort;
+  host::HostSerialPort devicePort;
   FixedRandom random{kStartNumber};
   SignedPort signedPort{devicePort, kSharedKey, random};
   SerialReader reader;
@@ -42,7 +43,7 @@ class BluetoothTest : public ControllerFixture {
   BasicMode basic{reader};
   Bluetooth mode{basic, second, deviceConnection, time};
   SigningDevice device;
-  PcSender frames;
+  scenario::PcSender frames;
 };
 
 /// @brief An order counts only while the device is connected.

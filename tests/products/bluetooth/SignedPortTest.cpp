@@ -24,10 +24,10 @@ SipHash::Key erased() {
 class SignedPortTest : public testing::Test {
  protected:
   // The frames that the port gives now.
-  std::vector<Bytes> given(SignedPort& from) {
-    std::vector<Bytes> taken;
+  std::vector<scenario::Bytes> given(SignedPort& from) {
+    std::vector<scenario::Bytes> taken;
     std::array<std::uint8_t, 64> bytes{};
-    Bytes frame;
+    scenario::Bytes frame;
     for (std::size_t count = from.read(bytes); count > 0; count = from.read(bytes)) {
       frame.insert(frame.end(), bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(count));
       if (frame.back() == 0) {
@@ -36,32 +36,32 @@ class SignedPortTest : public testing::Test {
     }
     return taken;
   }
-  std::vector<Bytes> given() { return given(signedPort); }
+  std::vector<scenario::Bytes> given() { return given(signedPort); }
 
-  HostSerialPort line;
+  host::HostSerialPort line;
   FixedRandom random{kStartNumber};
   SignedPort signedPort{line, kSharedKey, random};
   SigningDevice device;
-  PcSender frames;
+  scenario::PcSender frames;
 };
 
 /// @brief A frame with a right tag and a new counter is given, without counter and tag.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_RightFrameIsGiven) {
-  const Bytes hello = frames.hello();
+  const scenario::Bytes hello = frames.hello();
   line.arrive(device.sign(hello));
-  EXPECT_EQ(given(), std::vector<Bytes>{hello});
-  const Bytes order = frames.order({.id = 3});
+  EXPECT_EQ(given(), std::vector<scenario::Bytes>{hello});
+  const scenario::Bytes order = frames.order({.id = 3});
   line.arrive(device.sign(order));
-  EXPECT_EQ(given(), std::vector<Bytes>{order});
+  EXPECT_EQ(given(), std::vector<scenario::Bytes>{order});
 }
 
 /// @brief Each single wrong bit of a frame, of its counter or of its tag has it dropped.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_EachWrongBitHasTheFrameDropped) {
-  const Bytes right = device.sign(frames.order({.id = 3}));
+  const scenario::Bytes right = device.sign(frames.order({.id = 3}));
   for (std::size_t bit = 0; bit < 8 * (right.size() - 1); ++bit) {
-    Bytes wrong = right;
+    scenario::Bytes wrong = right;
     wrong[bit / 8] ^= static_cast<std::uint8_t>(1U << (bit % 8));
     line.arrive(wrong);
     EXPECT_TRUE(given().empty()) << "bit " << bit;
@@ -74,7 +74,7 @@ TEST_F(SignedPortTest, FR262_EachWrongBitHasTheFrameDropped) {
 /// @brief A frame that is sent again is dropped, and so is one with an older counter.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_ReplayedFrameIsDropped) {
-  const Bytes order = frames.order({.id = 3});
+  const scenario::Bytes order = frames.order({.id = 3});
   line.arrive(device.signWith(5, order));
   EXPECT_EQ(given().size(), 1U);
   line.arrive(device.signWith(5, order));
@@ -110,30 +110,31 @@ TEST_F(SignedPortTest, FR262_WrongFrameIsAnsweredWithAChallenge) {
   EXPECT_EQ(given().size(), 1U);
   line.arrive(frames.hello());
   EXPECT_TRUE(given().empty());
-  const std::vector<Bytes> sent = bodies(line.takeSent());
+  const std::vector<scenario::Bytes> sent = scenario::bodies(line.takeSent());
   ASSERT_EQ(sent.size(), 1U);
   EXPECT_EQ(sent[0].at(1), kChallengeType);
-  const Bytes payload(sent[0].begin() + 3, sent[0].begin() + 15);
-  EXPECT_EQ(payload, (Bytes{0xef, 0xcd, 0xab, 0x89, 0x67, 0x45, 0x23, 0x01, 9, 0, 0, 0}));
+  const scenario::Bytes payload(sent[0].begin() + 3, sent[0].begin() + 15);
+  EXPECT_EQ(payload, (scenario::Bytes{0xef, 0xcd, 0xab, 0x89, 0x67, 0x45, 0x23, 0x01, 9, 0, 0, 0}));
 }
 
 /// @brief Sent frames have counters from 1 and right tags.
 /// @verifies FR-263
 TEST_F(SignedPortTest, FR263_SentFramesAreSigned) {
-  const Bytes hello = frames.hello();
+  const scenario::Bytes hello = frames.hello();
   for (std::uint32_t counter = 1; counter <= 3; ++counter) {
     ASSERT_TRUE(signedPort.write(hello));
-    const Bytes sent = line.takeSent();
+    const scenario::Bytes sent = line.takeSent();
     EXPECT_TRUE(device.verifies(counter, sent));
-    EXPECT_EQ(Bytes(sent.begin(), sent.end() - 25), Bytes(hello.begin(), hello.end() - 1));
+    EXPECT_EQ(scenario::Bytes(sent.begin(), sent.end() - 25),
+              scenario::Bytes(hello.begin(), hello.end() - 1));
   }
 }
 
 /// @brief A zero byte alone, which ends a frame that a reset has cut, is sent as it is and uses up no counter.
 /// @verifies FR-263
 TEST_F(SignedPortTest, FR263_ZeroByteAloneIsSentAsItIs) {
-  ASSERT_TRUE(signedPort.write(Bytes{0}));
-  EXPECT_EQ(line.takeSent(), Bytes{0});
+  ASSERT_TRUE(signedPort.write(scenario::Bytes{0}));
+  EXPECT_EQ(line.takeSent(), scenario::Bytes{0});
   ASSERT_TRUE(signedPort.write(frames.hello()));
   EXPECT_TRUE(device.verifies(1, line.takeSent()));
 }
@@ -153,11 +154,11 @@ TEST_F(SignedPortTest, FR263_PassesTimeRoomAndLossOfTheLineOn) {
   line.arrive(device.sign(frames.hello()));
   ASSERT_EQ(given().size(), 1U);
   EXPECT_EQ(signedPort.receivedAt(), Instant(40'000));
-  line.arrive(Bytes(5000, 1));
+  line.arrive(scenario::Bytes(5000, 1));
   EXPECT_EQ(signedPort.lostBytes(), line.lostBytes());
   EXPECT_GT(signedPort.lostBytes(), 0);
   EXPECT_EQ(signedPort.free(), line.free() - SignedPort::kTrailer);
-  const Bytes hello = frames.hello();
+  const scenario::Bytes hello = frames.hello();
   std::uint32_t sent = 0;
   while (signedPort.write(hello)) {
     ++sent;
@@ -188,9 +189,9 @@ TEST_F(SignedPortTest, FR265_WithoutKeyNothingIsReceivedOrSent) {
 /// next right frame is given.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_StrangeBytesAreDropped) {
-  line.arrive(Bytes(1000, 1));
-  line.arrive(Bytes{0, 0, 3, 0});
-  Bytes upperCase = device.sign(frames.hello());
+  line.arrive(scenario::Bytes(1000, 1));
+  line.arrive(scenario::Bytes{0, 0, 3, 0});
+  scenario::Bytes upperCase = device.sign(frames.hello());
   upperCase[upperCase.size() - 2] = 'G';
   line.arrive(upperCase);
   EXPECT_TRUE(given().empty());

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "sim/host/HostBinding.hpp"
-#include "sim/scenario/HostLine.hpp"
+#include "sim/host_robot/HostSession.hpp"
+#include "sim/host_robot/HostWires.hpp"
 #include "sim/scenario/PcFrames.hpp"
 #include "units/Measurements.hpp"
 
@@ -16,9 +16,9 @@ namespace wr::test {
 /// The product with safety functions in the simulated robot, with a PC and a remote control.
 class SafeRobot : public testing::Test {
  protected:
-  static constexpr sim::EnablePosition kStop = sim::EnablePosition::Stop;
-  static constexpr sim::EnablePosition kPc = sim::EnablePosition::Pc;
-  static constexpr sim::EnablePosition kDrive = sim::EnablePosition::Drive;
+  static constexpr plant::EnablePosition kStop = plant::EnablePosition::Stop;
+  static constexpr plant::EnablePosition kPc = plant::EnablePosition::Pc;
+  static constexpr plant::EnablePosition kDrive = plant::EnablePosition::Drive;
 
   SafeRobot() { line.start(); }
 
@@ -26,10 +26,10 @@ class SafeRobot : public testing::Test {
   void cycle() {
     line.runThroughPulse();
     fastest = std::max(fastest, std::abs(line.robot().velocityRpm(0)));
-    for (const Bytes& body : bodies(line.takeSent())) {
-      if (const auto sent = reportOf(body)) {
+    for (const scenario::Bytes& body : scenario::bodies(line.takeSent())) {
+      if (const auto sent = scenario::reportOf(body)) {
         report = *sent;
-      } else if (const auto answer = welcomeOf(body)) {
+      } else if (const auto answer = scenario::welcomeOf(body)) {
         welcome = *answer;
       }
     }
@@ -50,7 +50,7 @@ class SafeRobot : public testing::Test {
 
   /// Cycles in each of which the PC orders one value for all wheels.
   void order(int count, int value, std::uint8_t quantity = 0, bool stop = false) {
-    PcOrder order{.id = 1, .stop = stop};
+    scenario::PcOrder order{.id = 1, .stop = stop};
     order.wheels.fill({quantity, static_cast<std::int16_t>(value)});
     for (int i = 0; i < count; ++i) {
       line.send(pc.order(order));
@@ -66,10 +66,10 @@ class SafeRobot : public testing::Test {
     order(12, 0);
   }
 
-  void enable(sim::EnablePosition position) { line.remoteControl().setEnable(position); }
+  void enable(plant::EnablePosition position) { line.remoteControl().setEnable(position); }
 
   void sticks(double velocity, double steering = 0) {
-    line.remoteControl().set(sim::Sticks{.velocity = velocity, .steering = steering});
+    line.remoteControl().set(plant::Sticks{.velocity = velocity, .steering = steering});
   }
 
   /// Lets the remote control arm the robot.
@@ -86,15 +86,16 @@ class SafeRobot : public testing::Test {
   [[nodiscard]] double rpm(std::size_t wheel = 0) { return line.robot().velocityRpm(wheel); }
 
   [[nodiscard]] bool voltage() {
-    return std::ranges::any_of(line.world.robot.pins().wheels, [](const HostWheelPins& wheel) {
-      return wheel.enable.isOn() && wheel.pwm.dutyCycle().count() > 0;
-    });
+    return std::ranges::any_of(line.world.robot.pins().wheels,
+                               [](const host::HostWheelPins& wheel) {
+                                 return wheel.enable.isOn() && wheel.pwm.dutyCycle().count() > 0;
+                               });
   }
 
-  HostLine line{HostEquipment::Safe};
-  PcSender pc;
-  PcReport report;
-  PcWelcome welcome;
+  host_robot::HostSession line{host::HostEquipment::Safe};
+  scenario::PcSender pc;
+  scenario::PcReport report;
+  scenario::PcWelcome welcome;
   double fastest = 0;
 };
 

@@ -17,7 +17,7 @@ class SafetyDirectors : public ProductFixture {
  protected:
   RetainedStop::Cells cells{};
   RetainedStop memory{cells};
-  HostEdgeInput enablePin{scheduler, false};
+  host::HostEdgeInput enablePin{scheduler, false};
   SafetyDirector director{poolBuilder,
                           builder,
                           {.timebase = time,
@@ -74,8 +74,8 @@ class SafetyBuilderTest : public testing::Test {
  protected:
   SpyBuilder robot;
   std::array<ControlSystemBuilder*, 1> systems{&robot};
-  HostScheduler scheduler;
-  HostEdgeInput emergencyStop{scheduler, false};
+  host::HostScheduler scheduler;
+  host::HostEdgeInput emergencyStop{scheduler, false};
   RetainedProtection::Cells cells{};
   RetainedProtection memory{cells};
   SafetyBuilder builder{

@@ -29,9 +29,13 @@ class SupervisedWheel : public testing::Test {
     return wheel.examine(values, Tension(static_cast<std::int32_t>(volts * 1000)), &followed);
   }
 
-  /// The same cycle several times; returns the first cycle with a cause, 0 for none.
-  int firstCause(int cycles, const WheelMeasurements& values, double volts, double setPoint) {
+  /// The same cycle several times, with the noise of a current sensor; returns the first cycle with
+  /// a cause, 0 for none.
+  int firstCause(int cycles, WheelMeasurements values, double volts, double setPoint) {
     for (int number = 1; number <= cycles; ++number) {
+      if (values.current) {
+        *values.current = *values.current + Current(number % 2 == 0 ? 1 : -1);
+      }
       cause = cycle(values, volts, setPoint);
       if (cause != StopCause::None) {
         return number;
@@ -203,7 +207,8 @@ TEST_F(SupervisedWheel, FR276_BrakingIsNoCause) {
 TEST_F(SupervisedWheel, FR276_OrdersOfVoltageHaveNoSetPointOfVelocity) {
   const WheelSetPoint order{.quantity = WheelQuantity::Tension, .value = 12000};
   for (int number = 0; number < 10; ++number) {
-    EXPECT_EQ(wheel.examine(measured(210, 0.67), Tension(12000), &order), StopCause::None);
+    EXPECT_EQ(wheel.examine(measured(210, 0.67 + 0.001 * (number % 2)), Tension(12000), &order),
+              StopCause::None);
   }
 }
 
@@ -262,25 +267,41 @@ TEST_F(SupervisedWheel, FR277_SwappedLeadsAreACause) {
   EXPECT_EQ(cause, StopCause::Tracking);
 }
 
-/// @brief A current that is 1 A in ten changes of cycle while the voltage varies by 1.1 V is a cause in the
-/// cycle of the tenth change; one that varies by 1 mA is none, nor is a voltage that varies by 1.0
+/// @brief A current that is the same in seven changes of cycle under 1.1 V is a cause in the cycle of the
+/// seventh change, at a constant voltage too; one that varies by 1 mA is none, nor is one under 1.0
 /// V.
 /// @verifies FR-278
 TEST_F(SupervisedWheel, FR278_ACurrentThatStaysTheSameIsACause) {
-  const auto stuckFor = [&](int cycles, double range, double noise) {
+  const auto stuckFor = [&](int cycles, double rpm, double volts, double noise) {
     wheel.reset();
     for (int number = 1; number <= cycles; ++number) {
-      const double volts = 9.0 + range * (number % 2);
-      if (cycle(measured(150, 1 + noise * (number % 2)), volts, 150) != StopCause::None) {
+      cause = cycle(measured(rpm, 0.1 + noise * (number % 2)), volts, rpm);
+      if (cause != StopCause::None) {
         return number;
       }
     }
     return 0;
   };
-  EXPECT_EQ(stuckFor(10, 1.1, 0), 0);
-  EXPECT_GT(stuckFor(12, 1.1, 0), 0);
-  EXPECT_EQ(stuckFor(50, 1.0, 0), 0);
-  EXPECT_EQ(stuckFor(50, 1.1, 0.001), 0);
+  EXPECT_EQ(stuckFor(7, 150, 8, 0), 0);
+  EXPECT_EQ(stuckFor(9, 150, 8, 0), 8);  // the first cycle has no voltage before it
+  EXPECT_EQ(cause, StopCause::MissingMeasurement);
+  EXPECT_EQ(stuckFor(50, 150, 8, 0.001), 0);
+  EXPECT_GT(stuckFor(50, 18, 1.1, 0), 0);
+  EXPECT_EQ(stuckFor(50, 18, 1.0, 0), 0);
+}
+
+/// @brief A wheel at rest without voltage has no current: more than 1.0 A in three cycles is a cause, 1.0 A
+/// is none, nor is 1.1 A of a wheel that turns.
+/// @verifies FR-277
+TEST_F(SupervisedWheel, FR277_ACurrentAtRestIsACause) {
+  EXPECT_EQ(halted(measured(0, 1.0)), StopCause::None);
+  for (int number = 0; number < 20; ++number) {
+    EXPECT_EQ(halted(measured(0, 1.0)), StopCause::None);
+    EXPECT_EQ(halted(measured(0.1, -1.1)), StopCause::None);
+  }
+  EXPECT_EQ(halted(measured(0, -1.001)), StopCause::None);
+  EXPECT_EQ(halted(measured(0, -1.001)), StopCause::None);
+  EXPECT_EQ(halted(measured(0, -1.001)), StopCause::Tracking);
 }
 
 /// @brief A measurement that is missing in two cycles is permitted; the third one is a cause.
@@ -306,6 +327,7 @@ TEST_F(SupervisedWheel, FR279_ImplausibleHallEdgesAreACause) {
   WheelMeasurements values = measured(150, 1);
   const auto rejected = [&](std::uint16_t count, double volts) {
     values.rejectedEdges = static_cast<std::uint16_t>(values.rejectedEdges + count);
+    values.current = Current(values.current == Current(1000) ? 1001 : 1000);
     return cycle(values, volts, 150);
   };
   EXPECT_EQ(rejected(200, 9.354), StopCause::None);  // those before the first cycle

@@ -22,7 +22,7 @@ class WaitingKTest : public ControllerFixture {
     return fake.steps == std::vector<std::string>{"control"};
   }
 
-  HostDigitalOutput warning;
+  host::HostDigitalOutput warning;
   WaitingK waitingK{state, other, warning};
 };
 

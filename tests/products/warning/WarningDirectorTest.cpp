@@ -24,12 +24,12 @@ class WarningRobot : public ProductFixture {
     }
   }
 
-  PcReport order(std::uint16_t id = 1) {
+  scenario::PcReport order(std::uint16_t id = 1) {
     port.arrive(pc.order({.id = id, .steering = 120}));
     return cycle();
   }
 
-  HostDigitalOutput warning;
+  host::HostDigitalOutput warning;
   WarningDirector director{poolBuilder, builder, warning};
 };
 
@@ -60,7 +60,7 @@ TEST_F(WarningRobot, FR152_MessageEndsTheWarning) {
       cycleWithPc();
     }
     EXPECT_TRUE(warning.isOn());
-    const PcReport report = order(9);
+    const scenario::PcReport report = order(9);
     EXPECT_EQ(report.state, kWorking);
     EXPECT_EQ(report.orderId, 9);
     EXPECT_FALSE(warning.isOn());
@@ -74,7 +74,7 @@ TEST_F(WarningRobot, FR152_StopKeepsTheLampDark) {
   EXPECT_TRUE(cycle().stop());
   bool passed = false;
   for (int failed = 0; failed < kN + 2; ++failed) {
-    const PcReport report = cycleWithPc();
+    const scenario::PcReport report = cycleWithPc();
     passed = passed || report.state == kWaitingK;
     EXPECT_TRUE(report.stop());
     EXPECT_FALSE(warning.isOn()) << "state " << static_cast<int>(report.state);
@@ -88,14 +88,14 @@ TEST_F(WarningRobot, FR17_RemoteControlFollowsThePc) {
   for (int failed = 0; failed < kN + 1; ++failed) {
     cycleWithPc();
   }
-  PcReport report;
+  scenario::PcReport report;
   for (int cycles = 0; cycles < 2; ++cycles) {
     velocity.write(Velocity(40), time.now() + milliseconds(100));
     direction.write(Angle(-10), time.now() + milliseconds(100));
     report = cycleWithPc();
   }
   EXPECT_EQ(report.source, 0);
-  EXPECT_EQ(report.steering, -10);
+  EXPECT_EQ(report.steeringSetPoint, -10);
   EXPECT_EQ(report.state, kWorking);
 }
 

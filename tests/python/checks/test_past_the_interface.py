@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from traceability.model.code_facts import Syntax
-from traceability.model.syntax import read_syntax
+from traceability.reading.ast_facts import Syntax
+from traceability.reading.syntax import read_syntax
 
 HEADER = """\
 #pragma once

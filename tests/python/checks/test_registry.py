@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from traceability.checks.pattern_clauses import CLAUSES
 from traceability.checks.registry import CHECKS, KNOWN, WHY
-from traceability.checks.shapes import CLAUSES
 
 CHECKS_FOLDER = Path(__file__).parents[3] / "traceability" / "checks"
 

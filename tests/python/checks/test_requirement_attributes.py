@@ -9,10 +9,12 @@ from typing import Any
 import pytest
 
 from tests.python.model.small_case import make_model, write_case
-from traceability.checks.requirements import _attributes, _sources, headings
+from traceability.checks.requirement_checks import _attributes, _sources, headings
+from traceability.model.design_model import Model
 from traceability.model.evidence import read_evidence
-from traceability.model.safety_case import read_sources
-from traceability.model.schema import Model, PaperPlace, Place, Requirement
+from traceability.reading.comments import Comments
+from traceability.reading.declared_safety import read_sources
+from traceability.schema import PaperPlace, Place, Requirement
 
 WHERE = Place("design/paper.toml", 1)
 
@@ -42,7 +44,7 @@ def test_an_attribute_has_a_known_value(
 ) -> None:
     model, requirement = requirement_of(tmp_path)
     setattr(requirement, name, value)
-    facts: Any = SimpleNamespace(root=tmp_path)
+    facts: Any = SimpleNamespace(root=tmp_path, comments=Comments(tmp_path))
     assert [one.text for one in _attributes(model, facts)] == [says] * bool(says)
 
 
@@ -63,7 +65,7 @@ def test_the_method_has_something_that_shows_it(
     model, requirement = requirement_of(tmp_path)
     requirement.method, requirement.verified_by = method, []
     requirement.evidence = [read_evidence("checks.uses-board exactly 0", WHERE)] * evidence
-    facts: Any = SimpleNamespace(root=tmp_path)
+    facts: Any = SimpleNamespace(root=tmp_path, comments=Comments(tmp_path))
     assert len(list(_attributes(model, facts))) == found
 
 
@@ -100,4 +102,4 @@ def facts_of(root: Path) -> Any:
     page.parent.mkdir(exist_ok=True)
     page.write_text("PC protocol\n===========\n\nFrames\n------\n\nA text.\n\n---\n")
     assert headings(page) == ["PC protocol", "Frames"]
-    return SimpleNamespace(root=root)
+    return SimpleNamespace(root=root, comments=Comments(root))

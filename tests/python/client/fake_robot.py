@@ -11,20 +11,17 @@ import struct
 import threading
 import time
 import tty
-import zlib
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from weeding_robot_client.frames import Decoder, Frame, encode
+from weeding_robot_client.layout import LAYOUTS, SCHEMA_HASH
 
-ROOT = Path(__file__).parents[3]
-SCHEMA = zlib.crc32((ROOT / "design" / "frames.txt").read_bytes())
 CYCLE_S = 0.02
 ARM_S = 0.1
 ORDER_S = 0.2
 RPM_PER_VOLT = 12.0
 COUNTS_PER_TURN = 60
-REPORT_BYTES = 130
 NONE, NO_ORDER, STOP, NOT_ARMED, PROTECTIVE_STOP = range(5)
 EMERGENCY_STOP = 1
 
@@ -54,7 +51,7 @@ class FakeRobot:
     """Answers Hello, Confirm, orders; reports in each cycle while it is connected."""
 
     versions: tuple[int, int] = (2, 2)
-    schema: int = SCHEMA
+    schema: int = SCHEMA_HASH
     start: tuple[int, int, int, int] = (1, 0, 0, 0)
     conditions: tuple[int, ...] = (1, 0, 0, 0, 0, 0, 0, 0)
     numbers: dict[int, int] = field(default_factory=dict)  # bytes of the report that are fixed
@@ -106,9 +103,9 @@ class FakeRobot:
     def control(self, words: str) -> str:
         """Carries out an action of the bring-up; the answer is that of the simulator."""
         match words.split():
-            case ["fault" | "mend" as what, "left-end"]:
+            case ["fault" | "repair" as what, "left-end"]:
                 self.left_end = what == "fault"
-            case ["fault" | "mend" as what, "right-end"]:
+            case ["fault" | "repair" as what, "right-end"]:
                 self.right_end = what == "fault"
             case ["rc", "enable", position]:
                 self.enable, self.transmitter = position, True
@@ -239,7 +236,7 @@ class FakeRobot:
         )
         for offset, number in self.numbers.items():
             payload[offset] = number
-        return bytes(payload) + self.more
+        return bytes(payload).ljust(LAYOUTS["Report"].size, b"\0") + self.more
 
 
 class FakeControl:

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+
 from weeding_robot_client import bring_up
 from weeding_robot_client.bring_up import BringUp, Motion, Record, Step, choose_link, perform
 from weeding_robot_client.link import Link
@@ -286,7 +287,7 @@ def test_an_action_that_the_simulator_refuses_is_an_error(control: Path) -> None
 
 
 def test_a_bring_up_by_a_person_needs_a_terminal(tmp_path: Path) -> None:
-    words = [sys.executable, "-m", "traceability", "bring-up", "--record", str(tmp_path)]
+    words = [sys.executable, "-m", "tools", "bring-up", "--record", str(tmp_path)]
     ended = subprocess.run(
         words, cwd=ROOT, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
     )
@@ -318,7 +319,7 @@ class Person:
         self.keys, self._inner = pty.openpty()
         words = ["bring-up", "--no-rc", "--link", str(mcu.path), "--record", str(folder)]
         self.program = subprocess.Popen(
-            [sys.executable, "-m", "traceability", *words],
+            [sys.executable, "-m", "tools", *words],
             cwd=ROOT, stdin=self._inner, stdout=self._inner, stderr=self._inner,
             env={**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'client'}"},
         )  # fmt: skip
@@ -384,3 +385,17 @@ def test_a_person_is_led_and_ctrl_c_stops_the_robot(mcu: Any, tmp_path: Path) ->
     assert (found["supply"], found["left end stop"]) == ("pass", "pass")
     assert (found["right end stop"], found[WHEEL_0]) == ("skip", "not done")
     assert not content["passed"]
+
+
+def test_a_folder_that_cannot_be_made_is_wrong_usage(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    parser = argparse.ArgumentParser()
+    bring_up.add_options(parser)
+    plain = tmp_path / "plain"
+    plain.touch()
+    with pytest.raises(SystemExit) as ended:
+        parser.parse_args(["--record", str(plain / "folder")])
+    assert ended.value.code == 2
+    assert f"cannot make {plain / 'folder'}: Not a directory" in capsys.readouterr().err
+    assert parser.parse_args(["--record", str(tmp_path / "new")]).record.is_dir()

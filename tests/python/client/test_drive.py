@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+
 from weeding_robot_client import drive, monitor, procedures
 from weeding_robot_client import orders as orders_module
 from weeding_robot_client.keyboard import Hand, keys
@@ -31,7 +32,14 @@ ROOT = Path(__file__).parents[3]
 
 def options(mcu: Any, **more: Any) -> argparse.Namespace:
     defaults = {
-        **{"link": mcu.path, "csv": None, "script": None, "lines": True, "reports": None},
+        **{
+            "link": mcu.path,
+            "csv": None,
+            "capture": None,
+            "script": None,
+            "lines": True,
+            "reports": None,
+        },
         "wheel": None,
     }
     return argparse.Namespace(**{**defaults, **more})
@@ -270,8 +278,72 @@ def test_a_script_that_is_wrong_is_wrong_usage(
     assert f"{script}:1:" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    ("content", "message"), [(b"\xff\xfe", "no text in UTF-8"), (None, "No such file or directory")]
+)
+def test_a_script_that_cannot_be_read_is_wrong_usage(
+    mcu: Any,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    content: bytes | None,
+    message: str,
+) -> None:
+    script = tmp_path / "script"
+    if content is not None:
+        script.write_bytes(content)
+    assert drive.run(options(mcu, script=script)) == 2
+    error = capsys.readouterr().err
+    assert str(script) in error
+    assert message in error
+
+
+@pytest.mark.parametrize("run", [monitor.run, procedures.run_arm, drive.run])
+def test_a_recording_that_cannot_be_written_is_wrong_usage(
+    mcu: Any,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    run: Callable[[argparse.Namespace], int],
+) -> None:
+    script = tmp_path / "script"
+    script.write_text("at 0s end\n")
+    table = tmp_path / "no folder" / "reports.csv"
+    assert run(options(mcu, csv=table, script=script, reports=1)) == 2
+    assert capsys.readouterr().err == (
+        f"cannot write {table}: No such file or directory. Name another file.\n"
+    )
+    assert not mcu.received
+
+
+def test_a_full_disk_ends_the_recording_and_not_the_drive(
+    mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    script = tmp_path / "script"
+    script.write_text("at 0s velocity 50 rpm\nat 3s end\n")
+    assert drive.run(options(mcu, script=script, csv=Path("/dev/full"))) == 0
+    told = "the recording /dev/full ends here: No space left on device"
+    assert capsys.readouterr().err.count(told) == 1
+    assert (500, 0, 0) in orders(mcu)
+
+
+def test_an_error_in_a_script_stops_the_robot(
+    mcu: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(_report: object) -> str:
+        raise BrokenPipeError
+
+    script = tmp_path / "script"
+    script.write_text("at 0s velocity 50 rpm\nat 5s end\n")
+    monkeypatch.setattr(drive, "as_line", fail)
+    with pytest.raises(BrokenPipeError):
+        drive.run(options(mcu, script=script))
+    time.sleep(0.2)
+    assert orders(mcu)[-1] == (0, 0, 1)
+
+
 def test_a_missing_line_is_explained(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    missing = argparse.Namespace(link=tmp_path / "none", csv=None, lines=True, reports=1)
+    missing = argparse.Namespace(
+        link=tmp_path / "none", csv=None, capture=None, lines=True, reports=1
+    )
     assert monitor.run(missing) == 1
     assert "./wr sim" in capsys.readouterr().err
 
@@ -397,7 +469,7 @@ def wait_for(condition: Callable[[], Any], seconds: float = 10.0) -> None:
 def start_drive(mcu: Any, *words: str, stdin: int) -> subprocess.Popen[bytes]:
     output = subprocess.DEVNULL if stdin == subprocess.DEVNULL else stdin
     return subprocess.Popen(
-        [sys.executable, "-m", "traceability", "drive", "--link", mcu.path, *words],
+        [sys.executable, "-m", "tools", "drive", "--link", mcu.path, *words],
         cwd=ROOT, stdin=stdin, stdout=output, stderr=output,
         env={**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'client'}"},
     )  # fmt: skip

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from cobs import cobs
+
 from weeding_robot_client.frames import (
     MAX_PAYLOAD,
     VERSION,

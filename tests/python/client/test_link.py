@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+
 from weeding_robot_client.link import BusyError, Link
 from weeding_robot_client.messages import Order, Quantity, Report, WheelSetPoint
 
@@ -221,4 +222,4 @@ def test_an_unknown_state_does_not_end_the_connection(mcu: Any) -> None:
         report = first_report(link)
         assert link.connected
     assert (report.state, report.mode, report.source) == ("state 9", "mode 7", "source 6")
-    assert (report.inhibit, report.stop_cause) == ("reason 99", "cause 98")
+    assert (report.inhibit, report.stop_cause) == ("inhibit 99", "stop cause 98")

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+
 from weeding_robot_client.bring_up import BringUp, Record, perform
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import Order, Quantity, Report, WheelSetPoint
@@ -41,7 +42,7 @@ def program(request: pytest.FixtureRequest) -> list[Path | str]:
     if request.param == "host":
         return [PROGRAMS / name]
     build("k64", "weeding_robot")
-    return [PROGRAMS / name, "--image", IMAGE]
+    return [PROGRAMS / name, "--robot", "--image", IMAGE]
 
 
 @pytest.fixture

@@ -18,7 +18,7 @@ SOURCES = ROOT / "src" / "k64"
 # Two seconds of a robot that is driven: reports go out, orders come in.
 DRIVE = """\
 at 300 connect
-from 600 to 1950 every 100 order velocity 300 steering 150
+from 640 to 1940 every 100 order velocity 300 steering 150
 at 1950 expect state Working
 at 1950 expect set_point0 300
 at 2000 end

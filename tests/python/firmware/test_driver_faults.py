@@ -10,7 +10,7 @@ import pytest
 
 from tests.python.firmware.contents import BUILD, ROOT
 from tests.python.firmware.seeding import FOUND, Change, driven, seeded
-from traceability.commands.builds import build
+from tools.cmake_build import build
 from traceability.sources import source_hash
 
 # A calculation with floating-point numbers, at the start of the cycle timer.

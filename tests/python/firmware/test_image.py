@@ -24,8 +24,8 @@ from tests.python.firmware.contents import (
     symbols,
     vector_problems,
 )
-from traceability.forbidden import FORBIDDEN, forbidden
-from traceability.image import lock_problems
+from tools.forbidden_parts import FORBIDDEN, forbidden
+from tools.image import lock_problems
 
 ELF = BUILD / "weeding_robot.elf"
 BIN = BUILD / "weeding_robot.bin"

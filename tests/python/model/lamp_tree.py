@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from traceability.model.annotations import Annotations
-from traceability.model.declared import read_declared
-from traceability.model.facts import Facts, gather_facts
-from traceability.model.syntax import read_syntax
+from traceability.reading.declared import read_declared
+from traceability.reading.source_facts import Facts, gather_facts
+from traceability.reading.syntax import read_syntax
 
 FILES = {
     "src/lamp/Command.hpp": """\
@@ -263,4 +262,4 @@ def write_lamp(root: Path, **replaced: str) -> Path:
 def facts_of(root: Path) -> Facts:
     syntax = read_syntax(root, root / "cache")
     assert not syntax.errors
-    return gather_facts(root, Annotations(), syntax, read_declared(root))
+    return gather_facts(root, syntax, read_declared(root))

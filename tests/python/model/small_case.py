@@ -4,17 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from traceability.model.declared import Declared
-from traceability.model.entries import Entries
-from traceability.model.safety_case import read_safety_case
-from traceability.model.schema import (
-    HOST,
-    BindingResult,
-    Model,
-    Place,
-    Requirement,
-    Test,
-)
+from traceability.model.design_model import Model
+from traceability.reading.declared import Declared
+from traceability.reading.declared_safety import read_safety_case
+from traceability.reading.toml_reader import Entries
+from traceability.schema import HOST, BindingResult, Place, Requirement, Test
 
 CASE = """\
 base = "0123456"

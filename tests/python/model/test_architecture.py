@@ -8,9 +8,9 @@ import pytest
 
 from tests.python.model.lamp_tree import facts_of, write_lamp
 from tests.python.model.test_execution import model_of
-from traceability.checks import architecture
+from traceability.checks import architecture_checks
 from traceability.model.architecture import add_connections
-from traceability.model.schema import ArchitectureElement, Connection, Place
+from traceability.schema import ArchitectureElement, Connection, Place
 
 PLACE = Place("design/architecture.toml", 1)
 
@@ -21,7 +21,7 @@ def way(root: Path, kind: str, source: str, target: str) -> tuple[list[str], lis
     model, _ = model_of(root)
     facts.declared.connections = [Connection(kind, source, target, "", PLACE)]
     add_connections(model, facts)
-    findings = [f"[{one.check}] {one.text}" for one in architecture.check(model, facts)]
+    findings = [f"[{one.check}] {one.text}" for one in architecture_checks.check(model, facts)]
     return model.connections[0].way, findings
 
 
@@ -52,5 +52,5 @@ def test_names_of_modules_are_checked(tmp_path: Path) -> None:
     assert findings == ["[arch-module] there is no module Bell"]
     model, _ = model_of(tmp_path)
     model.architecture = [ArchitectureElement("a", "sensor", "a", "", ["Eye"], PLACE)]
-    found = architecture.check(model, facts_of(tmp_path))
+    found = architecture_checks.check(model, facts_of(tmp_path))
     assert [one.text for one in found] == ["there is no module Eye"]

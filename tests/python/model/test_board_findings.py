@@ -8,9 +8,11 @@ from pathlib import Path
 import pytest
 
 from tests.python.model.small_tree import write_tree
-from traceability.checks.board import check
-from traceability.model.schema import VIRTUAL_K64
-from traceability.pipeline import build_model
+from tests.python.reading.task_records import record_task
+from traceability.checks.board_checks import check
+from traceability.model.build import build
+from traceability.reading.task_record import TESTS_BOARD
+from traceability.schema import VIRTUAL_K64
 from traceability.sources import source_hash
 
 DECLARED = """\
@@ -41,7 +43,7 @@ def write_board(root: Path) -> Path:
     write_tree(root)
     for name, text in (
         ("design/board_findings.toml", DECLARED),
-        ("tests/sim/k64/FindingsTest.cpp", TESTS),
+        ("tests/sim/emulator/FindingsTest.cpp", TESTS),
     ):
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         (root / name).write_text(text, encoding="utf-8")
@@ -49,7 +51,7 @@ def write_board(root: Path) -> Path:
 
 
 def test_a_finding_without_a_test_is_found(tmp_path: Path) -> None:
-    model = build_model(write_board(tmp_path))
+    model = build(write_board(tmp_path))
     assert model.board_findings["clock-gate"].tests == ["Findings.ClockGate"]
     assert list(model.tests["Findings.Nothing"].results) == [VIRTUAL_K64]
     assert model.facts is not None
@@ -64,7 +66,7 @@ def test_faults_count_only_for_the_sources_they_were_seeded_in(tmp_path: Path) -
     path.parent.mkdir(parents=True)
     for sources, known in (("older", None), (source_hash(root), 1)):
         path.write_text(json.dumps({"sources": sources, "faults": [fault]}), encoding="utf-8")
-        model = build_model(root)
+        model = build(root)
         assert (model.driver_faults and len(model.driver_faults)) == known
     assert model.facts is not None
     assert any("'F' gave the finding other" in one.text for one in check(model, model.facts))
@@ -78,8 +80,8 @@ def test_results_of_the_board_are_stale_on_their_own(tmp_path: Path) -> None:
     failed = record | {"name": "Nothing", "failures": [{"failure": "not nothing"}]}
     suites = {"testsuites": [{"name": "Findings", "testsuite": [record, failed]}]}
     (results / "board.json").write_text(json.dumps(suites))
-    (results / "board.hash").write_text(json.dumps({"sources": source_hash(root)}))
-    model = build_model(root)
+    record_task(root, TESTS_BOARD, "src", "tests")
+    model = build(root)
     assert not model.stale_on(VIRTUAL_K64)
     assert model.results_stale  # those of the host are missing
     assert model.tests["Findings.ClockGate"].passed
@@ -109,7 +111,7 @@ register = "adc::CFG1"
 value = "ADICLK = 0"
 says = "The bus clock."
 source = "header"
-model = "sim/k64/Adc.cpp"
+model = "sim/emulator/Adc.cpp"
 """
 
 
@@ -117,12 +119,12 @@ def belief_findings(root: Path, beliefs: str) -> list[str]:
     write_board(root)
     for name, text in (
         ("src/k64/registers.hpp", REGISTERS),
-        ("sim/k64/Adc.cpp", "constexpr std::uint32_t kCfg1 = 0x08;\n"),
+        ("sim/emulator/Adc.cpp", "constexpr std::uint32_t kCfg1 = 0x08;\n"),
         ("design/board_beliefs.toml", beliefs),
     ):
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         (root / name).write_text(text, encoding="utf-8")
-    model = build_model(root)
+    model = build(root)
     assert model.facts is not None
     return [one.text for one in check(model, model.facts) if one.check == "board-belief"]
 
@@ -132,7 +134,7 @@ def belief_findings(root: Path, beliefs: str) -> list[str]:
     [
         ("", "", ""),
         ("adc::CFG1", "pit::CFG1", "there is no register pit::CFG1 in src/k64/registers.hpp"),
-        ("sim/k64/Adc.cpp", "sim/k64/Pit.cpp", "sim/k64/Pit.cpp does not name CFG1"),
+        ("sim/emulator/Adc.cpp", "sim/emulator/Pit.cpp", "sim/emulator/Pit.cpp does not name CFG1"),
         ('source = "header"', 'source = "rumour"', "there is no source rumour"),
         (
             'source = "header"',

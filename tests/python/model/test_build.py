@@ -8,9 +8,11 @@ from pathlib import Path
 import pytest
 
 from tests.python.model.small_tree import write_tree
-from traceability.model.schema import HOST, BindingResult, Model
-from traceability.pipeline import build_model
-from traceability.sources import source_hash
+from tests.python.reading.task_records import record_task
+from traceability.model.build import build
+from traceability.model.design_model import Model
+from traceability.reading.task_record import TESTS_TRACE
+from traceability.schema import HOST, BindingResult
 
 
 @pytest.fixture(scope="module")
@@ -20,7 +22,7 @@ def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def model(tree: Path) -> Model:
-    return build_model(tree)
+    return build(tree)
 
 
 def test_texts_come_from_the_comment_above_the_class(model: Model) -> None:
@@ -101,24 +103,24 @@ def test_results_count_only_for_the_sources_they_were_made_from(tree: Path) -> N
     record = {"name": "WaitsWithoutMessage", "status": "RUN", "result": "COMPLETED"}
     suite = {"name": "Working", "testsuite": [record | {"time": "0.002s"}]}
     (results / "trace.json").write_text(json.dumps({"testsuites": [suite]}))
-    (results / "trace.hash").write_text(json.dumps({"sources": source_hash(tree)}))
-    assert not build_model(tree).results_stale
-    test = build_model(tree).tests["Working.WaitsWithoutMessage"]
+    record_task(tree, TESTS_TRACE, "src", "tests")
+    assert not build(tree).results_stale
+    test = build(tree).tests["Working.WaitsWithoutMessage"]
     recordings = ["Working.WaitsWithoutMessage"]
     assert test.results == {HOST: BindingResult("passed", 2.0, recordings=recordings)}
     path = tree / "src/main_control/operation_modes/RC.cpp"
     path.write_text(path.read_text() + "\n// changed\n")
-    assert build_model(tree).results_stale
+    assert build(tree).results_stale
 
 
 def test_only_units_that_include_a_changed_header_are_read_again(tmp_path: Path) -> None:
     root = write_tree(tmp_path)
-    build_model(root)
+    build(root)
     cache = root / "build" / "model" / "cache"
     before = {path.name: path.stat().st_mtime_ns for path in cache.glob("*.json")}
     header = root / "src/main_control/operation_modes/RC.hpp"
     header.write_text(header.read_text() + "\n")
-    build_model(root)
+    build(root)
     after = {path.name: path.stat().st_mtime_ns for path in cache.glob("*.json")}
     changed = {name for name, time in after.items() if before[name] != time}
     assert changed == {"src__main_control__operation_modes__RC.cpp.json"}

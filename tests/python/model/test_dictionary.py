@@ -4,20 +4,29 @@ from __future__ import annotations
 
 import pytest
 
-from traceability.model.annotations import Annotations, ClassText, PartText, Text
-from traceability.model.declared import Declared
+from traceability.model.design_model import Model
 from traceability.model.dictionary import add_dictionary
-from traceability.model.facts import gather_facts
-from traceability.model.schema import Model, Module, Place
-from traceability.model.syntax import read_syntax
+from traceability.reading.declared import Declared
+from traceability.reading.source_facts import gather_facts
+from traceability.reading.syntax import read_syntax
+from traceability.schema import Module, Place
 
 FILES = {
     "src/a/Types.hpp": """\
 #pragma once
 namespace wr {
-struct Speed { int count = 0; };
-struct Order { Speed speed; int stop = 0; };
-enum class FieldName : unsigned char { Speed, Commands, Spare };
+struct Speed {
+  int count = 0;  ///< turns [rpm]
+};
+struct Order {
+  Speed speed;   ///< how fast
+  int stop = 0;  ///< 0 or 1
+};
+enum class FieldName : unsigned char {
+  Speed,     ///< the Speed
+  Commands,  ///< the Commands
+  Spare      ///< the Spare
+};
 struct Field { FieldName name; };
 class Writer {
  public:
@@ -82,13 +91,6 @@ def model(tmp_path_factory: pytest.TempPathFactory) -> Model:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
     place = Place("src/a/Types.hpp", 1)
-    texts = Annotations()
-    for name, parts in {
-        "Order": [PartText("speed", "Speed", "how fast"), PartText("stop", "int", "0 or 1")],
-        "Speed": [PartText("count", "int", "turns [rpm]")],
-        "FieldName": [PartText(name, "", f"the {name}") for name in ("Speed", "Commands", "Spare")],
-    }.items():
-        texts.classes[f"wr::{name}"] = ClassText(f"wr::{name}", place, Text(), parts=parts)
     syntax = read_syntax(root, root / "cache")
     assert not syntax.errors
     model = Model("", "", "", {})
@@ -98,7 +100,7 @@ def model(tmp_path_factory: pytest.TempPathFactory) -> Model:
         model.modules[name] = Module(
             name, f"wr::{name}", "a", False, value, brief, "", "", place, place.file, None
         )
-    add_dictionary(model, gather_facts(root, texts, syntax, Declared()))
+    add_dictionary(model, gather_facts(root, syntax, Declared()))
     return model
 
 

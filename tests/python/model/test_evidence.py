@@ -5,10 +5,11 @@ from __future__ import annotations
 import pytest
 
 from traceability.checks.registry import KNOWN
-from traceability.checks.requirements import unmet
+from traceability.checks.requirement_checks import unmet
 from traceability.model.build import set_states
+from traceability.model.design_model import Model
 from traceability.model.evidence import read_evidence, reasons, settle_evidence
-from traceability.model.schema import Finding, Model, Place, Requirement
+from traceability.schema import Finding, Place, Requirement
 
 PLACE = Place("requirements/a.dox", 3)
 FIGURES = {

@@ -7,9 +7,10 @@ from pathlib import Path
 import pytest
 
 from tests.python.model.lamp_tree import facts_of, write_lamp
-from traceability.checks import execution
+from traceability.checks import execution_checks
+from traceability.model.design_model import Model
 from traceability.model.execution import add_execution
-from traceability.model.schema import Method, Model, Module, Place
+from traceability.schema import Method, Module, Place
 
 MODULES = ("Lamp", "LampState", "Off", "On", "Button", "Work", "Pipe", "Command")
 
@@ -26,7 +27,7 @@ def model_of(root: Path, interrupt: str = "yes") -> tuple[Model, list[tuple[str,
     count.interrupt = interrupt
     model.modules["Button"].methods = [count]
     add_execution(model, facts)
-    return model, [(one.check, one.text) for one in execution.check(model, facts)]
+    return model, [(one.check, one.text) for one in execution_checks.check(model, facts)]
 
 
 def test_a_handler_reaches_the_command_that_it_was_given(tmp_path: Path) -> None:

@@ -6,10 +6,10 @@ import dataclasses
 
 import pytest
 
-from tests.python.documents.fixture import MODES, make_model
-from traceability.commands.impact import lines_of
+from tests.python.portal.fixture import MODES, make_model
+from tools.show_impact import lines_of
+from traceability.model.design_model import Model
 from traceability.model.impact import Impact, Impacts, Reached, UnknownSubjectError
-from traceability.model.schema import Model
 
 
 @pytest.fixture

@@ -9,17 +9,17 @@ from pathlib import Path
 import pytest
 
 from tests.python.model.small_tree import write_tree
+from tools.review import review
+from tools.steps import FailureError
 from traceability.checks import run_checks
-from traceability.commands.review import review
-from traceability.commands.steps import FailureError
-from traceability.model.link_texts import (
+from traceability.model.build import build
+from traceability.model.reviews import REVIEWS, read_reviews
+from traceability.reading.link_texts import (
     hash_of_text,
     texts_of_method,
     texts_of_requirement,
     texts_of_test,
 )
-from traceability.model.reviews import REVIEWS, read_reviews
-from traceability.pipeline import build_model
 
 TEST = "tests/main_control/WorkingTest.cpp"
 HEADER = "src/main_control/operation_modes/Mode.hpp"
@@ -48,7 +48,7 @@ def change(root: Path, file: str, old: str, new: str) -> None:
 
 
 def suspect(root: Path) -> list[tuple[str, str]]:
-    found = run_checks(build_model(root))
+    found = run_checks(build(root))
     return [(one.check, one.text) for one in found if one.check.startswith("suspect-")]
 
 

@@ -10,20 +10,19 @@ from typing import Any
 import pytest
 
 from tests.python.model.small_case import make_model, write_case
-from traceability.metrics import methods, safety
-from traceability.model.declared import Declared
-from traceability.model.entries import Entries
-from traceability.model.safety_case import (
-    add_safety,
+from traceability.model.design_model import Model
+from traceability.model.metrics import methods, safety
+from traceability.model.safety_case import add_safety, plays, settle_safety
+from traceability.reading.declared import Declared
+from traceability.reading.declared_safety import (
     evaluate,
     level_of,
-    plays,
     read_safety_case,
     read_sources,
-    settle_safety,
     words_of,
 )
-from traceability.model.schema import HOST, Model, SafetyCase
+from traceability.reading.toml_reader import Entries
+from traceability.schema import HOST, SafetyCase
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -182,6 +181,14 @@ def test_a_requirement_that_is_not_verified_leaves_its_goal_open(
     settle_safety(model)
     assert model.safety.goals["SG-1"].state == "open"
     assert "FR-1" in model.safety.goals["SG-1"].reasons[0]
+
+
+def test_a_goal_with_a_known_exception_is_open(tmp_path: Path) -> None:
+    line = 'scenarios = ["lost"]'
+    write_case(tmp_path, (line, f'{line}\nexceptions = ["with two faults"]'))
+    goal = settled(tmp_path).safety.goals["SG-1"]
+    assert goal.state == "open"
+    assert goal.reasons == ["it does not hold: with two faults"]
 
 
 def test_a_goal_without_requirements_or_scenarios_is_open(tmp_path: Path) -> None:

@@ -7,15 +7,12 @@ from typing import cast
 
 import pytest
 
-from traceability.model.call_graph import Function, _read_listing, _read_unit, short_name
-from traceability.model.code_facts import BodyFact, CallFact, Syntax
-from traceability.model.facts import Facts
-from traceability.model.schema import (
-    ExecutionContext,
-    Model,
-    Place,
-)
+from traceability.model.design_model import Model
 from traceability.model.stack import Declared, Prover
+from traceability.reading.ast_facts import BodyFact, CallFact, Syntax
+from traceability.reading.call_graph import Function, _read_listing, _read_unit, short_name
+from traceability.reading.source_facts import Facts
+from traceability.schema import ExecutionContext, Place
 
 HERE = Place("src/robot.cpp", 1)
 CALLED = Place("src/robot.cpp", 7)

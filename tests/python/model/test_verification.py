@@ -10,16 +10,19 @@ from pathlib import Path
 import pytest
 
 from tests.python.model.small_tree import write_tree
+from tests.python.reading.task_records import record_task
 from traceability.checks import run_checks
-from traceability.documents.verification import junit, table
-from traceability.model import traces
-from traceability.model.fold import fold
-from traceability.model.results import RESULTS
+from traceability.exports.verification_table import junit, table
+from traceability.model.build import build
+from traceability.model.design_model import Model
 from traceability.model.reviews import Sources, hashes, link_texts, write_review
-from traceability.model.schema import HOST, Model, Review
-from traceability.model.traces import EXIT, SOURCES, Row
-from traceability.pipeline import build_model
-from traceability.sources import file_hash, source_hash
+from traceability.model.trace_summary import fold
+from traceability.reading import traces
+from traceability.reading.results import RESULTS
+from traceability.reading.task_record import TESTS_TRACE
+from traceability.reading.traces import EXIT, SOURCES, Row
+from traceability.schema import HOST, Review
+from traceability.sources import file_hash
 
 CALLS = [
     "MainController::read",
@@ -39,7 +42,7 @@ def write_results(root: Path, result: str = "COMPLETED") -> None:
     record = {"name": case, "status": "RUN", "result": result, "time": "0.002s"}
     suites = {"testsuites": [{"name": suite, "testsuite": [record]}]}
     (folder / "trace.json").write_text(json.dumps(suites))
-    (folder / "trace.hash").write_text(json.dumps({"sources": source_hash(root)}))
+    record_task(root, TESTS_TRACE, "src", "tests")
 
 
 def write_trace(root: Path, calls: list[str]) -> None:
@@ -63,7 +66,7 @@ def write_trace(root: Path, calls: list[str]) -> None:
 
 
 def record_review(root: Path) -> None:
-    model = build_model(root)
+    model = build(root)
     texts = link_texts(model, model.requirements["FR-15"], Sources(root))
     write_review(root, "FR-15", Review("A. Reader", "2026-01-31", hashes(texts)))
 
@@ -86,7 +89,7 @@ def tree(sound: Path, tmp_path: Path) -> Path:
 
 def checked(root: Path) -> tuple[str, set[str], Model]:
     """The state of the requirement, and which checks find something of it."""
-    model = build_model(root)
+    model = build(root)
     found = run_checks(model)
     checks = {one.check for one in found if one.check.startswith(("req-", "tree-", "suspect-"))}
     return model.requirements["FR-15"].state, checks, model

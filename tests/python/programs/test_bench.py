@@ -6,11 +6,9 @@ import subprocess
 import time
 from pathlib import Path
 
-import pytest
-
 from tests.python.firmware.seeding import BOARD, link_command
-from traceability.commands import bench
-from traceability.model.bench import BENCH, FOLDER, SCENARIOS, frames_of, profile_of
+from tools import bench
+from traceability.reading.bench_record import BENCH, FOLDER, SCENARIOS, frames_of, profile_of
 
 ROOT = Path(__file__).parents[3]
 BUILD = ROOT / "build" / "k64"
@@ -22,7 +20,7 @@ FEW = "at 50 arm\nfrom 1550 to 101050 every 100 order velocity 500\nat 101150 en
 def slowed(folder: Path) -> Path:
     """The image with a busy loop in an algorithm; its name without suffix."""
     source = folder / ALGORITHM.name
-    begin = "  setPoint_ = setPoint;\n"
+    begin = "  setPoint_.fill(setPoint);\n"
     text = ALGORITHM.read_text(encoding="utf-8")
     assert text.count(begin) == 1
     source.write_text(text.replace(begin, begin + BUSY), encoding="utf-8")
@@ -69,14 +67,14 @@ def test_a_slowed_algorithm_shows_in_its_row(tmp_path: Path) -> None:
     assert others < more["VelocityAlgorithm"] / 10
 
 
-def test_a_board_on_a_line_is_measured(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_board_on_a_line_is_measured(tmp_path: Path) -> None:
     for paper in SCENARIOS:
         file = tmp_path / FOLDER / f"{paper.name}.scenario"
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text((ROOT / FOLDER / file.name).read_text(encoding="utf-8"))
-    monkeypatch.setattr(bench, "measured_with", lambda _root: {})
     link = tmp_path / "line"
-    words: list[str | Path] = [BOARD, "--image", BUILD / "weeding_robot.bin", "--link", link]
+    words: list[str | Path] = [BOARD, "--robot", "--image", BUILD / "weeding_robot.bin"]
+    words += ["--link", link]
     with subprocess.Popen(words, stdout=subprocess.DEVNULL) as board:
         try:
             end = time.monotonic() + 20

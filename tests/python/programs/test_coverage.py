@@ -6,11 +6,11 @@ from typing import Any
 
 import pytest
 
-from traceability.commands.builds import is_current
-from traceability.model.arcs import Covered
-from traceability.model.coverage import Coverage, read_coverage
-from traceability.model.results import COVERAGE_LINES, RUNS, read_totals
-from traceability.model.schema import HOST
+from traceability.reading.coverage import Coverage, read_coverage
+from traceability.reading.gcov_arcs import Covered
+from traceability.reading.results import COVERAGE_LINES, read_totals
+from traceability.reading.task_record import TESTS_TRACE, is_fresh
+from traceability.schema import HOST
 
 ROOT = Path(__file__).parents[3]
 
@@ -19,7 +19,7 @@ Lines = dict[int, list[dict[str, Any]]]  # a line -> what gcovr says of it, once
 
 @pytest.fixture(scope="module", autouse=True)
 def run() -> None:
-    if not is_current(ROOT, RUNS[HOST]) or read_totals(ROOT) is None:
+    if read_totals(ROOT) is None or not is_fresh(ROOT, TESTS_TRACE):
         pytest.skip("no tests with records ran on these sources")
 
 

@@ -13,12 +13,13 @@ from collections.abc import Iterator
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 import pytest
 
-from tests.python.documents.fixture import MODES, make_project
-from traceability.documents import build
-from traceability.documents.portal import CheckText
+from portal import site_build
+from portal.portal import CheckText
+from tests.python.portal.fixture import MODES, make_project
 
 BROWSER = next(
     filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), ""
@@ -68,8 +69,8 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Path
         )
     ]
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(build, "check_texts", lambda: checks)
-        build.build_site(root, make_project(root), [])
+        patch.setattr(site_build, "check_texts", lambda: checks)
+        site_build.build_site(root, make_project(root), [])
     site = root / "build" / "site"
     handler = functools.partial(QuietHandler, directory=str(site))
     with ThreadingHTTPServer(("127.0.0.1", 0), handler) as http:
@@ -117,6 +118,42 @@ def test_the_search_finds_modules_and_requirements(server: tuple[str, Path]) -> 
     assert seen["modules/RC"][0] == "../requirements/FR-15.html"
     seen, _ = look(server, ["index"], probe, query="?q=mode")
     assert seen["index"][0] == "modules/Mode.html"
+
+
+@pytest.mark.parametrize(
+    ("query", "first"),
+    [
+        ("fr15", "requirements/FR-15.html"),
+        ("fr 15", "requirements/FR-15.html"),
+        ("controller main", "modules/MainController.html"),
+        ("maincontroller", "modules/MainController.html"),
+        ("mian controler", "modules/MainController.html"),
+        ("read rc", "modules/RC.html#m-read"),
+    ],
+)
+def test_the_search_takes_words_in_any_order_and_with_typing_errors(
+    server: tuple[str, Path], query: str, first: str
+) -> None:
+    probe = "return doc.querySelector('.hits a').getAttribute('href');"
+    seen, errors = look(server, ["index"], probe, query=f"?q={quote(query)}")
+    assert (seen["index"], errors) == (first, [])
+
+
+def test_the_search_is_used_from_the_keyboard(server: tuple[str, Path]) -> None:
+    probe = (
+        "const field = doc.querySelector('#q'), hits = doc.querySelector('#hits'), found = [];"
+        "const press = (target, key, more) => target.dispatchEvent(new view.KeyboardEvent("
+        "'keydown', {key, bubbles: true, cancelable: true, ...more}));"
+        "const inField = () => doc.activeElement === field;"
+        "press(doc.body, '/'); found.push(inField()); field.blur();"
+        "press(doc.body, 'k', {ctrlKey: true}); found.push(inField());"
+        "field.value = 'read'; field.dispatchEvent(new view.Event('input', {bubbles: true}));"
+        "const chosen = () => doc.querySelector('.hits [aria-selected=true]').id;"
+        "found.push(chosen()); press(field, 'ArrowDown'); found.push(chosen());"
+        "press(field, 'Escape'); found.push(inField(), hits.hidden); return found;"
+    )
+    seen, _ = look(server, ["modules/RC"], probe)
+    assert seen["modules/RC"] == [True, True, "hit0", "hit1", True, True]
 
 
 def test_the_theme_button_changes_the_colours(server: tuple[str, Path]) -> None:

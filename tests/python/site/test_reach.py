@@ -22,7 +22,7 @@ def model() -> dict[str, Any]:
 def farther(addresses: list[str], most: int) -> dict[str, int | None]:
     """The addresses that need more clicks, or that no path leads to."""
     found = clicks()
-    return {name: found.get(name) for name in addresses if (found.get(name) or 99) > most}
+    return {name: found.get(name) for name in addresses if found.get(name, 99) > most}
 
 
 def test_every_view_is_one_click_away() -> None:

@@ -9,8 +9,8 @@
 
 namespace wr::test {
 
-std::unique_ptr<RobotLine> switchOn() {
-  std::unique_ptr<BoardLine> robot = switchBoardOn();
+std::unique_ptr<scenario::RobotSession> switchOn() {
+  std::unique_ptr<board_robot::BoardSession> robot = switchBoardOn();
   if (!robot->board.runToSleep(std::chrono::milliseconds(50))) {
     throw std::runtime_error("the firmware does not start");
   }

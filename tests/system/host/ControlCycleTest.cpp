@@ -49,7 +49,7 @@ TEST_F(ControlCycleOfRobotOnHost, FR2_CycleReadsThenControlsThenWrites) {
   robot.keepAlive();
   robot.cycle();
   EXPECT_FALSE(reportedBeforeControl);
-  EXPECT_EQ(robot.report().wheels[0].value, 432);
+  EXPECT_EQ(robot.report().setPoint[0], 432);
   EXPECT_EQ(robot.report().velocity[0], 432);
 }
 
@@ -59,7 +59,7 @@ TEST_F(ControlCycleOfRobotOnHost, FR2_CycleReadsThenControlsThenWrites) {
 TEST_F(ControlCycleOfRobotOnHost, FR4_CycleThatHasNotBegunAtTheNextPulseIsAnOverrun) {
   robot.connect();
   const std::uint32_t before = robot.report().cycle;
-  HostThread busy(robot.robot.scheduler(), HostRobot::kMainPriority + 1);
+  host::HostThread busy(robot.robot.scheduler(), host::HostFirmware::kMainPriority + 1);
   Action twoPulses([&] {
     robot.robot.clockPulse();
     skipPeriod();
@@ -67,14 +67,14 @@ TEST_F(ControlCycleOfRobotOnHost, FR4_CycleThatHasNotBegunAtTheNextPulseIsAnOver
   });
   busy.start(twoPulses);
   busy.post();
-  const std::vector<Bytes> sent = bodies(robot.port.takeSent());
+  const std::vector<scenario::Bytes> sent = scenario::bodies(robot.port.takeSent());
   ASSERT_EQ(sent.size(), 2U);
-  EXPECT_EQ(reportOf(sent[0])->cycle, before + 1);
-  EXPECT_TRUE(reportOf(sent[0])->overran());
-  EXPECT_EQ(reportOf(sent[0])->overruns, 1);
-  EXPECT_EQ(reportOf(sent[1])->cycle, before + 2);
-  EXPECT_FALSE(reportOf(sent[1])->overran());
-  EXPECT_EQ(reportOf(sent[1])->overruns, 1);
+  EXPECT_EQ(scenario::reportOf(sent[0])->cycle, before + 1);
+  EXPECT_TRUE(scenario::reportOf(sent[0])->overran());
+  EXPECT_EQ(scenario::reportOf(sent[0])->overruns, 1);
+  EXPECT_EQ(scenario::reportOf(sent[1])->cycle, before + 2);
+  EXPECT_FALSE(scenario::reportOf(sent[1])->overran());
+  EXPECT_EQ(scenario::reportOf(sent[1])->overruns, 1);
 }
 
 /// @brief A clock pulse that comes while the cycle controls marks this very cycle as an overrun.
@@ -89,12 +89,12 @@ TEST_F(ControlCycleOfRobotOnHost, FR4_PulseDuringTheCycleMarksTheCycle) {
     }
   };
   robot.robot.clockPulse();
-  const std::vector<Bytes> sent = bodies(robot.port.takeSent());
+  const std::vector<scenario::Bytes> sent = scenario::bodies(robot.port.takeSent());
   ASSERT_EQ(sent.size(), 2U);
-  EXPECT_TRUE(reportOf(sent[0])->overran());
-  EXPECT_FALSE(reportOf(sent[1])->overran());
-  EXPECT_EQ(reportOf(sent[1])->overruns, 1);
-  EXPECT_EQ(reportOf(sent[1])->time, reportOf(sent[0])->time + 100);
+  EXPECT_TRUE(scenario::reportOf(sent[0])->overran());
+  EXPECT_FALSE(scenario::reportOf(sent[1])->overran());
+  EXPECT_EQ(scenario::reportOf(sent[1])->overruns, 1);
+  EXPECT_EQ(scenario::reportOf(sent[1])->timeMs, scenario::reportOf(sent[0])->timeMs + 100);
 }
 
 /// @brief A cycle in which a control system did not complete its work is reported as an overrun.

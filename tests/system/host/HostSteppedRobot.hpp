@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "main_control/SpySystem.hpp"
-#include "sim/scenario/HostLine.hpp"
+#include "sim/host_robot/HostSession.hpp"
 #include "system/SteppedRobot.hpp"
 
 namespace wr::test {
@@ -12,8 +12,8 @@ namespace wr::test {
 /// control, the scheduler, and one control system that notes its orders.
 class HostSteppedRobot : public SteppedRobot {
  public:
-  explicit HostSteppedRobot(HostEquipment equipment = HostEquipment::Whole)
-      : HostSteppedRobot(std::make_unique<HostLine>(equipment)) {}
+  explicit HostSteppedRobot(host::HostEquipment equipment = host::HostEquipment::Whole)
+      : HostSteppedRobot(std::make_unique<host_robot::HostSession>(equipment)) {}
 
   void cycle() override {
     system.calls.clear();
@@ -34,9 +34,10 @@ class HostSteppedRobot : public SteppedRobot {
   }
 
  private:
-  explicit HostSteppedRobot(std::unique_ptr<HostLine> line) : HostSteppedRobot(*line, line) {}
+  explicit HostSteppedRobot(std::unique_ptr<host_robot::HostSession> line)
+      : HostSteppedRobot(*line, line) {}
 
-  HostSteppedRobot(HostLine& host, std::unique_ptr<HostLine>& line)
+  HostSteppedRobot(host_robot::HostSession& host, std::unique_ptr<host_robot::HostSession>& line)
       : SteppedRobot(std::move(line)),
         host_(host),
         time(host.world.time),
@@ -46,12 +47,12 @@ class HostSteppedRobot : public SteppedRobot {
     host.start();
   }
 
-  HostLine& host_;
+  host_robot::HostSession& host_;
 
  public:
-  HostTimebase& time;
-  HostSerialPort& port;
-  HostRobot& robot;
+  host::HostTimebase& time;
+  host::HostSerialPort& port;
+  host::HostFirmware& robot;
   SpySystem system;
 };
 

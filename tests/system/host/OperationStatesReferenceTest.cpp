@@ -44,7 +44,7 @@ class ComparisonInside final : public Comparison {
 // here.
 class MainControlRobot final : public HostSteppedRobot {
  public:
-  MainControlRobot() : HostSteppedRobot(HostEquipment::MainControl) {}
+  MainControlRobot() : HostSteppedRobot(host::HostEquipment::MainControl) {}
 };
 
 /// @brief In 10000 random sequences of orders from both sources the robot does in every cycle what a

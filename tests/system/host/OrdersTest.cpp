@@ -33,7 +33,7 @@ TEST_F(OrdersOfRobotOnHost, FR11_ModeRcReadsNoOrderOfThePc) {
   robot.cycle();
   EXPECT_EQ(robot.report().source, kRc);
   EXPECT_EQ(robot.report().orderId, 0);
-  EXPECT_EQ(robot.report().wheels[3].value, 200);
+  EXPECT_EQ(robot.report().setPoint[3], 200);
   robot.order({.id = 10});
   robot.cycle();
   EXPECT_FALSE(robot.report().orderRead());
@@ -52,8 +52,8 @@ TEST_F(OrdersOfRobotOnHost, FR50_OrderOfTheRemoteControlNeedsBothSignals) {
   robot.keepAlive();
   robot.cycle();
   EXPECT_TRUE(robot.report().orderRead());
-  EXPECT_EQ(robot.report().wheels[0].value, 100);
-  EXPECT_EQ(robot.report().steering, 50);
+  EXPECT_EQ(robot.report().setPoint[0], 100);
+  EXPECT_EQ(robot.report().steeringSetPoint, 50);
 }
 
 /// @brief In the mode PC an order of the remote control is not read.
@@ -104,7 +104,7 @@ TEST_F(OrdersOfRobotOnHost, FR21_StopOfThePcActsInModeRc) {
   robot.rcOrder(300, 0);
   robot.keepAlive();
   robot.cycle();
-  EXPECT_EQ(robot.report().wheels[0].value, 300);
+  EXPECT_EQ(robot.report().setPoint[0], 300);
   EXPECT_TRUE(robot.report().stop());
   EXPECT_EQ(robot.system.calls, kHeld);
   robot.rcOrder(300, 0);

@@ -1,12 +1,12 @@
 // The robot of the system tests is the firmware on the host.
 
-#include "sim/scenario/HostLine.hpp"
+#include "sim/host_robot/HostSession.hpp"
 #include "system/SteppedRobot.hpp"
 
 namespace wr::test {
 
-std::unique_ptr<RobotLine> switchOn() {
-  auto line = std::make_unique<HostLine>();
+std::unique_ptr<scenario::RobotSession> switchOn() {
+  auto line = std::make_unique<host_robot::HostSession>();
   line->start();
   return line;
 }

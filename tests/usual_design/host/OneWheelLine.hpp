@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "sim/host/HostBinding.hpp"
 #include "sim/host/HostPins.hpp"
 #include "sim/host/HostScheduler.hpp"
 #include "sim/host/HostSerialPort.hpp"
@@ -13,9 +12,10 @@
 #include "sim/host/HostTimebase.hpp"
 #include "sim/host/HostTimer.hpp"
 #include "sim/host/HostWatchdog.hpp"
-#include "sim/robot/RemoteControl.hpp"
-#include "sim/robot/Robot.hpp"
-#include "sim/scenario/RobotLine.hpp"
+#include "sim/host_robot/HostWires.hpp"
+#include "sim/plant/RemoteControl.hpp"
+#include "sim/plant/Robot.hpp"
+#include "sim/scenario/RobotSession.hpp"
 #include "usual_design/Devices.hpp"
 
 namespace wr::test {
@@ -24,7 +24,7 @@ namespace wr::test {
 /// other wheels have no firmware: they coast.
 /// @tparam Design the design
 template <class Design>
-class OneWheelLine final : public RobotLine {
+class OneWheelLine final : public scenario::RobotSession {
  public:
   /// Makes and starts the design.
   /// @param more what the design needs besides, in a product that has more devices
@@ -41,10 +41,10 @@ class OneWheelLine final : public RobotLine {
     binding_.measure();
     cycleTimer_.connect([this] { design_.cycleTimerExpired(); });
     tickTimer_.connect([this] { design_.tickTimerExpired(); });
-    for (HostEdgeInput& hall : pins.wheels[0].hall) {
+    for (host::HostEdgeInput& hall : pins.wheels[0].hall) {
       hall.connect([this] { design_.hallEdge(); });
     }
-    for (HostEdgeInput& signal : pins.remoteControl) {
+    for (host::HostEdgeInput& signal : pins.remoteControl) {
       signal.connect([this] { design_.remoteControlEdge(); });
     }
     design_.start();
@@ -70,25 +70,27 @@ class OneWheelLine final : public RobotLine {
   bool runThroughPulse() override { return runUntil(nextPulse()); }
 
   [[nodiscard]] Time now() const override { return Time(time.now().sinceStart()); }
-  [[nodiscard]] sim::Robot& robot() override { return physics_; }
-  [[nodiscard]] sim::RemoteControl& remoteControl() override { return remoteControl_; }
-  [[nodiscard]] std::optional<LineFinding> finding() const override { return std::nullopt; }
+  [[nodiscard]] plant::Robot& robot() override { return physics_; }
+  [[nodiscard]] plant::RemoteControl& remoteControl() override { return remoteControl_; }
+  [[nodiscard]] std::optional<scenario::SessionFinding> finding() const override {
+    return std::nullopt;
+  }
 
-  HostTimebase time;
-  HostSerialPort port;
+  host::HostTimebase time;
+  host::HostSerialPort port;
 
  private:
   static constexpr std::uint32_t kSeed = 1;
-  static constexpr Time kStep = sim::Robot::kStep;
+  static constexpr Time kStep = plant::Robot::kStep;
 
   struct Edge {
     Time at;
-    HostEdgeInput* pin;
+    host::HostEdgeInput* pin;
     bool level;
   };
 
   [[nodiscard]] Devices devices() {
-    HostWheelPins& wheel = pins.wheels[0];
+    host::HostWheelPins& wheel = pins.wheels[0];
     return {.pwm = wheel.pwm,
             .orientation = wheel.orientation,
             .enable = wheel.enable,
@@ -120,11 +122,11 @@ class OneWheelLine final : public RobotLine {
     design_.run();
     binding_.drive();
     std::vector<Edge> edges;
-    for (const sim::HallEdge& edge : physics_.step()) {
+    for (const plant::HallEdge& edge : physics_.step()) {
       edges.push_back(
           {at(edge.offset), &pins.wheels.at(edge.wheel).hall.at(edge.sensor), edge.level});
     }
-    for (const sim::RcEdge& edge : remoteControl_.step()) {
+    for (const plant::RcEdge& edge : remoteControl_.step()) {
       edges.push_back({at(edge.offset), &pins.remoteControl.at(edge.channel), edge.level});
     }
     std::ranges::stable_sort(edges, {}, &Edge::at);
@@ -148,21 +150,21 @@ class OneWheelLine final : public RobotLine {
     }
   }
 
-  HostScheduler scheduler_;
+  host::HostScheduler scheduler_;
 
  public:
-  HostPins pins;
-  HostWatchdog watchdog{time};
+  host::HostPins pins;
+  host::HostWatchdog watchdog{time};
 
  private:
-  HostThread mainThread_{scheduler_, 1};
-  HostThread wheelThread_{scheduler_, 2};
-  HostTimer cycleTimer_{scheduler_};
-  HostTimer tickTimer_{scheduler_};
+  host::HostThread mainThread_{scheduler_, 1};
+  host::HostThread wheelThread_{scheduler_, 2};
+  host::HostTimer cycleTimer_{scheduler_};
+  host::HostTimer tickTimer_{scheduler_};
   StartRecord start_{.cause = ResetCause::Pin};
-  sim::Robot physics_;
-  sim::RemoteControl remoteControl_;
-  HostBinding binding_;
+  plant::Robot physics_;
+  plant::RemoteControl remoteControl_;
+  host_robot::HostWires binding_;
   Design design_;
   Time nextStep_ = kStep;
   Time nextPulse_{SystemConstants::instance().cyclePeriod().count()};

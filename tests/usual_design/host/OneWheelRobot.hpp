@@ -47,12 +47,12 @@ class OneWheelRobot : public SteppedRobot {
       : OneWheelRobot(std::make_unique<OneWheelLine<Design>>(more...)) {}
 
   /// An order of a velocity [0.1 rpm] for the wheel.
-  static PcOrder velocity(std::int16_t value, std::uint16_t id = 1) {
+  static scenario::PcOrder velocity(std::int16_t value, std::uint16_t id = 1) {
     return {.id = id, .wheels = {{{0, value}}}};
   }
 
   /// Cycles in each of which the PC gives the same order.
-  void orderedCycles(const PcOrder& same, int count) {
+  void orderedCycles(const scenario::PcOrder& same, int count) {
     for (int i = 0; i < count; ++i) {
       order(same);
       cycle();
@@ -60,14 +60,14 @@ class OneWheelRobot : public SteppedRobot {
   }
 
   /// Orders until one is read: the robot may look for orders elsewhere.
-  void commandByPcAgain(const PcOrder& same) {
+  void commandByPcAgain(const scenario::PcOrder& same) {
     for (int i = 0; i < 4 && !report().orderRead(); ++i) {
       orderedCycles(same, 1);
     }
   }
 
   /// The same cycles, and the mean of the velocities that are reported meanwhile.
-  double meanVelocity(const PcOrder& same, int count) {
+  double meanVelocity(const scenario::PcOrder& same, int count) {
     double sum = 0;
     for (int i = 0; i < count; ++i) {
       orderedCycles(same, 1);

@@ -75,11 +75,14 @@ constexpr Tension kSlight(100);
 constexpr std::uint8_t kSlowCycles = 2;
 constexpr Tension kRise(12000);
 constexpr Tension kFall(2400);
-constexpr Tension kLeastEffort(1500);
+constexpr std::uint8_t kBrakedCycles = 10;
+constexpr Velocity kCreep(800);
+constexpr Tension kLeastEffort(2000);
 constexpr std::int32_t kMostEffort = 45000;
-constexpr Tension kSearched(10000);
-constexpr std::int16_t kSlowOrder = 600;
-constexpr std::int32_t kSearchShare = 3;
+constexpr Tension kFaint(3200);
+constexpr Tension kWeak(14000);
+constexpr std::int32_t kWeakShare = 16;
+constexpr std::int32_t kStrongShare = 8;
 constexpr std::int32_t kJitter = 1;
 constexpr Tension kReversal(500);
 constexpr std::uint8_t kMostWaiting = 20;
@@ -98,8 +101,8 @@ bool within(std::int32_t value, std::int32_t limit) {
   return -limit <= value && value <= limit;
 }
 
-bool isSlow(Velocity velocity) {
-  return velocity < kConstants.slow() && velocity > -kConstants.slow();
+bool isSlow(Velocity velocity, Velocity slow = kConstants.slow()) {
+  return velocity < slow && velocity > -slow;
 }
 
 std::uint32_t get16(std::span<const std::uint8_t> bytes, std::size_t at) {
@@ -783,7 +786,7 @@ void UsualDesign::measureCurrent() {
 
 void UsualDesign::followSetPoint(const WheelSetPoint& setPoint, HallCount position,
                                  WheelMeasurements& wheel) {
-  watchMotion(setPoint, position);
+  watchMotion(setPoint, position, wheel.current.value_or(Current()));
   if (!wheel.velocity || !wheel.current || blind_ || reversalLate_) {
     lower();
     return;
@@ -812,18 +815,20 @@ void UsualDesign::followSetPoint(const WheelSetPoint& setPoint, HallCount positi
   watchReversal(setPoint, calculated);
 }
 
-void UsualDesign::watchMotion(const WheelSetPoint& setPoint, HallCount position) {
-  const std::int32_t tension = std::abs(applied_.value_or(Tension()).count());
+void UsualDesign::watchMotion(const WheelSetPoint& setPoint, HallCount position, Current current) {
+  const Tension applied = applied_.value_or(Tension());
+  const std::int32_t tension = std::abs(applied.count());
   if (std::abs(position.count() - stillPosition_.count()) > kJitter) {
     stillPosition_ = position;
     effort_ = 0;
   } else if (tension <= kLeastEffort.count() || setPoint == WheelSetPoint{}) {
     effort_ = std::max(effort_ - kLeastEffort.count(), std::int32_t{0});
-  } else if (setPoint.quantity == WheelQuantity::Velocity &&
-             std::abs(setPoint.value) <= kSlowOrder && tension <= kSearched.count()) {
-    effort_ += tension / kSearchShare;
   } else {
-    effort_ += tension;
+    const Tension winding(kWinding * current.count() / static_cast<std::int32_t>(kThousand));
+    const bool held = applied > Tension() ? winding * 2 > applied : winding * 2 < applied;
+    const bool faint = setPoint.quantity == WheelQuantity::Tension && tension <= kFaint.count();
+    const std::int32_t share = tension <= kWeak.count() ? kWeakShare : kStrongShare;
+    effort_ += held && !faint ? tension / share : tension;
   }
   blind_ = blind_ || effort_ >= kMostEffort;
 }
@@ -909,12 +914,16 @@ void UsualDesign::apply(Tension demand, Velocity velocity) {
   const Tension before = applied_.value_or(Tension());
   if (backwards_ ? demand >= kSlight : demand <= -kSlight) {
     const bool along = demand > Tension() ? velocity > Velocity() : velocity < Velocity();
-    if (!isSlow(velocity) && !along) {
+    const bool braked = brakedCycles_ == kBrakedCycles;
+    if (!isSlow(velocity, braked ? kCreep : kConstants.slow()) && !along) {
       slowCycles_ = 0;
     } else if (slowCycles_ < kSlowCycles) {
       ++slowCycles_;
     }
     if (slowCycles_ < kSlowCycles || before != Tension()) {
+      if (before == Tension() && brakedCycles_ < kBrakedCycles) {
+        ++brakedCycles_;
+      }
       const Tension left = before - std::clamp(before, -kFall, kFall);
       setTension(left);
       applied_ = left;
@@ -926,6 +935,7 @@ void UsualDesign::apply(Tension demand, Velocity velocity) {
     demand = backwards_ ? std::min(demand, Tension()) : std::max(demand, Tension());
   }
   slowCycles_ = 0;
+  brakedCycles_ = 0;
   const Tension most = std::max(before, Tension()) + kRise;
   const Tension least = std::min(before, Tension()) - kRise;
   applied_ = std::clamp(demand, least, most);

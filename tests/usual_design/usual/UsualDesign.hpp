@@ -108,7 +108,7 @@ class UsualDesign {
   void lower();
   [[nodiscard]] bool plausible(const HallRecord& record) const;
   void release(const WheelMeasurements& wheel);
-  void watchMotion(const WheelSetPoint& setPoint, HallCount position);
+  void watchMotion(const WheelSetPoint& setPoint, HallCount position, Current current);
   void watchReversal(const WheelSetPoint& setPoint, Tension demand);
   [[nodiscard]] bool doubtful(Velocity velocity, Current current);
   void driverOff();
@@ -201,6 +201,7 @@ class UsualDesign {
   std::optional<Tension> applied_;
   bool backwards_ = false;
   std::uint8_t slowCycles_ = 0;
+  std::uint8_t brakedCycles_ = 0;
   HallCount stillPosition_{};
   std::int32_t effort_ = 0;
   std::uint8_t waitingCycles_ = 0;

@@ -138,6 +138,22 @@ TEST_F(ReverseTest, FR81_RiseBeginsAtWhatIsLeft) {
   EXPECT_EQ(apply(24000, 1000), Tension(16800));
 }
 
+/// @brief A wheel that a slope keeps turning may turn the other way below 80 rpm, after ten cycles without
+/// tension; at 80 rpm it may not.
+/// @verifies FR-87
+TEST_F(ReverseTest, FR87_ACreepingWheelIsTurned) {
+  apply(1000, 790);
+  EXPECT_EQ(apply(-5000, 790), Tension(0));
+  for (int cycle = 0; cycle < 11; ++cycle) {
+    EXPECT_EQ(apply(-5000, 790), Tension(0)) << cycle;
+  }
+  EXPECT_EQ(apply(-5000, 790), Tension(-5000));
+  EXPECT_EQ(apply(5000, -800), Tension(-2600));
+  for (int cycle = 0; cycle < 50; ++cycle) {
+    EXPECT_LE(apply(5000, -800), Tension(0)) << cycle;
+  }
+}
+
 /// @brief Whatever is demanded and measured, the output keeps to the three rules: the orientation changes
 /// at a wheel that is slow or turns along, and without tension only, the tension rises by 12 V at
 /// most, and it falls by 2.4 V at most while the demand opposes.
@@ -149,6 +165,7 @@ TEST_F(ReverseTest, FR87_FR81_RulesHoldForAnyDemand) {
   std::uniform_int_distribution<int> velocities(-960, 960);
   std::uniform_int_distribution<int> lengths(1, 12);
   int before = 0;
+  int waited = 0;  // cycles without tension
   int slow = 0;
   int flips = 0;
   for (int run = 0; run < 2000; ++run) {
@@ -156,7 +173,8 @@ TEST_F(ReverseTest, FR87_FR81_RulesHoldForAnyDemand) {
     for (int left = lengths(random); left > 0; --left) {
       const int velocity = velocities(random);
       const bool along = demand > 0 ? velocity > 0 : velocity < 0;
-      slow = std::abs(velocity) < 400 || along ? slow + 1 : 0;
+      slow = std::abs(velocity) < (waited >= 10 ? 800 : 400) || along ? slow + 1 : 0;
+      waited = before == 0 ? waited + 1 : 0;
       log.clear();
       const int applied = apply(demand, velocity).count();
       ASSERT_LE(std::abs(applied) - std::abs(before), 12000);

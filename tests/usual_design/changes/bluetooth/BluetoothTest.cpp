@@ -13,7 +13,7 @@ constexpr int kBluetooth = 2;
 template <class Design>
 class BluetoothMode : public testing::Test {
  protected:
-  void deviceOrders(const PcOrder& order) { port.arrive(device.order(order)); }
+  void deviceOrders(const scenario::PcOrder& order) { port.arrive(device.order(order)); }
 
   // Cycles without orders until the robot reads in a mode.
   void waitForMode(int mode) {
@@ -23,8 +23,8 @@ class BluetoothMode : public testing::Test {
     ASSERT_EQ(robot.report().mode, mode);
   }
 
-  HostSerialPort port;
-  PcSender device;
+  host::HostSerialPort port;
+  scenario::PcSender device;
   OneWheelRobot<Design> robot{port};
 };
 TYPED_TEST_SUITE(BluetoothMode, Designs, DesignName);
@@ -49,7 +49,7 @@ TYPED_TEST(BluetoothMode, ReadsTheOrdersOfTheDevice) {
     EXPECT_EQ(this->robot.report().mode, kBluetooth);
     EXPECT_EQ(this->robot.report().source, kBluetooth);
     EXPECT_EQ(this->robot.report().orderId, id);
-    EXPECT_EQ(this->robot.report().wheels[0].value, 300);
+    EXPECT_EQ(this->robot.report().setPoint[0], 300);
     EXPECT_TRUE(this->robot.report().orderRead());
   }
 }
@@ -74,12 +74,12 @@ TYPED_TEST(BluetoothMode, StopOfTheDeviceActsInEachMode) {
 TYPED_TEST(BluetoothMode, PassesOverAllButOrders) {
   this->robot.commandByPc();
   for (std::uint16_t id = 2; id < 20; ++id) {
-    this->port.arrive(Bytes(300, static_cast<std::uint8_t>(id * 13)));
+    this->port.arrive(scenario::Bytes(300, static_cast<std::uint8_t>(id * 13)));
     this->port.arrive(this->device.hello());
     this->robot.orderedCycles({.id = id}, 1);
     EXPECT_EQ(this->robot.report().orderId, id);
   }
-  EXPECT_EQ(this->port.takeSent(), Bytes{});
+  EXPECT_EQ(this->port.takeSent(), scenario::Bytes{});
 }
 
 }  // namespace

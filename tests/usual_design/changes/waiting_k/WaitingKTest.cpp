@@ -13,7 +13,7 @@ constexpr int kWaitingK = 4;
 template <class Design>
 class WarningState : public testing::Test {
  protected:
-  HostDigitalOutput lamp;
+  host::HostDigitalOutput lamp;
   OneWheelRobot<Design> robot{lamp};
 };
 TYPED_TEST_SUITE(WarningState, Designs, DesignName);

@@ -17,8 +17,8 @@ constexpr int unloaded(int tenthRpm) {
 
 /// @brief The first cycles after a step apply the tension of a set-point that rises by 20 rpm in each.
 TYPED_TEST(RampedVelocity, RisesByTwentyRpmInACycle) {
-  const PcOrder step{.id = 2, .wheels = {{{0, 3000}}}};
-  this->robot.physics().setFault(sim::Fault::Hall, 0, true);  // so that the error stays small
+  const scenario::PcOrder step{.id = 2, .wheels = {{{0, 3000}}}};
+  this->robot.physics().setFault(plant::Fault::Hall, 0, true);  // so that the error stays small
   this->robot.commandByPc();
   this->robot.orderedCycles(step, 1);
   EXPECT_EQ(this->robot.report().tension[0], unloaded(200));
@@ -37,7 +37,7 @@ TYPED_TEST(RampedVelocity, ReachesTheSetPoint) {
 
 /// @brief A set-point of another quantity is applied at once.
 TYPED_TEST(RampedVelocity, LeavesOtherQuantitiesAsTheyAre) {
-  const PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
+  const scenario::PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
   this->robot.commandByPc();
   this->robot.orderedCycles(order, 1);
   EXPECT_EQ(this->robot.report().tension[0], 9000);

@@ -1,0 +1,42 @@
+#include "safety/CurrentLimited.hpp"
+
+#include <algorithm>
+
+namespace wr {
+
+namespace {
+
+constexpr Current kMost(12000);  // 3 A below the overcurrent trip
+constexpr std::int32_t kWinding =
+    1000;  // [mOhm] less than any winding has: the current stays below
+constexpr std::int32_t kThousand = 1000;
+
+Tension across(Current current) {
+  return Tension(kWinding * current.count() / kThousand);
+}
+
+}  // namespace
+
+CurrentLimited::CurrentLimited(WheelAlgorithm& wrapped) : wrapped_(wrapped) {}
+
+Tension CurrentLimited::calculate(std::int16_t setPoint, const WheelFeedback& feedback) {
+  const Tension demand = wrapped_.calculate(setPoint, feedback);
+  if (!applied_) {
+    return demand;
+  }
+  const Tension most = *applied_ + across(kMost - feedback.current);
+  const Tension least = *applied_ + across(-kMost - feedback.current);
+  return std::clamp(demand, least, most);
+}
+
+void CurrentLimited::applied(Tension tension) {
+  wrapped_.applied(tension);
+  applied_ = tension;
+}
+
+void CurrentLimited::reset() {
+  wrapped_.reset();
+  applied_.reset();
+}
+
+}  // namespace wr

@@ -1,0 +1,90 @@
+#include "safety/WheelComparison.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+
+namespace wr {
+
+namespace {
+
+constexpr std::int32_t kWay = 20;  // [edges] 0.057 m
+
+// In the tightest curve the slowest wheel has 71 % of the common way. While the robot reverses in a
+// curve it has less, once.
+constexpr std::int32_t kLeastShare = 2;  // half of the common way
+
+// Straight on, no wheel needs this current for longer than 1 s. In a curve the set-points of a
+// source can make the wheels work against each other for a while: there it takes 5 s.
+constexpr Current kGreat(11000);
+constexpr Angle kStraight(1100);
+constexpr std::uint8_t kCurveCycles = 50;
+constexpr std::uint8_t kStraightCycle = 5;  // cycles of a curve that count as much
+
+bool isGreat(std::optional<Current> current) {
+  const Current measured = current.value_or(Current());
+  return measured > kGreat || measured < -kGreat;
+}
+
+}  // namespace
+
+std::optional<std::uint8_t> WheelComparison::behind(const Measurements& measurements) {
+  add(measurements);
+  const std::int32_t way = common();
+  if (std::abs(way) < kWay) {
+    return std::nullopt;
+  }
+  const auto* const least =
+      way > 0 ? std::ranges::min_element(ways_) : std::ranges::max_element(ways_);
+  const auto wheel = static_cast<std::uint8_t>(least - ways_.begin());
+  const bool late = std::abs(way) >= kLeastShare * (way > 0 ? *least : -*least);
+  const bool again = late && late_ == wheel;
+  late_ = late ? std::optional(wheel) : std::nullopt;
+  ways_ = {};
+  return again ? late_ : std::nullopt;
+}
+
+std::optional<std::uint8_t> WheelComparison::overloaded(const Measurements& measurements) {
+  const Angle angle = measurements.steering.value_or(Angle());
+  const bool straight = angle <= kStraight && angle >= -kStraight;
+  std::optional<std::uint8_t> result;
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    const bool great = isGreat(measurements.wheels[wheel].current);
+    const std::int32_t counted = straight ? kStraightCycle : 1;
+    greatCycles_[wheel] = static_cast<std::uint8_t>(
+        great ? std::min<std::int32_t>(greatCycles_[wheel] + counted, kCurveCycles) : 0);
+    if (greatCycles_[wheel] >= kCurveCycles) {
+      result = static_cast<std::uint8_t>(wheel);
+    }
+  }
+  return result;
+}
+
+void WheelComparison::reset() {
+  before_ = {};
+  ways_ = {};
+  late_.reset();
+  greatCycles_ = {};
+}
+
+void WheelComparison::add(const Measurements& measurements) {
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    const std::optional<HallCount>& position = measurements.wheels[wheel].position;
+    if (position && before_[wheel]) {
+      ways_[wheel] += (*position - *before_[wheel]).count();
+    }
+    before_[wheel] = position;
+  }
+}
+
+// The mean of the two wheels in the middle: one failed wheel does not change it much.
+std::int32_t WheelComparison::common() const {
+  const auto [least, greatest] = std::ranges::minmax(ways_);
+  std::int32_t sum = 0;
+  for (const std::int32_t way : ways_) {
+    sum += way;
+  }
+  return (sum - least - greatest) / 2;
+}
+
+}  // namespace wr

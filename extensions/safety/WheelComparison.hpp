@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "units/Measurements.hpp"
+#include "units/SetPoints.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief Comparison of the wheels of one robot.
+///
+/// @function Adds the Hall edges of each wheel until the robot has driven 0.057 m, and returns a wheel that
+/// moved by half as much as the others or less twice in a row. Returns a wheel that pushes with a
+/// great current although the robot drives straight on.
+///
+/// @secret How far the wheels of one robot can differ, and over which way and time they are compared.
+class WheelComparison final {
+ public:
+  /// @brief Begins without measurements.
+  WheelComparison() = default;
+  WheelComparison(const WheelComparison&) = delete;
+  WheelComparison& operator=(const WheelComparison&) = delete;
+
+  /// @brief Compares the wheels. Each cycle in which they follow set-points calls it.
+  /// @param measurements measurements of the cycle that ends
+  /// @return number of the wheel that stays behind, 0 to 3; nothing if there is none.
+  /// @satisfies FR-297
+  /// @isr{no}
+  [[nodiscard]] std::optional<std::uint8_t> behind(const Measurements& measurements);
+
+  /// @brief Checks the currents of a robot that drives straight on. Each cycle in which the wheels follow
+  /// set-points calls it.
+  /// @param measurements measurements of the cycle that ends
+  /// @return number of a wheel whose current was too great for too long, 0 to 3; nothing if there is none.
+  /// @satisfies FR-298
+  /// @isr{no}
+  [[nodiscard]] std::optional<std::uint8_t> overloaded(const Measurements& measurements);
+
+  /// @brief Clears all records.
+  /// @satisfies FR-297
+  /// @satisfies FR-298
+  /// @isr{no}
+  void reset();
+
+ private:
+  void add(const Measurements& measurements);
+  [[nodiscard]] std::int32_t common() const;
+
+  std::array<std::optional<HallCount>, kWheelCount> before_{};  // positions of the cycle before
+  std::array<std::int32_t, kWheelCount> ways_{};                // [edges]
+  std::array<std::uint8_t, kWheelCount> greatCycles_{};         // with a great current, in a row
+  std::optional<std::uint8_t> late_;                            // at the last comparison
+};
+
+}  // namespace wr

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "sim/board_robot/BoardWires.hpp"
+#include "sim/emulator/VirtualBoard.hpp"
+#include "sim/scenario/RobotSession.hpp"
+
+namespace wr::board_robot {
+
+/// @brief The image of the firmware on the virtual K64 in the simulated robot. Its line has 115200 baud.
+class BoardSession final : public scenario::RobotSession {
+ public:
+  /// @brief Interrupt of the timer that gives the clock pulses: channel 0 of the PIT.
+  static constexpr int kPulseInterrupt = 48;
+
+  /// @brief Switches the board on.
+  /// @param image what flash holds
+  /// @param options what the board does and has
+  BoardSession(std::vector<std::uint8_t> image, emulator::Options options);
+
+  void send(std::span<const std::uint8_t> bytes) override;
+  void sendBeforePulse(std::span<const std::uint8_t> bytes, Time before) override;
+  [[nodiscard]] std::vector<std::uint8_t> takeSent() override;
+  bool runUntil(Time instant) override;
+  bool runThroughPulse() override;
+  [[nodiscard]] Time now() const override;
+  [[nodiscard]] plant::Robot& robot() override;
+  [[nodiscard]] plant::RemoteControl& remoteControl() override;
+  void reset(scenario::ResetKind kind) override;
+  void setExternalClock(bool present) override;
+  [[nodiscard]] std::optional<scenario::SessionFinding> finding() const override;
+
+  /// @brief Sets what is called with each event of the board.
+  /// @param call what is called
+  void onEvent(std::function<void(const emulator::Event&)> call);
+
+  /// @brief Times of the clock pulses, in their order.
+  /// @return time at which the handler of each pulse was entered, since the board was switched on
+  [[nodiscard]] const std::vector<std::chrono::nanoseconds>& pulses() const { return pulses_; }
+
+  emulator::VirtualBoard board;
+
+ private:
+  bool settle();
+
+  BoardWires binding_;
+  std::vector<std::chrono::nanoseconds> pulses_;
+  std::function<void(const emulator::Event&)> observer_;
+};
+
+}  // namespace wr::board_robot

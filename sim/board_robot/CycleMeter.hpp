@@ -1,0 +1,117 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <ostream>
+#include <vector>
+
+#include "sim/board_robot/BoardSession.hpp"
+#include "sim/emulator/ExecutedCode.hpp"
+
+namespace wr::board_robot {
+
+/// @brief Measures the control cycles of an image on the virtual K64.
+///
+/// A control cycle lasts from one clock pulse to the next. The clock pulse is the instant at which
+/// the timer raises its interrupt line. The report is handed over when all of it is in the send
+/// buffer of the serial port and its first byte is written to the port. What interrupts the control
+/// cycle is counted with it.
+class CycleMeter {
+ public:
+  /// Number of control cycles that are measured.
+  static constexpr std::size_t kCycles = 1000;
+
+  /// @brief Costs of something: processor cycles and instructions.
+  struct Cost {
+    std::uint64_t cycles = 0;
+    std::uint64_t instructions = 0;
+  };
+
+  /// @brief What one control cycle took.
+  struct Cycle {
+    Cost toReport;  ///< from the clock pulse to the report handed over
+    Cost whole;     ///< without the cycles in which the processor sleeps
+    std::uint64_t pulseLatency =
+        0;                         ///< cycles from the clock pulse to the first step of its handler
+    std::uint64_t startDelay = 0;  ///< cycles from the clock pulse to the main thread's first step
+    bool reported = false;         ///< a report was handed over
+  };
+
+  /// @brief What one exception took in all measured control cycles; 0: outside of exceptions.
+  struct Exception {
+    unsigned priority = 0;            ///< 0 to 15; 0 is the highest
+    std::uint64_t entries = 0;        ///< times it was entered
+    Cost whole;                       ///< in it, without what interrupts it
+    Cost toReport;                    ///< the part from the clock pulses to the reports
+    std::uint64_t requests = 0;       ///< times a device raised its line
+    std::uint64_t worstLatency = 0;   ///< most cycles from a request to its first instruction
+    std::optional<std::uint64_t> at;  ///< cycle of a request that waits
+  };
+
+  /// @brief Takes the place of the observer of the line, and of what sees the board's writes.
+  /// @param robot the image in its robot; it lives as long as the meter
+  /// @param from when to begin; the first control cycle is that of the next clock pulse
+  /// @param profiled whether to count how often each instruction is executed
+  CycleMeter(BoardSession& robot, std::chrono::nanoseconds from, bool profiled);
+  CycleMeter(const CycleMeter&) = delete;
+  CycleMeter& operator=(const CycleMeter&) = delete;
+
+  /// @brief What was measured of each control cycle, at most kCycles.
+  [[nodiscard]] const std::vector<Cycle>& cycles() const { return cycles_; }
+
+  /// @brief What was measured of each exception by its number.
+  [[nodiscard]] const std::map<unsigned, Exception>& exceptions() const { return exceptions_; }
+
+  /// @brief How often an instruction was executed.
+  /// @param address its address
+  /// @param toReport true: between the clock pulses and the reports; false: else
+  [[nodiscard]] std::uint64_t timesOf(std::uint32_t address, bool toReport) const {
+    return profile_[toReport ? 1 : 0].timesOf(address);
+  }
+
+  /// @brief How deep the stack was since the board was switched on: down to the lowest word that no
+  /// longer holds what it held when the meter was made.
+  /// @return bytes of the stack
+  [[nodiscard]] std::size_t stackBytes() const;
+
+  /// @brief Writes all as JSON.
+  void write(std::ostream& output) const;
+
+ private:
+  struct Instant {
+    Cost passed;
+    std::uint64_t slept = 0;
+  };
+
+  void take(const emulator::Event& event);
+  void pulse();
+  void reported();
+  void request(unsigned number);
+  void enter(unsigned number);
+  void leave();
+  void charge();
+  void profileTo(bool toReport);
+  [[nodiscard]] Instant present() const;
+  [[nodiscard]] bool measures() const { return begun_ && cycles_.size() < kCycles; }
+
+  BoardSession& robot_;
+  std::chrono::nanoseconds from_;
+  bool profiled_;
+  bool begun_ = false;
+  bool toReport_ = false;  ///< between a clock pulse and its report
+  Instant pulseAt_;
+  Instant chargedAt_;  ///< up to when costs are charged to exceptions
+  Cycle cycle_;
+  std::vector<std::uint32_t> stack_;  ///< its words before the image ran
+  std::vector<unsigned> active_;
+  std::vector<Cycle> cycles_;
+  std::map<unsigned, Exception> exceptions_;
+  std::array<emulator::ExecutedCode, 2> profile_;  ///< else, between clock pulse and report
+  emulator::ExecutedCode rest_;                    ///< after the measured cycles
+};
+
+}  // namespace wr::board_robot

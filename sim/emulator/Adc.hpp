@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "sim/emulator/Peripheral.hpp"
+
+namespace wr::emulator {
+
+/// @brief An analog-to-digital converter with the voltages at its inputs.
+/// K64P144M120SF5RM, chapter Analog-to-Digital Converter (ADC); limits of its clock: data sheet
+/// K64P144M120SF5, 16-bit ADC operating conditions.
+///
+/// A conversion takes the voltage at which it begins. An open input keeps the charge that the
+/// conversion before it left on the capacitor of the converter. Modelled are single-ended
+/// conversions that the program starts, and the calibration. Not modelled: hardware triggers,
+/// differential inputs, continuous conversions, the compare function, DMA, other clocks than the
+/// bus clock.
+class Adc final : public Peripheral {
+ public:
+  /// @brief What the pin of a channel is.
+  enum class Input { None, Digital, Analog };
+
+  /// @param number 0 or 1
+  /// @param calibrates whether the calibration succeeds
+  Adc(Microcontroller& board, unsigned number, bool calibrates);
+
+  /// @brief Sets what tells the pin of a channel.
+  void connectPins(std::function<Input(unsigned channel)> input);
+
+  /// @brief Puts a voltage on an input.
+  void setVolts(unsigned channel, double volts) { volts_.at(channel) = volts; }
+
+  /// @brief Opens an input: it has the voltage that the conversion before left on the capacitor.
+  void open(unsigned channel) { volts_.at(channel).reset(); }
+
+  void reset(Reset cause) override;
+  std::uint32_t read(std::uint32_t offset, unsigned size) override;
+  void write(std::uint32_t offset, unsigned size, std::uint32_t value) override;
+  [[nodiscard]] Time nextEvent() const override;
+  void advance() override;
+
+ private:
+  enum class Doing { Nothing, Converts, Calibrates };
+
+  static constexpr std::size_t kWords = 0x70 / 4;
+
+  [[nodiscard]] std::uint64_t bus() const { return board_.busClock().count(board_.time()); }
+  [[nodiscard]] std::uint32_t& at(std::uint32_t offset) { return words_[offset / 4]; }
+  [[nodiscard]] std::uint32_t at(std::uint32_t offset) const { return words_[offset / 4]; }
+  [[nodiscard]] std::uint32_t busClocksOfClock() const;
+  [[nodiscard]] std::uint32_t clocksOfConversion() const;
+  [[nodiscard]] std::uint32_t gain(std::uint32_t firstResult) const;
+  [[nodiscard]] std::uint32_t measured(unsigned channel);
+  void checkClock(std::uint64_t least, std::uint64_t most, const char* what);
+  void checkInput(unsigned channel);
+  void begin(Doing doing, std::uint64_t busClocks);
+  void start(std::uint32_t value);
+  void calibrate();
+  void setControl3(std::uint32_t value);
+  void finish();
+  void update();
+
+  std::string name_;
+  unsigned line_;
+  bool calibrates_;
+  std::function<Input(unsigned)> input_;
+  std::array<std::optional<double>, 24> volts_;
+  double capacitor_ = 0;  ///< voltage of the conversion before; all inputs share the capacitor
+
+  std::array<std::uint32_t, kWords> words_{};
+  Doing doing_ = Doing::Nothing;
+  std::uint64_t endsAt_ = 0;  ///< count of the bus clock
+  std::uint32_t sample_ = 0;
+  bool calibrated_ = false;
+};
+
+}  // namespace wr::emulator

@@ -1,0 +1,101 @@
+#include "sim/emulator/CallRecorder.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include "sim/emulator/Symbols.hpp"
+
+namespace wr::emulator {
+
+namespace {
+
+constexpr std::uint64_t kLeft = std::uint64_t{1} << 63U;
+
+}  // namespace
+
+CallRecorder::CallRecorder(const std::filesystem::path& elf, std::size_t most) : most_(most) {
+  const Symbols symbols(elf);
+  for (const Symbols::Function& function : symbols.functions()) {
+    functions_.push_back(function.address);
+  }
+}
+
+void CallRecorder::note(std::uint64_t event) {
+  if (events_.size() == most_) {
+    truncated_ = true;
+  } else {
+    events_.push_back(event);
+  }
+}
+
+void CallRecorder::enter(const Call& call) {
+  calls_.push_back(call);
+  calls_.back().begin = events_.size();
+  note(call.function);
+}
+
+void CallRecorder::leave() {
+  note(calls_.back().function | kLeft);
+  calls_.pop_back();
+}
+
+void CallRecorder::block(std::uint32_t address, std::uint32_t stack, std::uint32_t link) {
+  // A function has returned when the block after its call begins, at the stack of the call.
+  while (!calls_.empty() && calls_.back().returnsTo == address && calls_.back().stack <= stack) {
+    leave();
+  }
+  if (std::ranges::binary_search(functions_, address)) {
+    enter({.function = address, .returnsTo = link & ~1U, .stack = stack});
+  }
+}
+
+void CallRecorder::exceptionEntered(std::uint32_t handler, std::uint32_t stack) {
+  enter({.function = handler, .returnsTo = 0, .stack = stack});
+}
+
+void CallRecorder::exceptionLeft() {
+  // What was left by jumps before the return of the handler, and the handler itself.
+  while (!calls_.empty()) {
+    const bool handler = calls_.back().returnsTo == 0;
+    const std::size_t begin = calls_.back().begin;
+    leave();
+    if (handler) {
+      forgetRepeated(begin);
+      return;
+    }
+  }
+}
+
+// The interrupts of fast timers call the same again and again: it is recorded once.
+void CallRecorder::forgetRepeated(std::size_t begin) {
+  const auto first = events_.begin() + static_cast<std::ptrdiff_t>(begin);
+  if (!truncated_ && !handled_.emplace(first, events_.end()).second) {
+    events_.erase(first, events_.end());
+  }
+}
+
+void CallRecorder::reset() {
+  while (!calls_.empty()) {
+    leave();
+  }
+}
+
+void CallRecorder::clear() {
+  events_.clear();
+  handled_.clear();
+  truncated_ = false;
+  for (Call& call : calls_) {
+    call.begin = 0;
+  }
+}
+
+void CallRecorder::write(const std::filesystem::path& file) const {
+  std::ofstream stream(file, std::ios::binary);
+  for (const std::uint64_t event : events_) {
+    for (unsigned shift = 0; shift < 64; shift += 8) {
+      stream.put(static_cast<char>(event >> shift & 0xFFU));
+    }
+  }
+}
+
+}  // namespace wr::emulator

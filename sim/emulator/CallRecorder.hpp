@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <set>
+#include <vector>
+
+namespace wr::emulator {
+
+/// @brief Records which functions of an image are entered and left. An interrupt that calls the same as one
+/// before is not recorded again.
+///
+/// The file has one little-endian number of 64 bits for each event: the address of the function,
+/// with bit 63 set when it is left, as the traces of the tests on the host.
+class CallRecorder {
+ public:
+  /// @brief Reads the addresses of the functions.
+  /// @param elf file of the image with its symbols
+  /// @param most events after which nothing more is recorded
+  explicit CallRecorder(const std::filesystem::path& elf, std::size_t most = 30000);
+
+  /// @brief A block of instructions begins.
+  void block(std::uint32_t address, std::uint32_t stack, std::uint32_t link);
+
+  /// @brief An exception was entered, its handler begins.
+  void exceptionEntered(std::uint32_t handler, std::uint32_t stack);
+
+  /// @brief An exception was left.
+  void exceptionLeft();
+
+  /// @brief The processor was reset: nothing is entered any more.
+  void reset();
+
+  /// @brief Forgets all events; what is entered stays so.
+  void clear();
+
+  /// @brief The events, oldest first.
+  [[nodiscard]] const std::vector<std::uint64_t>& events() const { return events_; }
+
+  /// @brief Tells whether events were left out.
+  [[nodiscard]] bool truncated() const { return truncated_; }
+
+  /// @brief Writes the events to a file.
+  void write(const std::filesystem::path& file) const;
+
+ private:
+  struct Call {
+    std::uint32_t function = 0;
+    std::uint32_t returnsTo = 0;  ///< 0 for the handler of an exception
+    std::uint32_t stack = 0;
+    std::size_t begin = 0;  ///< events before it
+  };
+
+  void enter(const Call& call);
+  void leave();
+  void forgetRepeated(std::size_t begin);
+  void note(std::uint64_t event);
+
+  std::vector<std::uint32_t> functions_;  ///< sorted
+  std::vector<Call> calls_;
+  std::vector<std::uint64_t> events_;
+  std::set<std::vector<std::uint64_t>> handled_;  ///< what each interrupt called
+  std::size_t most_;
+  bool truncated_ = false;
+};
+
+}  // namespace wr::emulator

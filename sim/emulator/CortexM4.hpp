@@ -1,0 +1,218 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "sim/emulator/Nvic.hpp"
+#include "sim/emulator/SystemControl.hpp"
+#include "sim/emulator/Timing.hpp"
+#include "sim/emulator/processor/Core.hpp"
+
+namespace wr::emulator {
+
+/// @brief A Cortex-M4F: what exceptions, the interrupt controller and system control do to the core
+/// that executes the instructions.
+///
+/// Time is counted in cycles, as Timing says. The same program gives the same run, always.
+///
+/// Not modelled: bit-banding, the memory protection unit, lazy stacking of the floating-point
+/// registers (they are stacked at entry), LDM and STM that an interrupt divides.
+class CortexM4 {
+ public:
+  using Access = Memory::Access;
+  using Read = Memory::Read;
+  using Write = Memory::Write;
+
+  /// @brief What the program did that stopped it.
+  struct Problem {
+    std::string id;        ///< kind of finding
+    std::string what;      ///< what happened, in words
+    std::uint32_t pc = 0;  ///< instruction that did it
+  };
+
+  /// @brief Why run() returned.
+  enum class Stop {
+    Limit,    ///< the limit was reached, or stop() was called
+    Sleep,    ///< the program waits for an interrupt
+    Problem,  ///< problem() tells what it did
+    Exit      ///< exit() was called
+  };
+
+  /// @brief Why an exception was entered or left.
+  enum class Step { Entered, Left };
+
+  /// @brief Makes a processor without memory.
+  /// @param lines number of interrupt lines, 1 to 240
+  /// @param priorityBits number of bits of a priority, 3 to 8
+  /// @param timing what instructions cost
+  explicit CortexM4(unsigned lines = 110, unsigned priorityBits = 4,
+                    Timing timing = Timing::NoWaitStates);
+  CortexM4(const CortexM4&) = delete;
+  CortexM4& operator=(const CortexM4&) = delete;
+
+  /// @brief Adds memory.
+  /// @param address first address, a multiple of 4096
+  /// @param size bytes, a multiple of 4096
+  /// @param access what the program may do with it
+  void mapMemory(std::uint32_t address, std::uint32_t size, Access access);
+
+  /// @brief Adds a range of addresses whose accesses are calls.
+  /// @param address first address, a multiple of 4096
+  /// @param size bytes, a multiple of 4096
+  /// @param read gives what the program reads
+  /// @param write takes what the program writes
+  void mapWindow(std::uint32_t address, std::uint32_t size, Read read, Write write);
+
+  /// @brief Writes memory from outside, also where the program may not.
+  void load(std::uint32_t address, std::span<const std::uint8_t> bytes);
+
+  /// @brief Reads a word of memory from outside.
+  [[nodiscard]] std::uint32_t word(std::uint32_t address) const {
+    return core_.memory.read<std::uint32_t>(address);
+  }
+
+  /// @brief Resets the processor: stack pointer and start from the vectors at address 0.
+  void reset();
+
+  /// @brief Runs the program.
+  /// @param limit number of cycles since construction at which to return
+  /// @return why it returned
+  Stop run(std::uint64_t limit);
+
+  /// @brief Makes run() return at a cycle earlier than its limit. For calls of windows.
+  void limitTo(std::uint64_t cycle);
+
+  /// @brief Makes run() return before the next instruction. For calls of windows.
+  void stop() { limitTo(0); }
+
+  /// @brief Makes run() return Stop::Exit before the next instruction.
+  void exit();
+
+  /// @brief Lets time pass without an instruction, as in sleep.
+  void skipTo(std::uint64_t cycle);
+
+  /// @brief Cycles since construction; a reset does not clear them.
+  [[nodiscard]] std::uint64_t cycles() const { return core_.cycles(); }
+
+  /// @brief Instructions since construction.
+  [[nodiscard]] std::uint64_t instructions() const { return core_.instructions(); }
+
+  /// @brief The instruction that runs, or the next one.
+  [[nodiscard]] std::uint32_t pc() const;
+
+  /// @brief A core register, 0 to 15.
+  [[nodiscard]] std::uint32_t core(unsigned number) const;
+  void setCore(unsigned number, std::uint32_t value);
+
+  /// @brief Number of the exception that runs, 0 in thread mode.
+  [[nodiscard]] unsigned exception() const { return core_.registers.exception; }
+
+  /// @brief Priority of an exception, as its register holds it.
+  [[nodiscard]] int priority(unsigned exception) const { return nvic_.priority(exception); }
+
+  /// @brief Sets the level of an interrupt line.
+  void setLine(unsigned line, bool high);
+
+  /// @brief Pends an exception as the hardware does; a fault is taken at the next instruction.
+  /// @param exception number, 2 NMI, 3 HardFault, ... 16 interrupt line 0
+  void raise(unsigned exception);
+
+  /// @brief An access of a window gets a bus fault, or is a problem when faults are.
+  /// @param id kind of finding
+  /// @param what what happened, in words
+  void refuse(std::uint32_t address, std::string id, std::string what);
+
+  /// @brief Stops the program with a problem, whatever the treatment of faults.
+  void report(std::string id, std::string what);
+
+  /// @brief The problem that stopped the program.
+  [[nodiscard]] const std::optional<Problem>& problem() const;
+
+  /// @brief Faults stop the program as problems (true), or are delivered to it (false, at first).
+  void setFaultsAreProblems(bool problems);
+
+  /// @brief Sets what is called at BKPT 0xAB. The call sets register 0; the program goes on after it.
+  void onSemihosting(std::function<void(CortexM4&)> call);
+
+  /// @brief Sets what is called when an exception was entered or left.
+  void onException(std::function<void(Step, unsigned exception)> call);
+
+  /// @brief Sets what is called when the program asks for a reset.
+  void onResetRequest(std::function<void()> call);
+
+  /// @brief Sets what is called when a fault meets no handler that may run. Without it: a problem.
+  void onLockup(std::function<void()> call);
+
+  /// @brief Sets what is asked before an access that is not modelled is a problem.
+  /// @param call gets the access in words; returns true when the program goes on: a load gives 0, a
+  /// store does nothing
+  void onUnmodelled(std::function<bool(const std::string& what)> call);
+
+  /// @brief Sets what is called before the first instruction after a reset and after each branch.
+  void onBlock(std::function<void(std::uint32_t address)> call);
+
+  /// @brief Notes each instruction that is executed from now on.
+  /// @param code where they are noted; must outlive the processor
+  void noteExecuted(ExecutedCode& code) { core_.noteExecuted(code); }
+
+  /// @brief Notes the lowest stack pointer from now on.
+  /// @param lowest keeps the lowest; must outlive the processor
+  void noteStack(std::uint32_t& lowest) { core_.noteStack(lowest); }
+
+ private:
+  [[nodiscard]] std::uint32_t readSystem(std::uint32_t address, unsigned size);
+  void writeSystem(std::uint32_t address, unsigned size, std::uint32_t value);
+  void systemChanged();
+  void unmodelled(std::uint32_t address, const std::string& what);
+  [[nodiscard]] bool isTolerated(const std::string& what) const;
+
+  [[nodiscard]] int executionPriority(bool withPrimask = true) const;
+  void reevaluate() { core_.setStop(0); }
+  void takePending();
+  bool enterNext();
+  void execute();
+  void serve(Trap trap);
+  void sleep();
+  void supervisorCall();
+  void breakpoint();
+  void enter(unsigned exception, std::uint32_t returnsTo);
+  void vector(unsigned exception, std::uint32_t link);
+  [[nodiscard]] bool stack(std::uint32_t returnsTo, std::uint32_t& link);
+  void exceptionReturn(std::uint32_t link);
+  [[nodiscard]] bool linkIsValid(std::uint32_t link, unsigned number) const;
+  void unstack(std::uint32_t link);
+  void instructionFault(Trap trap);
+  void accessFault(Trap trap);
+  void fault(unsigned exception, std::uint32_t status, std::uint32_t pc, const std::string& id,
+             const std::string& what);
+  void deliver(unsigned exception, std::uint32_t pc);
+  void lockUp(std::uint32_t pc);
+
+  struct Refused {
+    std::uint32_t address;
+    std::string id;
+    std::string what;
+  };
+
+  Core core_;
+  Nvic nvic_;
+  SystemControl system_;
+  std::uint64_t limit_ = 0;
+  bool running_ = false;  ///< inside the core
+  bool sleeping_ = false;
+  bool exit_ = false;
+  bool faultsAreProblems_ = false;
+  unsigned raised_ = 0;
+  std::optional<Refused> refused_;
+  std::optional<Problem> problem_;
+  std::function<void(CortexM4&)> semihosting_;
+  std::function<void(Step, unsigned)> exceptionCall_;
+  std::function<void()> resetCall_;
+  std::function<void()> lockupCall_;
+  std::function<bool(const std::string&)> unmodelledCall_;
+};
+
+}  // namespace wr::emulator

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace wr::emulator {
+
+/// @brief What resets the board from outside or from inside.
+enum class Reset { PowerOn, LowVoltage, Pin, Watchdog, ClockLost, Lockup, Software, LockLost };
+
+/// @brief Something that happened on the board.
+struct Event {
+  enum class Kind {
+    ExceptionEntered,  ///< number: of the exception
+    ExceptionLeft,     ///< number: of the exception
+    Reset,             ///< number: of the Reset
+    PinChanged,        ///< number: 32 * port + pin; value: level that the program puts out
+    ByteSent,          ///< number: of the UART; value: the byte, at the end of its stop bit
+    PwmChanged,        ///< number: 8 * FTM + channel; value: millionths of the period at high level
+    LineRaised         ///< number: of the exception whose interrupt line a device raises
+  };
+  Kind kind;
+  std::chrono::nanoseconds at;
+  std::uint32_t number = 0;
+  std::uint32_t value = 0;
+};
+
+}  // namespace wr::emulator

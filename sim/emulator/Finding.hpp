@@ -1,0 +1,22 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace wr::emulator {
+
+/// @brief Something that the firmware did, or left undone, that a board would not forgive.
+struct Finding {
+  std::string id;               ///< kind of finding, e.g. clock-gate
+  std::string what;             ///< what happened, in words
+  std::uint32_t pc = 0;         ///< instruction that did it
+  std::string function;         ///< function of the instruction; empty without an ELF file
+  std::string place;            ///< file and line of the instruction; empty without an ELF file
+  std::chrono::nanoseconds at;  ///< time since the board was switched on
+};
+
+/// @brief Returns a finding in one line, with the address of its instruction and its time.
+[[nodiscard]] std::string textOf(const Finding& finding);
+
+}  // namespace wr::emulator

@@ -1,0 +1,45 @@
+#include "sim/emulator/Image.hpp"
+
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+namespace wr::emulator {
+
+namespace {
+
+struct Format {
+  std::string_view begin;
+  std::string_view name;
+};
+
+// A raw image begins with the first stack pointer, whose top byte on a K64 is 0x1F or 0x20.
+constexpr std::array<Format, 3> kOtherFormats{{{"\x7f"
+                                                "ELF",
+                                                "an ELF file"},
+                                               {":", "an Intel HEX file"},
+                                               {"S0", "a Motorola S-record file"}}};
+
+}  // namespace
+
+std::vector<std::uint8_t> readImage(const std::filesystem::path& file) {
+  std::ifstream input(file, std::ios::binary);
+  const std::string content{std::istreambuf_iterator<char>(input),
+                            std::istreambuf_iterator<char>()};
+  if (content.empty()) {
+    throw std::runtime_error("no image at " + file.string() +
+                             ": build it first, or check the path");
+  }
+  for (const Format& format : kOtherFormats) {
+    if (content.starts_with(format.begin)) {
+      throw std::runtime_error(
+          file.string() + " is " + std::string(format.name) +
+          ", not a raw image: convert it with arm-none-eabi-objcopy -O binary");
+    }
+  }
+  return {content.begin(), content.end()};
+}
+
+}  // namespace wr::emulator

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+
+namespace wr::emulator {
+
+/// @brief State and priorities of the exceptions: which are enabled, pending and active, and which
+/// comes next. Registers and order of ARMv7-M ARM, B1.5 and B3.4.
+///
+/// Exceptions are counted as the architecture does: 2 NMI, 3 HardFault, ... 16 interrupt line 0.
+class Nvic {
+ public:
+  /// @brief Lower than the priority of each exception.
+  static constexpr int kThreadPriority = 256;
+
+  Nvic(unsigned lines, unsigned priorityBits);
+
+  /// @brief Nothing is enabled, pending or active; levels of the lines stay.
+  void reset();
+
+  void pend(unsigned exception) { pending_.set(exception); }
+  void unpend(unsigned exception);
+  [[nodiscard]] bool isPending(unsigned exception) const { return pending_[exception]; }
+  [[nodiscard]] bool isActive(unsigned exception) const { return active_[exception]; }
+  /// @brief Tells how many exceptions are active.
+  [[nodiscard]] unsigned activeCount() const { return activeCount_; }
+
+  /// @brief A pending exception becomes active.
+  void activate(unsigned exception);
+
+  /// @brief An exception has returned; a line that is still high pends it again.
+  void deactivate(unsigned exception);
+
+  /// @brief Sets the level of an interrupt line; a rising level pends it.
+  /// @return true when it did.
+  bool setLine(unsigned line, bool high);
+
+  /// @brief Times an interrupt was entered since its line rose.
+  [[nodiscard]] unsigned entriesOfHighLine(unsigned exception) const;
+
+  /// @brief The pending and enabled exception that comes first; 0 without one.
+  [[nodiscard]] unsigned first() const { return (pending_ & enabled_).any() ? search() : 0; }
+
+  /// @brief The priority of an exception, -3 to 255.
+  [[nodiscard]] int priority(unsigned exception) const {
+    return exception < 4 ? static_cast<int>(exception) - 4 : priorities_[exception];
+  }
+
+  /// @brief The part of a priority that decides on preemption.
+  [[nodiscard]] int group(int priority) const {
+    return priority < 0 ? priority : priority & ~((2 << priorityGroup_) - 1);
+  }
+
+  /// @brief The priority that the active exceptions give to what runs.
+  [[nodiscard]] int activePriority() const;
+
+  void setPriority(unsigned exception, std::uint8_t value);
+  [[nodiscard]] std::uint8_t priorityByte(unsigned exception) const;
+  void setPriorityGroup(unsigned group) { priorityGroup_ = group; }
+  [[nodiscard]] unsigned priorityGroup() const { return priorityGroup_; }
+
+  /// @brief Enables an exception; those below 16 but 4, 5 and 6 are always enabled.
+  void enable(unsigned exception, bool enabled) { enabled_.set(exception, enabled); }
+  [[nodiscard]] bool isEnabled(unsigned exception) const { return enabled_[exception]; }
+
+  [[nodiscard]] unsigned lines() const { return lines_; }
+
+  /// @brief Tells whether there is a register of the interrupt lines at an offset from 0xE000E000.
+  [[nodiscard]] static bool owns(std::uint32_t offset);
+
+  /// @brief Reads a word of the registers at 0xE000E000.
+  [[nodiscard]] std::uint32_t read(std::uint32_t offset) const;
+
+  /// @brief Writes the registers at 0xE000E000.
+  /// @return false when the register cannot be written in this size.
+  bool write(std::uint32_t offset, unsigned size, std::uint32_t value);
+
+ private:
+  using Bits = std::bitset<256>;
+
+  [[nodiscard]] unsigned search() const;
+  [[nodiscard]] std::uint32_t wordOf(const Bits& bits, std::uint32_t offset) const;
+  template <typename Call>
+  void forEachLine(std::uint32_t offset, std::uint32_t value, Call call);
+
+  unsigned lines_;
+  std::uint8_t priorityMask_;
+  unsigned priorityGroup_ = 0;
+  Bits enabled_;
+  Bits pending_;
+  Bits active_;
+  unsigned activeCount_ = 0;
+  Bits level_;
+  std::array<std::uint8_t, 256> priorities_{};
+  std::array<unsigned, 256> entries_{};
+};
+
+}  // namespace wr::emulator

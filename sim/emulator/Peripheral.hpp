@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "sim/emulator/Clock.hpp"
+#include "sim/emulator/Event.hpp"
+
+namespace wr::emulator {
+
+/// @brief What a peripheral sees of its microcontroller.
+class Microcontroller {
+ public:
+  Microcontroller(const Microcontroller&) = delete;
+  Microcontroller& operator=(const Microcontroller&) = delete;
+
+  [[nodiscard]] virtual Time time() const = 0;
+  [[nodiscard]] virtual const Clock& coreClock() const = 0;
+  [[nodiscard]] virtual const Clock& busClock() const = 0;
+
+  /// @brief Sets the level of an interrupt line.
+  virtual void setLine(unsigned line, bool high) = 0;
+
+  /// @brief Raises the non-maskable interrupt.
+  virtual void raiseNmi() = 0;
+
+  /// @brief The sources or dividers of the clocks have changed.
+  virtual void clocksChanged() = 0;
+
+  /// @brief Stops the run with a finding.
+  virtual void report(std::string id, std::string what) = 0;
+
+  /// @brief The access that is served gets a bus fault.
+  virtual void refuse(std::string id, std::string what) = 0;
+
+  /// @brief Resets the microcontroller; a finding when resets are.
+  virtual void requestReset(Reset cause, std::string id, std::string what) = 0;
+
+  /// @brief Tells an event.
+  virtual void tell(Event::Kind kind, std::uint32_t number, std::uint32_t value) = 0;
+
+ protected:
+  Microcontroller() = default;
+  ~Microcontroller() = default;
+};
+
+/// @brief A block of registers and what they do.
+class Peripheral {
+ public:
+  Peripheral(const Peripheral&) = delete;
+  Peripheral& operator=(const Peripheral&) = delete;
+  virtual ~Peripheral() = default;
+
+  /// @brief Takes the state that a reset leaves.
+  virtual void reset(Reset cause) = 0;
+
+  /// @brief Reads a register.
+  /// @param offset from the base address of the block
+  /// @param size 1, 2 or 4 bytes
+  virtual std::uint32_t read(std::uint32_t offset, unsigned size) = 0;
+
+  /// @brief Writes a register.
+  virtual void write(std::uint32_t offset, unsigned size, std::uint32_t value) = 0;
+
+  /// @brief When something happens by itself; kNever when nothing does.
+  [[nodiscard]] virtual Time nextEvent() const { return kNever; }
+
+  /// @brief Does what has happened by itself up to now.
+  virtual void advance() {}
+
+  /// @brief What nextEvent() told last.
+  [[nodiscard]] Time due() const { return due_; }
+
+  /// @brief Asks nextEvent() again. For the board, after all that may have changed it.
+  void renewDue() { due_ = nextEvent(); }
+
+ protected:
+  explicit Peripheral(Microcontroller& board) : board_(board) {}
+
+  /// @brief Reports an access of a register that the model does not have.
+  void unmodelled(std::string_view block, std::uint32_t offset);
+
+  /// @brief Reports an access whose size is not that of the register.
+  /// @return true when the size is right.
+  bool hasSize(std::string_view block, std::uint32_t offset, unsigned size, unsigned right);
+
+  /// @brief Reports a use that the manual forbids.
+  void misuse(std::string what) { board_.report("register-misuse", std::move(what)); }
+
+  Microcontroller& board_;
+
+ private:
+  Time due_ = kNever;
+};
+
+}  // namespace wr::emulator

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "sim/emulator/Peripheral.hpp"
+
+namespace wr::emulator {
+
+/// @brief The pins of one port, with the registers that decide on them.
+struct PinState {
+  std::array<std::uint32_t, 32> control{};  ///< PCR
+  std::uint32_t output = 0;                 ///< PDOR
+  std::uint32_t direction = 0;              ///< PDDR
+  std::uint32_t driven = 0;                 ///< pins on which something outside puts a level
+  std::uint32_t outside = 0;                ///< those levels
+  std::uint32_t shown = 0;                  ///< levels of the outputs that were told
+  std::uint32_t shownOutputs = 0;           ///< outputs that were told
+  std::uint32_t filters = 0;                ///< pins whose digital filter is on
+  std::uint32_t passed = 0;                 ///< levels that the filters have passed
+
+  /// @brief Function of a pin, field MUX: 0 none, 1 digital input or output, 2 to 7 peripherals.
+  [[nodiscard]] unsigned function(unsigned pin) const { return control[pin] >> 8 & 7U; }
+
+  /// @brief Tells whether the program drives the pin.
+  [[nodiscard]] bool isOutput(unsigned pin) const {
+    return function(pin) == 1 && (direction >> pin & 1U) != 0;
+  }
+
+  /// @brief The level that the inside of the chip sees: a pin without digital function is not seen.
+  [[nodiscard]] bool seen(unsigned pin) const {
+    return function(pin) != 0 &&
+           ((filters >> pin & 1U) != 0 ? (passed >> pin & 1U) != 0 : level(pin));
+  }
+
+  /// @brief The level of a pin.
+  [[nodiscard]] bool level(unsigned pin) const {
+    if (isOutput(pin)) {
+      return (output >> pin & 1U) != 0;
+    }
+    if ((driven >> pin & 1U) != 0) {
+      return (outside >> pin & 1U) != 0;
+    }
+    return (control[pin] & 3U) == 3;  // pulled up
+  }
+};
+
+/// @brief Pin control and interrupts of one port.
+/// K64P144M120SF5RM, chapter Port Control and Interrupts (PORT).
+///
+/// Only port D has digital filters, with the bus clock: the level behind a filter is 0 when it is
+/// switched on, and follows that of the pin when this was different for the width and 3 clocks. The
+/// passive filters have no effect in the model.
+class Port final : public Peripheral {
+ public:
+  /// @param number 0 for port A
+  Port(Microcontroller& board, unsigned number, PinState& pins)
+      : Peripheral(board), number_(number), pins_(pins) {}
+
+  void reset(Reset cause) override;
+  std::uint32_t read(std::uint32_t offset, unsigned size) override;
+  void write(std::uint32_t offset, unsigned size, std::uint32_t value) override;
+  [[nodiscard]] Time nextEvent() const override;
+  void advance() override;
+
+  /// @brief Something may have changed the levels: tells outputs, raises interrupts.
+  /// @param which pins whose levels or control may have changed
+  void settle(std::uint32_t which = ~std::uint32_t{0});
+
+ private:
+  void settlePin(unsigned pin);
+  void passLater(unsigned pin);
+  void setFilter(std::uint32_t offset, std::uint32_t value);
+  void setControl(unsigned pin, std::uint32_t value);
+  void setMany(std::uint32_t value, unsigned from);
+  void updateLine();
+
+  unsigned number_;
+  PinState& pins_;
+  std::uint32_t flags_ = 0;    ///< ISF
+  std::uint32_t before_ = 0;   ///< levels seen last
+  std::uint32_t onLevel_ = 0;  ///< pins whose interrupt is raised by a level
+  std::array<std::uint32_t, 3> filter_{};
+  std::uint32_t waiting_ = 0;  ///< pins whose level differs from that behind the filter
+  std::array<std::uint64_t, 32> passesAt_{};  ///< count of the bus clock
+};
+
+/// @brief Digital inputs and outputs of one port.
+/// K64P144M120SF5RM, chapter General-Purpose Input/Output (GPIO).
+class Gpio final : public Peripheral {
+ public:
+  Gpio(Microcontroller& board, PinState& pins, Port& port)
+      : Peripheral(board), pins_(pins), port_(port) {}
+
+  void reset(Reset cause) override;
+  std::uint32_t read(std::uint32_t offset, unsigned size) override;
+  void write(std::uint32_t offset, unsigned size, std::uint32_t value) override;
+
+ private:
+  PinState& pins_;
+  Port& port_;
+};
+
+}  // namespace wr::emulator

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+
+#include "sim/emulator/Peripheral.hpp"
+
+namespace wr::emulator {
+
+/// @brief Random number generator. The same numbers come in each run, so that a run can be
+/// repeated.
+/// K64P144M120SF5RM, chapter Random Number Generator Accelerator (RNGA). Registers and bits agree
+/// with the drivers of RIOT (cpu/kinetis/periph/hwrng.c).
+class Rnga final : public Peripheral {
+ public:
+  explicit Rnga(Microcontroller& board) : Peripheral(board) {}
+
+  void reset(Reset cause) override;
+  std::uint32_t read(std::uint32_t offset, unsigned size) override;
+  void write(std::uint32_t offset, unsigned size, std::uint32_t value) override;
+
+ private:
+  [[nodiscard]] bool wordIsReady() const;
+  [[nodiscard]] std::uint32_t draw();
+
+  std::uint64_t drawn_ = 0;  // words that were drawn; goes on over a reset, as noise does
+  std::uint32_t control_ = 0;
+  bool underflow_ = false;
+  std::uint64_t since_ = 0;  // count of the bus clock when the present word began
+};
+
+}  // namespace wr::emulator

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "sim/emulator/Peripheral.hpp"
+
+namespace wr::emulator {
+
+/// @brief System integration module: clock gates and clock dividers.
+/// K64P144M120SF5RM, chapter System Integration Module (SIM).
+class Sim final : public Peripheral {
+ public:
+  /// @brief What the core and the buses divide the output of the clock generator by.
+  struct Dividers {
+    unsigned core;
+    unsigned bus;
+    unsigned flexBus;
+    unsigned flash;
+  };
+
+  /// @param fastBoot bit LPBOOT of the flash option byte: the core starts without division
+  Sim(Microcontroller& board, bool fastBoot) : Peripheral(board), fastBoot_(fastBoot) {}
+
+  void reset(Reset cause) override;
+  std::uint32_t read(std::uint32_t offset, unsigned size) override;
+  void write(std::uint32_t offset, unsigned size, std::uint32_t value) override;
+
+  /// @brief Tells whether a clock gate is open.
+  /// @param group number of the register SCGC, 1 to 7
+  [[nodiscard]] bool gateIsOpen(unsigned group, unsigned bit) const;
+
+  [[nodiscard]] Dividers dividers() const;
+
+ private:
+  bool fastBoot_;
+  std::array<std::uint32_t, 8> gates_{};
+  std::uint32_t dividers_ = 0;
+  std::array<std::uint32_t, 6> options_{};
+};
+
+}  // namespace wr::emulator

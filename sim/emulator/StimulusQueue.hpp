@@ -1,0 +1,52 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+
+#include "sim/emulator/Clock.hpp"
+
+namespace wr::emulator {
+
+/// @brief What the world around the board does at which time.
+class StimulusQueue {
+ public:
+  /// @brief A level that is put on a pin at a time.
+  struct Level {
+    Time at;
+    char port;
+    unsigned pin;
+    bool high;
+  };
+
+  /// @brief Sets what puts a level on a pin.
+  explicit StimulusQueue(std::function<void(const Level&)> drive) : drive_(std::move(drive)) {}
+
+  /// @brief Adds a level. Levels of the same time come in the order in which they were added.
+  void add(const Level& level);
+
+  /// @brief Adds a call at each multiple of a period, from the first one after a time.
+  void every(Time period, Time now, std::function<void()> call);
+
+  /// @brief When the next of them comes; kNever without one.
+  [[nodiscard]] Time next() const { return next_; }
+
+  /// @brief Does what has come up to a time, in order; at the same time levels before calls.
+  void advance(Time now);
+
+ private:
+  struct Call {
+    Time period;
+    Time at;
+    std::function<void()> call;
+  };
+
+  [[nodiscard]] Call* firstCall();
+  void renew();
+
+  std::function<void(const Level&)> drive_;
+  std::deque<Level> levels_;
+  std::deque<Call> calls_;  // a call may add calls: those that are there stay where they are
+  Time next_ = kNever;
+};
+
+}  // namespace wr::emulator

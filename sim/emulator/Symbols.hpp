@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace wr::emulator {
+
+/// @brief The functions of an image, read from the symbol table of its ELF file.
+class Symbols {
+ public:
+  struct Function {
+    std::uint32_t address;  ///< without the bit that marks Thumb code
+    std::uint32_t size;
+    std::string name;  ///< as the linker knows it
+  };
+
+  /// @brief Reads an ELF file of 32 bits, little-endian. Throws std::runtime_error when it cannot.
+  explicit Symbols(const std::filesystem::path& elf);
+
+  /// @brief All functions, by rising address.
+  [[nodiscard]] const std::vector<Function>& functions() const { return functions_; }
+
+  /// @brief The function at an address, readable; empty when there is none.
+  [[nodiscard]] std::string nameAt(std::uint32_t address) const;
+
+  /// @brief The address of a symbol of any kind; 0 when there is none.
+  [[nodiscard]] std::uint32_t addressOf(const std::string& name) const;
+
+  /// @brief File and line of an instruction, from arm-none-eabi-addr2line; empty without it.
+  [[nodiscard]] std::string placeOf(std::uint32_t address) const;
+
+ private:
+  std::filesystem::path elf_;
+  std::vector<Function> functions_;
+  std::vector<Function> objects_;
+};
+
+}  // namespace wr::emulator

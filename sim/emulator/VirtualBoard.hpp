@@ -1,0 +1,194 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/emulator/Event.hpp"
+#include "sim/emulator/Finding.hpp"
+#include "sim/emulator/Timing.hpp"
+
+namespace wr::emulator {
+
+class CallRecorder;
+class ExecutedCode;
+
+/// @brief What a virtual board does and has.
+struct Options {
+  std::filesystem::path elf{};  ///< names the functions of findings; may be empty
+  bool externalClock = true;    ///< the clock of 50 MHz is there
+  unsigned failingClockStep =
+      0;  ///< step of the clock generator that never ends: 2 the change to the
+          ///< external clock, 3 the lock of the PLL, 4 the change to the PLL
+  std::array<bool, 2> calibrates{true, true};  ///< the calibration of each converter succeeds
+  bool resetsAreFindings = true;               ///< a reset that the program causes stops the run
+  Timing timing = Timing::NoWaitStates;        ///< what instructions cost
+  bool faultsAreFindings = true;    ///< a fault stops the run; false: the program gets it
+  bool unmodelledIsFinding = true;  ///< an access that is not modelled stops the run; false: it is
+                                    ///< a warning, a load gives 0 and a store does nothing
+};
+
+/// @brief A K64 microcontroller with its clock and a line to a PC, which runs an image unchanged.
+class VirtualBoard {
+ public:
+  using nanoseconds = std::chrono::nanoseconds;
+
+  /// @brief Switches the board on.
+  /// @param image what flash holds from address 0; the rest is erased
+  /// @param options what the board does and has
+  explicit VirtualBoard(std::vector<std::uint8_t> image, Options options = {});
+  ~VirtualBoard();
+  VirtualBoard(const VirtualBoard&) = delete;
+  VirtualBoard& operator=(const VirtualBoard&) = delete;
+
+  /// @brief Runs to a time.
+  /// @return true when it was reached; false when a finding stopped the run.
+  bool runUntil(nanoseconds time);
+
+  /// @brief Runs until an interrupt has been entered.
+  /// @param irq its line
+  /// @param limit time at which to give up
+  /// @return true when it was entered; false: finding() tells, or the limit was reached.
+  bool runToInterrupt(int irq, nanoseconds limit);
+
+  /// @brief Runs until the program waits for an interrupt.
+  /// @param limit time at which to give up
+  /// @return true when it waits; false: finding() tells, or the limit was reached.
+  bool runToSleep(nanoseconds limit);
+
+  /// @brief Time since the board was switched on.
+  [[nodiscard]] nanoseconds now() const;
+
+  /// @brief What stopped the run. A run that a finding stopped does not go on.
+  [[nodiscard]] const std::optional<Finding>& finding() const;
+
+  /// @brief Returns the warnings since the last call: one for each kind of access that is not
+  /// modelled.
+  [[nodiscard]] std::vector<Finding> takeWarnings();
+
+  /// @brief Bytes that the PC sends from now on, after those it is still sending, at 115200 baud.
+  void receive(std::span<const std::uint8_t> bytes);
+
+  /// @brief Bytes that the PC sends from a time on. Times must not decrease.
+  void receiveAt(nanoseconds time, std::span<const std::uint8_t> bytes);
+
+  /// @brief The PC sends one byte whose stop bit is wrong.
+  void receiveBroken(std::uint8_t byte);
+
+  /// @brief Changes the speed of the PC's side of the line, in both directions; 115200 at first.
+  void setLineBaud(std::uint32_t baud);
+
+  /// @brief What the board has sent since the last call.
+  [[nodiscard]] std::vector<std::uint8_t> takeSent();
+
+  /// @brief Bytes that come from now on at another serial port, after those that are still coming.
+  /// @param uart 0 for the line to the PC, 4
+  /// @param bytes what comes
+  void receiveOn(int uart, std::span<const std::uint8_t> bytes);
+
+  /// @brief What the board has sent at a serial port since the last call.
+  /// @param uart 0 for the line to the PC, 4
+  [[nodiscard]] std::vector<std::uint8_t> takeSentOn(int uart);
+
+  /// @brief Changes the speed of what is connected to a serial port; 115200 at first.
+  void setLineBaudOn(int uart, std::uint32_t baud);
+
+  /// @brief Tells whether no byte is on its way to or from the PC.
+  [[nodiscard]] bool lineIdle() const;
+
+  /// @brief Level of a pin, e.g. ('B', 22).
+  [[nodiscard]] bool pin(char port, int number) const;
+
+  /// @brief Puts a level on a pin from outside.
+  void drive(char port, int number, bool level);
+
+  /// @brief Puts a level on a pin from outside at a time to come; at once when it is past. Levels of
+  /// the same time come in the order of the calls.
+  void driveAt(nanoseconds time, char port, int number, bool level);
+
+  /// @brief Tells whether the program drives the pin as a digital output.
+  [[nodiscard]] bool isOutput(char port, int number) const;
+
+  /// @brief Share of the period in which the pin of a timer's channel is high.
+  /// @param ftm 0 to 3
+  /// @param channel 0 to 7
+  /// @return 0 to 1; 0 while no pin is connected to the channel or the timer stands.
+  [[nodiscard]] double pwmDuty(int ftm, int channel) const;
+
+  /// @brief Puts a voltage on an input of an analog-to-digital converter; 0 V at first.
+  /// @param converter 0 or 1
+  /// @param channel 0 to 23, as field ADCH of SC1 names it; 4 to 7: the inputs b
+  /// @param volts against ground
+  void setAnalog(int converter, int channel, double volts);
+
+  /// @brief Opens an input of an analog-to-digital converter: nothing is connected to it, no resistor
+  /// either. Each conversion gives the voltage of the conversion before it.
+  void openAnalog(int converter, int channel);
+
+  /// @brief Sets what is called at each multiple of a period of board time, before the instructions
+  /// and events of that time; the first call is the first multiple to come. What is called may use
+  /// the board, but not run it. Calls for the same time come in the order in which they were set.
+  void onTime(nanoseconds period, std::function<void()> call);
+
+  /// @brief The hardware raises an exception before the next instruction, e.g. 3 HardFault.
+  void raise(int exception);
+
+  /// @brief Lets the external clock of 50 MHz come or go.
+  void setExternalClock(bool present);
+
+  /// @brief The PLL loses its lock, and finds it again.
+  void loseLock();
+
+  /// @brief Ends the failure of the clock generator that the options asked for.
+  void endClockFailure();
+
+  /// @brief Resets the board. RAM keeps its content but for PowerOn.
+  void reset(Reset cause);
+
+  /// @brief Number of resets since the board was switched on; switching on is none.
+  [[nodiscard]] int resets() const;
+
+  [[nodiscard]] std::uint64_t instructions() const;
+  [[nodiscard]] std::uint64_t cycles() const;
+
+  /// @brief Those of the cycles in which the program waited for an interrupt.
+  [[nodiscard]] std::uint64_t sleptCycles() const;
+
+  /// @brief Priority of an exception from 16 on, 0 to 15; 0 is the highest.
+  [[nodiscard]] unsigned priority(unsigned exception) const;
+
+  /// @brief Frequency of the core.
+  [[nodiscard]] std::uint32_t clockHz() const;
+
+  /// @brief A word of flash or RAM.
+  [[nodiscard]] std::uint32_t word(std::uint32_t address) const;
+
+  /// @brief Sets what is called with each event.
+  void onEvent(std::function<void(const Event&)> call);
+
+  /// @brief Sets what is called with each write to a peripheral, before it takes effect.
+  void onWrite(std::function<void(std::uint32_t address, unsigned size, std::uint32_t value)> call);
+
+  /// @brief Records calls from now on. Set before the first run.
+  void record(CallRecorder& recorder);
+
+  /// @brief Notes each instruction that is executed from now on.
+  /// @param code where they are noted; must outlive the board
+  void noteExecuted(ExecutedCode& code);
+
+  /// @brief Notes the lowest stack pointer from now on.
+  /// @param lowest keeps the lowest; must outlive the board
+  void noteStack(std::uint32_t& lowest);
+
+ private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace wr::emulator

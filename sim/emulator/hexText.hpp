@@ -1,0 +1,11 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace wr::emulator {
+
+/// @brief Returns a number as findings print it, e.g. 0x4006A000.
+[[nodiscard]] std::string hexText(std::uint32_t value);
+
+}  // namespace wr::emulator

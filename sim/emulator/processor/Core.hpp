@@ -1,0 +1,218 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <span>
+#include <utility>
+
+#include "sim/emulator/ExecutedCode.hpp"
+#include "sim/emulator/Timing.hpp"
+#include "sim/emulator/processor/Instruction.hpp"
+#include "sim/emulator/processor/Memory.hpp"
+#include "sim/emulator/processor/Registers.hpp"
+
+namespace wr::emulator {
+
+/// @brief What an instruction cannot do by itself, and is done outside of the program's flow.
+enum class Trap : std::uint8_t {
+  None,
+  Sleep,
+  SupervisorCall,
+  ExceptionReturn,  ///< trapAddress(): EXC_RETURN
+  // Those below are faults: the instruction has done nothing.
+  Breakpoint,
+  Undefined,
+  NoCoprocessor,
+  FpuOff,
+  InvalidState,
+  Unaligned,
+  DivideByZero,
+  InstructionBus,
+  InstructionViolation,
+  LoadBus,  ///< trapAddress(): where nothing is; of those below too
+  StoreBus,
+  LoadAcross,  ///< across the border of two memories
+  StoreAcross,
+  FlashStore,
+  Refused  ///< the owner of a window knows why
+};
+
+/// @brief Executes instructions, one after the other. What exceptions do is not known here.
+///
+/// Public are the parts that the operations of the instructions work on.
+class Core {
+ public:
+  /// @brief How the floating-point unit is set up by the registers of system control.
+  struct Fpu {
+    bool on = false;             ///< CPACR
+    bool activates = false;      ///< FPCCR.ASPEN
+    std::uint32_t defaults = 0;  ///< FPDSCR
+  };
+
+  explicit Core(Timing timing)
+      : memory(timing == Timing::NoWaitStates), slowFlash_(timing == Timing::SlowFlash) {}
+
+  Registers registers;
+  Memory memory;
+  Fpu fpu;
+  bool trapsUnaligned = false;        ///< CCR.UNALIGN_TRP
+  bool trapsDivideByZero = false;     ///< CCR.DIV_0_TRP
+  std::uint32_t priorityMask = 0xF0;  ///< bits of a priority that there are
+  bool maskedPending = false;         ///< an exception waits behind PRIMASK, FAULTMASK or BASEPRI
+  bool exclusive = false;             ///< the local monitor: ARMv7-M ARM, A3.4.1
+  std::uint32_t next = 0;             ///< address of the next instruction
+
+  /// @brief Executes until a cycle, or until a trap.
+  /// @return the trap, which is forgotten then
+  Trap run();
+
+  /// @brief Sets the cycle at which run() returns; the next instruction is not begun then.
+  void setStop(std::uint64_t cycle) { stopAt_ = cycle; }
+  [[nodiscard]] std::uint64_t stop() const { return stopAt_; }
+
+  [[nodiscard]] std::uint64_t cycles() const { return instructions_ + otherCycles_; }
+  [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
+
+  /// @brief Lets cycles pass besides the first one of each instruction.
+  void spend(std::uint64_t cycles) { otherCycles_ += cycles; }
+
+  /// @brief Address of the instruction that runs, or ran last.
+  [[nodiscard]] std::uint32_t at() const { return registers.r[Registers::kPc] - 4; }
+
+  /// @brief A mask of exceptions has changed: what waits behind it may come now.
+  void masksChanged() {
+    if (maskedPending) {
+      stopAt_ = 0;
+    }
+  }
+
+  /// @brief Ends the run after the instruction that runs.
+  void trap(Trap trap, std::uint32_t address = 0) {
+    trap_ = trap;
+    trapAddress_ = address;
+    stopAt_ = 0;
+  }
+  [[nodiscard]] std::uint32_t trapAddress() const { return trapAddress_; }
+
+  /// @brief Goes on at another address.
+  void branch(std::uint32_t address) {
+    spend(kRefillCycles);
+    next = address & ~1U;
+    branched_ = true;
+  }
+
+  /// @brief Goes on at an address whose lowest bit chooses the instruction set: BXWritePC, A2.3.1.
+  void branchAndExchange(std::uint32_t address);
+
+  /// @brief The same where EXC_RETURN means nothing: BLXWritePC.
+  void branchOnly(std::uint32_t address);
+
+  /// @brief Loads a number, with its sign where its type has one, where that needs no call.
+  /// @return false where it does
+  template <typename Value>
+  [[nodiscard]] bool loadDirectly(std::uint32_t address, std::uint32_t& value) const {
+    const Memory::Direct& direct = memory.direct(address);
+    const std::uint32_t offset = address - direct.address;
+    if (offset >= direct.loads || (address & (sizeof(Value) - 1)) != 0) [[unlikely]] {
+      return false;
+    }
+    Value loaded{};
+    std::memcpy(&loaded, direct.bytes + offset, sizeof loaded);
+    value = static_cast<std::uint32_t>(std::int32_t{0} + loaded);
+    return true;
+  }
+
+  /// @brief Loads a number from anywhere.
+  /// @return false when there is a trap instead
+  template <typename Value>
+  [[nodiscard]] bool load(std::uint32_t address, std::uint32_t& value) {
+    if (loadDirectly<Value>(address, value)) [[likely]] {
+      return true;
+    }
+    if (!loadElsewhere(address, sizeof(Value), value)) {
+      return false;
+    }
+    value = static_cast<std::uint32_t>(std::int32_t{0} + static_cast<Value>(value));
+    return true;
+  }
+
+  /// @brief Stores a number where that needs no call.
+  /// @return false where it does
+  template <typename Value>
+  [[nodiscard]] bool storeDirectly(std::uint32_t address, std::uint32_t value) const {
+    const Memory::Direct& direct = memory.direct(address);
+    const std::uint32_t offset = address - direct.address;
+    if (offset >= direct.stores || (address & (sizeof(Value) - 1)) != 0) [[unlikely]] {
+      return false;
+    }
+    const auto stored = static_cast<Value>(value);
+    std::memcpy(direct.bytes + offset, &stored, sizeof stored);
+    return true;
+  }
+
+  /// @brief Stores a number anywhere.
+  /// @return false when there is a trap instead
+  template <typename Value>
+  [[nodiscard]] bool store(std::uint32_t address, std::uint32_t value) {
+    return storeDirectly<Value>(address, value) || storeElsewhere(address, sizeof(Value), value);
+  }
+
+  /// @brief A word at an address that must be aligned: of LDRD and the like.
+  [[nodiscard]] bool loadAligned(std::uint32_t address, std::uint32_t& value);
+  [[nodiscard]] bool storeAligned(std::uint32_t address, std::uint32_t value);
+
+  /// @brief Words one after the other, of LDM and VLDM; a trap leaves what was loaded before.
+  [[nodiscard]] bool loadWords(std::uint32_t address, std::span<std::uint32_t> words);
+  [[nodiscard]] bool storeWords(std::uint32_t address, std::span<const std::uint32_t> words);
+
+  /// @brief Begins a floating-point instruction: ExecuteFPCheck, ARMv7-M ARM, A2.5.4.
+  /// @return false when there is a trap instead
+  [[nodiscard]] bool beginFp();
+
+  /// @brief The cycles of a read of flash by the processor itself, as that of a vector.
+  void spendForRead(std::uint32_t address);
+
+  /// @brief The next instruction begins no block, as after the entry to an exception.
+  void continueBlock() { branched_ = false; }
+  void beginBlock() { branched_ = true; }
+
+  void noteExecuted(ExecutedCode& code) { executed_ = &code; }
+  void noteStack(std::uint32_t& lowest) { lowestStack_ = &lowest; }
+  void onBlock(std::function<void(std::uint32_t)> call) { blockCall_ = std::move(call); }
+
+ private:
+  template <bool kSlowFlash, bool kLooks>
+  void runInstructions();
+  void execute(const Instruction& instruction);
+  void executeInBlock(const Instruction& instruction);
+  [[nodiscard]] const Instruction* placeOf(std::uint32_t address) const;
+  [[nodiscard]] const Instruction* decodeAt(std::uint32_t address);
+  [[nodiscard]] bool fetchHalf(std::uint32_t address, std::uint32_t& half);
+  void fetchSlowly(std::uint32_t address, std::uint32_t size);
+  void note(std::uint32_t address);
+  [[nodiscard]] bool loadElsewhere(std::uint32_t address, std::uint32_t size, std::uint32_t& value);
+  [[nodiscard]] bool storeElsewhere(std::uint32_t address, std::uint32_t size, std::uint32_t value);
+  [[nodiscard]] bool unalignedIsFine(const Memory::Area* area, std::uint32_t address,
+                                     std::uint32_t size);
+
+  std::uint64_t instructions_ = 0;
+  std::uint64_t otherCycles_ = 0;
+  std::uint64_t stopAt_ = 0;
+  std::uint32_t codeAddress_ = 0;  ///< flash that is executed
+  std::uint32_t codeSize_ = 0;
+  Instruction* code_ = nullptr;
+  std::uint32_t phrase_ = 1;  ///< what the flash gave last; at first nothing
+  std::uint32_t trapAddress_ = 0;
+  Trap trap_ = Trap::None;
+  bool slowFlash_;
+  bool branched_ = false;
+  /// One from memory that may change; behind it there is none, so that the next one is decoded too.
+  std::array<Instruction, 3> single_{};
+  ExecutedCode* executed_ = nullptr;
+  std::uint32_t* lowestStack_ = nullptr;
+  std::function<void(std::uint32_t)> blockCall_;
+};
+
+}  // namespace wr::emulator

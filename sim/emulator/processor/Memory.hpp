@@ -1,0 +1,130 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <span>
+
+#include "sim/emulator/processor/Instruction.hpp"
+
+namespace wr::emulator {
+
+static_assert(std::endian::native == std::endian::little, "as the processor");
+
+/// @brief What is at which address.
+class Memory {
+ public:
+  /// @brief What a program may do with memory.
+  enum class Access { ReadWrite, ReadExecute, ReadWriteExecute };
+
+  using Read = std::function<std::uint32_t(std::uint32_t address, unsigned size)>;
+  using Write = std::function<void(std::uint32_t address, unsigned size, std::uint32_t value)>;
+
+  /// @brief Gives memory back that was taken with calloc.
+  struct Release {
+    void operator()(void* memory) const { std::free(memory); }
+  };
+
+  /// @brief Memory, or a window: a range of addresses whose accesses are calls.
+  struct Area {
+    std::uint32_t address = 0;
+    std::uint32_t size = 0;
+    bool mayWrite = false;
+    bool mayExecute = false;
+    std::unique_ptr<std::uint8_t, Release> bytes{};        ///< none of a window
+    std::unique_ptr<Instruction, Release> instructions{};  ///< one for each half-word, as decoded
+    Read read{};
+    Write write{};
+
+    [[nodiscard]] bool holds(std::uint32_t place, std::uint32_t count = 1) const {
+      const std::uint32_t offset = place - address;
+      return offset < size && size - offset >= count;
+    }
+    [[nodiscard]] std::uint8_t* at(std::uint32_t place) const {
+      return bytes.get() + (place - address);
+    }
+    /// @brief Memory that cannot be stored to, which is flash.
+    [[nodiscard]] bool isFlash() const { return bytes != nullptr && !mayWrite; }
+  };
+
+  /// @brief What can be loaded and stored without a call, when it is aligned.
+  struct Direct {
+    std::uint8_t* bytes = nullptr;
+    std::uint32_t address = 0;  ///< of the first byte
+    std::uint32_t loads = 0;    ///< how many bytes can be loaded
+    std::uint32_t stores = 0;   ///< how many can be stored
+
+    /// @brief Tells whether words are among the first ones of so many bytes.
+    [[nodiscard]] bool holds(std::uint32_t count, std::uint32_t place, std::uint32_t wanted) const {
+      const std::uint32_t offset = place - address;
+      return offset < count && count - offset >= wanted && (place & 3U) == 0;
+    }
+  };
+
+  /// @brief Makes an empty memory.
+  /// @param readsFlashDirectly false: each load from flash is a call
+  explicit Memory(bool readsFlashDirectly) : readsFlashDirectly_(readsFlashDirectly) {}
+
+  /// @brief Adds memory.
+  void map(std::uint32_t address, std::uint32_t size, Access access);
+
+  /// @brief Adds a window.
+  void map(std::uint32_t address, std::uint32_t size, Read read, Write write);
+
+  /// @brief What of the first area of an address's megabyte needs no call; mostly the area has the
+  /// address.
+  [[nodiscard]] const Direct& direct(std::uint32_t address) const {
+    return directs_[address / kMegabyte];
+  }
+
+  /// @brief Words that can be loaded without a call; none where not all of them can.
+  [[nodiscard]] const std::uint8_t* loadable(std::uint32_t address, std::uint32_t size) const {
+    const Direct& near = direct(address);
+    return near.holds(near.loads, address, size) ? near.bytes + (address - near.address) : nullptr;
+  }
+
+  /// @brief Words that can be stored without a call; none where not all of them can.
+  [[nodiscard]] std::uint8_t* storable(std::uint32_t address, std::uint32_t size) const {
+    const Direct& near = direct(address);
+    return near.holds(near.stores, address, size) ? near.bytes + (address - near.address) : nullptr;
+  }
+
+  /// @brief The area of an address; none where nothing is.
+  [[nodiscard]] const Area* find(std::uint32_t address) const;
+
+  /// @brief Writes from outside, also where the program may not.
+  void load(std::uint32_t address, std::span<const std::uint8_t> bytes);
+
+  /// @brief Reads from outside; 0 where no memory is.
+  template <typename Value>
+  [[nodiscard]] Value read(std::uint32_t address) const {
+    Value value = 0;
+    if (const Area* area = find(address);
+        area != nullptr && area->bytes != nullptr && area->holds(address, sizeof value)) {
+      std::memcpy(&value, area->at(address), sizeof value);
+    }
+    return value;
+  }
+
+  /// @brief The words of a stack; none where not all of it can be written.
+  [[nodiscard]] std::uint8_t* stack(std::uint32_t address, std::uint32_t size) const;
+
+ private:
+  static constexpr std::uint32_t kMegabyte = 0x100000;
+
+  static constexpr std::size_t kMegabytes = 4096;
+
+  void add(Area area);
+
+  bool readsFlashDirectly_;
+  std::deque<Area> all_;
+  std::array<const Area*, kMegabytes> areas_{};  ///< the first one of each
+  std::array<Direct, kMegabytes> directs_{};
+};
+
+}  // namespace wr::emulator

@@ -1,0 +1,143 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "construction/ControlSystemBuilder.hpp"
+#include "construction/ControlSystemPoolBuilder.hpp"
+#include "construction/DirSystemBuilder.hpp"
+#include "construction/MainControllerBuilder.hpp"
+#include "construction/RobotDirector.hpp"
+#include "construction/WheelSystemBuilder.hpp"
+#include "devices/SerialPort.hpp"
+#include "devices/Timebase.hpp"
+#include "safety/RetainedProtection.hpp"
+#include "safety/RetainedStop.hpp"
+#include "safety/SafetyBuilder.hpp"
+#include "safety/SafetyDirector.hpp"
+#include "services/Pipe.hpp"
+#include "services/StartRecord.hpp"
+#include "sim/host/HostPins.hpp"
+#include "sim/host/HostScheduler.hpp"
+#include "sim/host/HostThread.hpp"
+#include "sim/host/HostTimer.hpp"
+#include "sim/host/HostWatchdog.hpp"
+#include "units/quantities.hpp"
+
+namespace wr::host {
+
+/// @brief How much of the firmware a robot on the host has.
+enum class HostEquipment {
+  Whole,       ///< all control systems, without safety functions
+  Safe,        ///< all control systems, with the safety functions
+  MainControl  ///< Main Control only, with an empty pool: for long sequences of orders
+};
+
+/// @brief The firmware with the devices of the host.
+class HostFirmware {
+ public:
+  /// @brief Priority of the thread of the main controller.
+  static constexpr int kMainPriority = 1;
+  /// @brief Priority of the threads of the wheels.
+  static constexpr int kWheelPriority = 2;
+
+  /// @brief Memory that a reset leaves as it is.
+  struct Retained {
+    RetainedStop::Cells stop;              ///< stop of the PC
+    RetainedProtection::Cells protection;  ///< protective stop
+  };
+
+  /// @brief Constructs the robot and binds it to its devices.
+  /// @param timebase gives the time
+  /// @param pcPort line to the PC
+  /// @param start why the firmware starts; without it the cause is unknown
+  /// @param equipment how much of the firmware it has
+  /// @param retained memory that the last reset left as it was
+  HostFirmware(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start = {},
+               HostEquipment equipment = HostEquipment::Whole, const Retained& retained = {});
+  HostFirmware(const HostFirmware&) = delete;
+  HostFirmware& operator=(const HostFirmware&) = delete;
+
+  /// @brief Returns the memory that a reset leaves as it is.
+  /// @return the memory of the stops
+  [[nodiscard]] const Retained& retained() const { return retained_; }
+
+  /// @brief Starts the control cycles.
+  void start();
+
+  /// @brief Puts a clock pulse to the firmware; the cycle has run when this returns.
+  void clockPulse();
+
+  /// @brief Puts a value on the velocity signal of the remote control, now.
+  /// @param velocity the value
+  void rcVelocity(Velocity velocity);
+
+  /// @brief Puts a value on the direction signal of the remote control, now.
+  /// @param direction the value
+  void rcDirection(Angle direction);
+
+  /// @brief Lets the second timer beat once.
+  void beat();
+
+  /// @brief The pins of the firmware.
+  /// @return the pins, to which whoever has the robot connects what is around it
+  [[nodiscard]] HostPins& pins();
+
+  /// @brief The period of the clock pulses.
+  /// @return the period; 0 before start().
+  [[nodiscard]] Microseconds period() const;
+
+  /// @brief The period of the second timer.
+  /// @return the period; 0 before start().
+  [[nodiscard]] Microseconds beatPeriod() const;
+
+  /// @brief The main controller.
+  /// @return the main controller.
+  [[nodiscard]] MainController& controller();
+
+  /// @brief The pool of control systems.
+  /// @return the pool.
+  [[nodiscard]] ControlSystemPool& systems();
+
+  /// @brief The watchdog.
+  /// @return the watchdog that the cycles refresh.
+  [[nodiscard]] HostWatchdog& watchdog();
+
+  /// @brief The scheduler.
+  /// @return the scheduler that runs the threads of the robot.
+  [[nodiscard]] HostScheduler& scheduler();
+
+ private:
+  [[nodiscard]] WheelSystemBuilder::Devices wheelDevices(std::size_t wheel);
+  [[nodiscard]] std::span<ControlSystemBuilder* const> builders() const;
+  void construct();
+  void connectVectors();
+
+  const Timebase& timebase_;
+  HostEquipment equipment_;
+  HostScheduler scheduler_;
+  HostPins pins_;
+  HostThread mainThread_;
+  std::array<HostThread, kWheelCount> wheelThreads_;
+  HostTimer cycleTimer_;
+  HostTimer tickTimer_;
+  Pipe<Velocity> rcVelocity_;
+  Pipe<Angle> rcDirection_;
+  HostWatchdog watchdog_;
+  StartRecord start_;
+  std::array<WheelSystemBuilder, kWheelCount> wheelBuilders_;
+  DirSystemBuilder steeringBuilder_;
+  std::array<ControlSystemBuilder*, kWheelCount + 1> systemBuilders_;
+  Retained retained_;
+  RetainedProtection protectionMemory_;
+  SafetyBuilder safetyBuilder_;
+  std::array<ControlSystemBuilder*, 1> safeBuilders_;
+  ControlSystemPoolBuilder poolBuilder_;
+  MainControllerBuilder controllerBuilder_;
+  RobotDirector director_;
+  RetainedStop stopMemory_;
+  SafetyDirector safetyDirector_;
+};
+
+}  // namespace wr::host

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "sim/host/HostSerialPort.hpp"
+#include "sim/host_robot/HostSimulation.hpp"
+#include "sim/scenario/RobotSession.hpp"
+
+namespace wr::host_robot {
+
+/// @brief The firmware on the host, in stepped time. Its line takes no time.
+class HostSession final : public scenario::RobotSession {
+ public:
+  /// @brief Makes the robot. It does not run yet.
+  /// @param equipment how much of the firmware it has
+  explicit HostSession(host::HostEquipment equipment = host::HostEquipment::Whole);
+
+  /// @brief Switches the robot on.
+  void start();
+
+  void send(std::span<const std::uint8_t> bytes) override;
+  void sendBeforePulse(std::span<const std::uint8_t> bytes, Time before) override;
+  [[nodiscard]] std::vector<std::uint8_t> takeSent() override;
+  bool runUntil(Time instant) override;
+  bool runThroughPulse() override;
+  [[nodiscard]] Time now() const override;
+  [[nodiscard]] plant::Robot& robot() override;
+  [[nodiscard]] plant::RemoteControl& remoteControl() override;
+  void reset(scenario::ResetKind kind) override;
+  [[nodiscard]] std::optional<scenario::SessionFinding> finding() const override;
+
+  host::HostSerialPort port;
+  HostSimulation world;
+};
+
+}  // namespace wr::host_robot

@@ -1,0 +1,151 @@
+#include "sim/host_robot/HostSimulation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+namespace wr::host_robot {
+
+namespace {
+
+constexpr std::uint32_t kSeed = 1;
+constexpr Microseconds kStep(std::chrono::microseconds(plant::Robot::kStep).count());
+
+// From power-on to the begin of the periods of the timers, as the image takes it on the virtual
+// K64: clock, calibration of the converters, construction.
+constexpr Microseconds kStartUp(5364);
+
+// From a beat to the first turn of a wheel's thread in the cycle that begins with it, and from one
+// such turn to the next, as the image takes them on the virtual K64. All else on the host takes no
+// time, so the clock pulse comes when the first thread has its turn.
+constexpr Microseconds kToWheels(9);
+constexpr Microseconds kOfWheel(51);
+
+// The microsecond that an edge is in; the firmware's clock has no finer time.
+Instant at(Instant begin, std::chrono::nanoseconds offset) {
+  return begin +
+         Microseconds(std::chrono::duration_cast<std::chrono::microseconds>(offset).count());
+}
+
+}  // namespace
+
+HostSimulation::HostSimulation(SerialPort& pcPort, host::HostEquipment equipment)
+    : robot(time, pcPort, {}, equipment),
+      physics(kSeed),
+      pcPort_(pcPort),
+      equipment_(equipment),
+      binding_(robot.pins(), physics) {
+  observeThreads();
+}
+
+void HostSimulation::observeThreads() {
+  robot.scheduler().beforeThread([this](const host::HostThread& thread) {
+    if (thread.priority() == host::HostFirmware::kWheelPriority) {
+      pass(time.now() + kOfWheel);
+    }
+  });
+}
+
+void HostSimulation::start() {
+  robot.start();
+  nextStep_ = time.now() + kStep;
+  beginPeriods();
+}
+
+void HostSimulation::beginPeriods() {
+  const Instant begin = time.now() + kStartUp;
+  nextBeat_ = begin + robot.beatPeriod();
+  nextPulse_ = begin + robot.period() + kToWheels;
+}
+
+// The new firmware is where the old one was, so that all references to the robot stay valid.
+void HostSimulation::reset(ResetCause cause) {
+  const host::HostFirmware::Retained retained = robot.retained();
+  edges_.clear();
+  std::destroy_at(&binding_);
+  std::destroy_at(&robot);
+  std::construct_at(&robot, time, pcPort_, StartRecord{.cause = cause}, equipment_, retained);
+  std::construct_at(&binding_, robot.pins(), physics);
+  observeThreads();
+  robot.start();
+  beginPeriods();
+}
+
+void HostSimulation::runUntil(Instant instant) {
+  if (equipment_ != host::HostEquipment::MainControl) {
+    runWhole(instant);
+  } else {
+    runMainControl(instant);
+  }
+  advanceTo(instant);
+}
+
+void HostSimulation::runMainControl(Instant until) {
+  while (nextPulse_ <= until) {
+    advanceTo(nextPulse_);
+    pulse();
+  }
+}
+
+void HostSimulation::runWhole(Instant until) {
+  while (nextPulse_ <= until) {
+    pass(nextPulse_);
+    pulse();
+  }
+  pass(until);
+}
+
+void HostSimulation::pass(Instant until) {
+  while (std::min(nextStep_, nextBeat_) <= until) {
+    const Instant next = std::min(nextStep_, nextBeat_);
+    bringEdges(next + Microseconds(-1));
+    advanceTo(next);
+    if (next == nextStep_) {
+      step();
+    }
+    if (next == nextBeat_) {
+      nextBeat_ = next + robot.beatPeriod();
+      robot.beat();
+    }
+  }
+  bringEdges(until);
+  advanceTo(until);
+}
+
+void HostSimulation::step() {
+  const Instant now = nextStep_;
+  nextStep_ = now + kStep;
+  binding_.drive();
+  for (const plant::HallEdge& edge : physics.step()) {
+    host::HostWheelPins& pins = robot.pins().wheels.at(edge.wheel);
+    edges_.push_back({at(now, edge.offset), &pins.hall.at(edge.sensor), edge.level});
+  }
+  for (const plant::RcEdge& edge : remoteControl.step()) {
+    host::HostEdgeInput& pin = robot.pins().remoteControl.at(edge.channel);
+    edges_.push_back({at(now, edge.offset), &pin, edge.level});
+  }
+  std::ranges::stable_sort(edges_, {}, &Edge::at);
+  binding_.measure();
+}
+
+void HostSimulation::pulse() {
+  nextPulse_ = time.now() + robot.period();
+  robot.clockPulse();
+}
+
+void HostSimulation::bringEdges(Instant until) {
+  const auto end = std::ranges::upper_bound(edges_, until, {}, &Edge::at);
+  for (auto edge = edges_.begin(); edge != end; ++edge) {
+    advanceTo(edge->at);
+    edge->pin->drive(edge->level);
+  }
+  edges_.erase(edges_.begin(), end);
+}
+
+void HostSimulation::advanceTo(Instant instant) {
+  if (instant > time.now()) {
+    time.advance(instant - time.now());
+  }
+}
+
+}  // namespace wr::host_robot

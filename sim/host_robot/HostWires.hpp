@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+
+#include "sim/host/HostPins.hpp"
+#include "sim/plant/Robot.hpp"
+
+namespace wr::host_robot {
+
+/// @brief The robot's physics on the pins of the firmware on the host.
+class HostWires {
+ public:
+  /// @brief Connects pins and physics, and puts the present values of all sensors on the pins.
+  /// @param pins pins of the firmware; they live as long as the binding
+  /// @param physics the robot; it lives as long as the binding
+  HostWires(host::HostPins& pins, plant::Robot& physics);
+  HostWires(const HostWires&) = delete;
+  HostWires& operator=(const HostWires&) = delete;
+
+  /// @brief Puts the outputs of the firmware on the actuators. The step pulses need no call: each one
+  /// acts at once.
+  void drive();
+
+  /// @brief Puts the values of the sensors on the pins, except those that come as edges.
+  void measure();
+
+ private:
+  host::HostPins& pins_;
+  plant::Robot& physics_;
+};
+
+}  // namespace wr::host_robot

@@ -1,0 +1,122 @@
+#pragma once
+
+#include "sim/plant/Plant.hpp"
+
+namespace wr::plant {
+
+/// @brief What the firmware puts on the driver of a wheel.
+struct WheelDrive {
+  double duty = 0;         ///< share of the supply that the motor sees, 0 to 1
+  bool backwards = false;  ///< orientation
+  bool enabled = false;    ///< false: no current can flow
+};
+
+/// @brief The ground under a wheel, in the directions of the wheel.
+struct Contact {
+  double along = 0;   ///< speed of the hub over the ground, m/s, positive forwards
+  double across = 0;  ///< speed of the hub over the ground, m/s, positive to the left
+  double grip = 0;    ///< greatest force between tyre and ground, N
+};
+
+/// @brief Motor, driver, gear, wheel and tyre of one wheel.
+///
+/// A brushless motor with its driver is taken for a motor with a commutator. The driver works in
+/// two quadrants of each orientation: the motor sees a share of the supply, and with a share of 0
+/// it is short-circuited and brakes. The gear loses the same share of the power in either
+/// direction. The tyre's force grows with its slip, along and across the wheel, until the two
+/// together reach the limit of friction. While the wheel is at rest the tyre is a spring.
+class DriveTrain {
+ public:
+  static constexpr double kRatio = 10.0;            ///< turns of the motor for one of the wheel
+  static constexpr double kEfficiency = 0.85;       ///< of the gear
+  static constexpr double kRadius = 0.272;          ///< of the wheel, m
+  static constexpr double kCoggingPeriods = 90.0;   ///< in a turn of the motor
+  static constexpr double kSlipStiffness = 3000.0;  ///< of the tyre, N for a slip of 1
+  static constexpr double kRelaxation = 0.1;        ///< way in which the tyre's force builds up, m
+  static constexpr double kTyreDamping = 500.0;     ///< N s/m
+
+  DriveTrain() { configure({}); }
+
+  /// @brief Sets the properties of the motor.
+  /// @param motor its parameters
+  void configure(const MotorParameters& motor);
+
+  /// @brief Sets what the driver does.
+  /// @param drive duty, orientation, enable
+  void set(const WheelDrive& drive) { drive_ = drive; }
+
+  /// @brief Blocks the wheel, or frees it.
+  /// @param blocked true: it cannot turn
+  void block(bool blocked) { blocked_ = blocked; }
+
+  /// @brief Swaps the leads of the motor, or connects them in the right order.
+  /// @param swapped true: a voltage forwards turns the motor backwards
+  void swapLeads(bool swapped) { polarity_ = swapped ? -1.0 : 1.0; }
+
+  /// @brief Lets time pass.
+  /// @param seconds how much; at most 0.2 ms
+  /// @param contact the ground
+  /// @param supply voltage of the supply, V
+  void advance(double seconds, const Contact& contact, double supply);
+
+  /// @brief Force of the tyre on the robot, along the wheel.
+  /// @return N, positive forwards
+  [[nodiscard]] double force() const { return force_; }
+
+  /// @brief Force of the tyre on the robot, across the wheel.
+  /// @return N, positive to the left
+  [[nodiscard]] double sideForce() const { return sideForce_; }
+
+  /// @brief Current of the motor.
+  /// @return A, positive when it pulls forwards
+  [[nodiscard]] double current() const { return current_; }
+
+  /// @brief Current in the driver, as its sensor has it.
+  /// @return A, positive when the driver drives it forwards
+  [[nodiscard]] double driverCurrent() const { return polarity_ * current_; }
+
+  /// @brief Current that the driver draws from the supply.
+  /// @return A, negative when it flows back
+  [[nodiscard]] double supplyCurrent() const { return share() * current_; }
+
+  /// @brief Power that the driver puts into the motor.
+  /// @return W, negative when the motor brakes into the supply
+  [[nodiscard]] double power() const { return voltage_ * current_; }
+
+  /// @brief Torque of the motor.
+  /// @return N m, positive forwards
+  [[nodiscard]] double torque() const { return motor_.constant * current_; }
+
+  /// @brief Speed of the motor shaft.
+  /// @return rad/s
+  [[nodiscard]] double speed() const { return speed_; }
+
+  /// @brief Position of the motor shaft.
+  /// @return turns since start
+  [[nodiscard]] double turns() const { return turns_; }
+
+ private:
+  void advanceCurrent(double seconds, double supply);
+  void advanceTyre(double seconds, const Contact& contact);
+  void advanceShaft(double seconds);
+  [[nodiscard]] double share() const;
+  [[nodiscard]] double cogging() const;
+  [[nodiscard]] double acceleration(double direction, double friction) const;
+
+  MotorParameters motor_{};
+  double inertiaDriving_ = 1;  // of all that turns, at the shaft: the motor drives the wheel
+  double inertiaDriven_ = 1;   // the wheel drives the motor
+  WheelDrive drive_{};
+  bool blocked_ = false;
+  double polarity_ = 1;
+  double voltage_ = 0;
+  double current_ = 0;
+  double speed_ = 0;
+  double turns_ = 0;
+  double deflection_ = 0;  // force of the tyre's spring, along and across
+  double sideDeflection_ = 0;
+  double force_ = 0;
+  double sideForce_ = 0;
+};
+
+}  // namespace wr::plant

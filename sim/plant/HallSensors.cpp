@@ -1,0 +1,40 @@
+#include "sim/plant/HallSensors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/plant/floorToInt.hpp"
+
+namespace wr::plant {
+
+namespace {
+
+// At start the shaft stands in the middle between two edges.
+constexpr double kStart = 0.5;
+
+// Sensor a is high from edge 1 of four to edge 3, sensor b from edge 2 to edge 4: with edge 1 +
+// sensor at position 0, high is 0 to 2, low 2 to 4, and so on.
+bool levelAt(double position) {
+  return (wholePart(position) & 2) == 0;
+}
+
+}  // namespace
+
+std::optional<double> HallSensors::turn(std::size_t sensor, double from, double to) {
+  if (from == to) {
+    return std::nullopt;
+  }
+  const double shift = kStart + misplaced_.at(sensor) - 1.0 - static_cast<double>(sensor);
+  const double position = to * kEdgesPerTurn + shift;
+  const bool level = levelAt(position - kHysteresis);
+  if (level == levels_.at(sensor) || level != levelAt(position + kHysteresis)) {
+    return std::nullopt;
+  }
+  levels_.at(sensor) = level;
+  const double edge = to > from ? 2.0 * std::floor((position - kHysteresis) / 2.0) + kHysteresis
+                                : 2.0 * std::ceil((position + kHysteresis) / 2.0) - kHysteresis;
+  const double before = from * kEdgesPerTurn + shift;
+  return std::clamp((edge - before) / (position - before), 0.0, 1.0);
+}
+
+}  // namespace wr::plant

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace wr::plant {
+
+/// @brief The two Hall sensors of one motor. While it turns forwards their levels (b, a) are in
+/// turn 00, 01, 11, 10; there are 60 edges in a turn of the shaft.
+class HallSensors {
+ public:
+  static constexpr double kEdgesPerTurn = 60.0;
+  /// Half of the way, in edges, that the shaft must turn back until an edge is taken back.
+  static constexpr double kHysteresis = 0.05;
+
+  /// @brief Tells where the sensors sit.
+  /// @param misplaced how far each is from its place, in edges
+  void place(const std::array<double, 2>& misplaced) { misplaced_ = misplaced; }
+
+  /// @brief Turns the shaft by less than an edge.
+  /// @param sensor 0 for a, 1 for b
+  /// @param from turns of the shaft before
+  /// @param to turns of the shaft after
+  /// @return which part of the way was turned when the level changed; nothing without an edge
+  [[nodiscard]] std::optional<double> turn(std::size_t sensor, double from, double to);
+
+  /// @brief Level of a sensor.
+  /// @param sensor 0 for a, 1 for b
+  [[nodiscard]] bool level(std::size_t sensor) const { return levels_.at(sensor); }
+
+ private:
+  std::array<double, 2> misplaced_{};
+  std::array<bool, 2> levels_{};
+};
+
+}  // namespace wr::plant

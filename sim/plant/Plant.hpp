@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "sim/plant/Noise.hpp"
+
+namespace wr::plant {
+
+/// @brief Number of wheels.
+inline constexpr std::size_t kWheels = 4;
+
+/// @brief The motor of one wheel, with its driver and its cable.
+///
+/// Hub motors with 15 pole pairs and 24 to 36 V have a torque constant of about 0.52 N m/A and 60
+/// edges of two Hall sensors in a turn (ODrive, "Hoverboard motor and remote control setup guide":
+/// 15 pole pairs, 8.27 / 16 N m/A). The other values are assumed. Resistance and constant differ by
+/// 5 % and 4 % from the values that the firmware assumes, as those of a real motor do.
+struct MotorParameters {
+  double resistance = 1.42;      ///< ohm, winding, cable and driver
+  double inductance = 1.5e-3;    ///< H
+  double constant = 0.52;        ///< V s/rad and N m/A
+  double friction = 0.04;        ///< N m, while it turns
+  double staticFriction = 0.06;  ///< N m, at rest
+  double damping = 0.5e-3;       ///< N m s/rad
+  double cogging = 0.02;         ///< N m, greatest torque of the magnets
+  double rotorInertia = 1.5e-3;  ///< kg m^2
+  double wheelInertia = 0.28;    ///< kg m^2: 7.5 kg, as a disc
+};
+
+/// @brief The sensors of one wheel.
+struct CurrentSensorParameters {
+  double gain = 1.0;    ///< share of the nominal 0.1 V/A
+  double offset = 0.0;  ///< A
+};
+
+/// @brief Properties of the parts of a robot. The nominal robot is one of many: the bands of varied() hold what
+/// differs from one robot to the next, with its load and its battery.
+struct Plant {
+  std::array<MotorParameters, kWheels> motors{};
+  std::array<CurrentSensorParameters, kWheels> currentSensors{};
+  double mass = 175.0;              ///< kg: the robot's public description
+  double yawInertia = 85.0;         ///< kg m^2: a box of 2.0 m by 1.4 m with this mass
+  double supply = 24.0;             ///< V, of the battery without load
+  double batteryResistance = 0.03;  ///< ohm: two lead batteries, cable, fuse
+  double rollingResistance = 0.04;  ///< share of the weight, while the robot rolls: a meadow
+  double staticResistance = 0.05;   ///< share of the weight, at rest
+  double angleGain = 1.0;           ///< share of the nominal 80 degrees over 3.3 V
+  double angleOffset = 0.0;         ///< degrees
+
+  /// @brief The robot of a seed: each parameter lies somewhere in its band.
+  /// @param noise chooses the values
+  /// @return the robot
+  [[nodiscard]] static Plant varied(const Noise& noise);
+};
+
+/// @brief Properties that a scenario can set.
+enum class Parameter : std::uint8_t {
+  Supply,         ///< V
+  Battery,        ///< ohm
+  Mass,           ///< share of the nominal value, as all that follow
+  Inertia,        ///< of rotors, wheels and yaw
+  Resistance,     ///< of the motors
+  MotorConstant,  ///< of the motors
+  Friction,       ///< of the motors
+  Rolling,        ///< rolling resistance
+  CurrentGain,    ///< of the current sensors
+  AngleGain       ///< of the angle sensor
+};
+
+/// @brief Sets a parameter.
+/// @param plant the robot
+/// @param parameter which one
+/// @param value the value, in the unit of the parameter
+void setParameter(Plant& plant, Parameter parameter, double value);
+
+}  // namespace wr::plant

@@ -1,0 +1,312 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/plant/DriveTrain.hpp"
+#include "sim/plant/HallSensors.hpp"
+#include "sim/plant/Noise.hpp"
+#include "sim/plant/Plant.hpp"
+#include "sim/plant/SteeringGear.hpp"
+#include "sim/plant/SteeringLinkage.hpp"
+
+namespace wr::plant {
+
+/// @brief A change of the level of a Hall sensor.
+struct HallEdge {
+  std::chrono::nanoseconds offset;  ///< since the begin of the step, more than 0 and at most 1 ms
+  std::size_t wheel;                ///< 0 to 3
+  std::size_t sensor;               ///< 0 for a, 1 for b
+  bool level;                       ///< from now on
+};
+
+/// @brief The ground on which the robot drives.
+struct Ground {
+  double slope = 0;   ///< percent, positive uphill in the direction in which the robot starts
+  double grip = 0.6;  ///< greatest share of a wheel's load that its tyre can pull
+};
+
+/// @brief What can break.
+enum class Fault : std::uint8_t {
+  Hall,           ///< both Hall sensors of a wheel keep their levels
+  HallA,          ///< sensor a of a wheel keeps its level
+  HallB,          ///< sensor b of a wheel keeps its level
+  HallSwapped,    ///< the two Hall sensors of a wheel are connected to each other's pins
+  HallMisplaced,  ///< sensor b of a wheel is off its place; value: electrical degrees
+  HallGlitches,   ///< pulses of 30 us on sensor a of a wheel; value: pulses in a second
+  HallLosses,     ///< edges of a wheel are lost; value: edges in a second
+  Leads,          ///< the leads of a motor are swapped
+  Current,        ///< the cable of a current sensor is broken; its input is pulled to 0 V
+  CurrentStuck,   ///< a current sensor keeps its value
+  CurrentOffset,  ///< a current sensor is off; value: mA
+  Angle,          ///< the cable of the angle sensor is broken; its input is pulled to 0 V
+  AngleOpen,      ///< the cable is broken, and nothing pulls the input: it follows its neighbour
+  AngleStuck,     ///< the angle sensor keeps its value
+  AngleDrift,     ///< the angle sensor drifts; value: 0.01 degree in a second
+  Stall,          ///< the steering is stuck
+  Block,          ///< a wheel cannot turn
+  LeftEnd,        ///< the wire of the left end stop is broken
+  RightEnd        ///< the wire of the right end stop is broken
+};
+
+/// @brief Effect of the emergency stop's circuit on the motors.
+enum class EmergencyStop : std::uint8_t {
+  Released,  ///< nothing
+  Coast,     ///< it takes the power from all drivers: the motors have no current
+  Brake      ///< it takes the power, and short-circuits the motors of the wheels
+};
+
+/// @brief The physics of the robot: what its sensors give for what its actuators get.
+///
+/// Time is cut in steps of 1 ms. A step takes the inputs as they are and returns the edges that
+/// come before the next one. Noise is a number for each step, so that each target of the firmware
+/// sees the same.
+class Robot {
+ public:
+  static constexpr double kGravity = 9.81;     ///< m/s^2
+  static constexpr double kReference = 3.3;    ///< V: full scale of the converters
+  static constexpr double kMiddle = 1.65;      ///< V: no current; steering straight on
+  static constexpr double kPerAmpere = 0.1;    ///< V/A of the current sensors
+  static constexpr double kAngleRange = 80.0;  ///< degrees over the whole scale
+  static constexpr std::chrono::milliseconds kStep{1};
+
+  /// @brief Puts the nominal robot on the ground, at rest.
+  /// @param seed chooses the noise and how far the Hall sensors are misplaced
+  /// @param surroundings the ground
+  explicit Robot(std::uint32_t seed, Ground surroundings = {});
+
+  /// @brief Chooses other noise, other places of the Hall sensors, and of a varied robot other
+  /// parameters.
+  /// @param seed chooses them
+  void setSeed(std::uint32_t seed);
+
+  /// @brief Sets the properties of the robot's parts.
+  /// @param plant its parameters
+  void setPlant(const Plant& plant);
+
+  /// @brief Lets the seed choose the properties of the robot's parts, or sets the nominal ones.
+  /// @param varied true: the seed chooses
+  void vary(bool varied);
+
+  /// @brief Sets one parameter of the robot.
+  /// @param parameter which one
+  /// @param value the value, in the unit of the parameter
+  void setParameter(Parameter parameter, double value);
+
+  /// @brief Switches the noise and the misplacement of the sensors on or off. It is on at first.
+  /// @param on true for on
+  void setNoise(bool on);
+
+  /// @brief Sets the slope of the ground ahead. The robot comes onto it axle by axle: its own slope changes
+  /// evenly over one wheelbase of way, and within 2 s if it drives slowly or is at rest.
+  /// @param percent positive uphill, in the direction in which the robot started
+  void setSlope(double percent);
+
+  /// @brief Sets the grip of the ground.
+  /// @param share greatest share of a wheel's load that its tyre can pull
+  void setGrip(double share) { surroundings_.grip = share; }
+
+  /// @brief Breaks something, or repairs it.
+  /// @param fault what
+  /// @param wheel which wheel, where the fault is one of a wheel
+  /// @param present true to break it
+  /// @param value how much, where the fault has a value
+  void setFault(Fault fault, std::size_t wheel, bool present, double value = 0);
+
+  /// @brief Presses or releases the emergency stop.
+  /// @param state effect of its circuit
+  void setEmergencyStop(EmergencyStop state);
+
+  /// @brief Sets the firmware's signals on the driver of a wheel.
+  /// @param wheel 0 to 3
+  /// @param drive duty, orientation, enable
+  void setWheel(std::size_t wheel, const WheelDrive& drive);
+
+  /// @brief Switches the motor of the steering.
+  /// @param enabled true for on
+  void setSteeringEnabled(bool enabled) { steering_.enable(enabled && hasPower()); }
+
+  /// @brief A step pulse of the steering.
+  /// @param left direction
+  void steeringStep(bool left) { steering_.step(left); }
+
+  /// @brief Samples the sensors, then lets 1 ms pass with the present inputs.
+  /// @return the edges in this time, in their order; valid until the next step
+  std::span<const HallEdge> step();
+
+  /// @brief Resets the greatest velocity.
+  void clearGreatestVelocity() { greatestRpm_ = 0; }
+
+  /// @brief Voltage of a current sensor at the begin of the last step.
+  /// @param wheel 0 to 3
+  /// @return V, 0 to 3.3
+  [[nodiscard]] double currentVolts(std::size_t wheel) const { return currentVolts_.at(wheel); }
+
+  /// @brief Voltage of the angle sensor.
+  /// @return V, 0 to 3.3
+  [[nodiscard]] double steeringVolts() const;
+
+  /// @brief Level of a Hall sensor at the end of the last step.
+  [[nodiscard]] bool hallLevel(std::size_t wheel, std::size_t sensor) const {
+    return halls_.at(wheel).level(sensor);
+  }
+
+  /// @brief Whether the contact of the left end stop is open: the end is reached, or the wire broken.
+  [[nodiscard]] bool leftEnd() const { return leftEndBroken_ || steering_.leftEnd(); }
+
+  /// @brief Whether the contact of the right end stop is open: the end is reached, or the wire broken.
+  [[nodiscard]] bool rightEnd() const { return rightEndBroken_ || steering_.rightEnd(); }
+
+  /// @brief Whether the auxiliary contact of the emergency stop is open: it is pressed.
+  [[nodiscard]] bool emergencyStopOpen() const { return !hasPower(); }
+
+  /// @brief True velocity of a wheel's motor shaft.
+  /// @return rpm, positive forwards
+  [[nodiscard]] double velocityRpm(std::size_t wheel) const;
+
+  /// @brief Greatest true velocity of any wheel since the start or since it was cleared.
+  /// @return rpm, of either direction
+  [[nodiscard]] double greatestRpm() const { return greatestRpm_; }
+
+  /// @brief True position of a wheel's motor shaft.
+  /// @return turns since start, positive forwards
+  [[nodiscard]] double turns(std::size_t wheel) const { return trains_.at(wheel).turns(); }
+
+  /// @brief True current of a wheel's motor.
+  /// @return A, positive when it pulls forwards
+  [[nodiscard]] double currentAmperes(std::size_t wheel) const {
+    return trains_.at(wheel).current();
+  }
+
+  /// @brief True torque of a wheel's motor.
+  /// @return N m at the shaft, positive forwards
+  [[nodiscard]] double torque(std::size_t wheel) const { return trains_.at(wheel).torque(); }
+
+  /// @brief Whether no driver puts power into its motor: the robot brakes, rolls or is at rest.
+  [[nodiscard]] bool braking() const;
+
+  /// @brief Speed over ground of the middle of the robot, along the robot.
+  /// @return m/s, positive forwards
+  [[nodiscard]] double groundSpeed() const { return speed_; }
+
+  /// @brief Speed over ground of the middle of the robot, across the robot.
+  /// @return m/s, positive to the left
+  [[nodiscard]] double sideSpeed() const { return sideSpeed_; }
+
+  /// @brief Rate at which the robot turns.
+  /// @return rad/s, positive to the left
+  [[nodiscard]] double yawRate() const { return yawRate_; }
+
+  /// @brief Direction in which the robot points.
+  /// @return rad from that of the start, positive to the left
+  [[nodiscard]] double heading() const { return heading_; }
+
+  /// @brief Speed with which the tyre of a wheel slides across the wheel.
+  /// @return m/s, positive to the left
+  [[nodiscard]] double sideSlip(std::size_t wheel) const;
+
+  /// @brief Way since start, along the path.
+  /// @return m, positive forwards
+  [[nodiscard]] double distance() const { return distance_; }
+
+  /// @brief Angle of the steering.
+  /// @return degrees, positive to the left
+  [[nodiscard]] double steeringDegrees() const { return steering_.degrees(); }
+
+  /// @brief Slope of the ground under the robot.
+  /// @return percent, positive uphill
+  [[nodiscard]] double slope() const { return surroundings_.slope; }
+
+  /// @brief Voltage of the supply under its load.
+  /// @return V
+  [[nodiscard]] double supplyVolts() const { return supply_; }
+
+  /// @brief Returns the properties of the robot's parts.
+  /// @return its parameters
+  [[nodiscard]] const Plant& plant() const { return plant_; }
+
+ private:
+  struct Forces {
+    double along;
+    double across;
+    double turning;
+  };
+
+  struct HallFaults {
+    std::array<bool, 2> dead{};
+    bool swapped = false;
+    double misplaced = 0;  // edges
+    double glitches = 0;   // in a second
+    double losses = 0;     // in a second
+    bool losesNext = false;
+  };
+
+  struct CurrentFaults {
+    bool broken = false;
+    bool stuck = false;
+    double offset = 0;  // A
+  };
+
+  [[nodiscard]] bool hasPower() const { return emergencyStop_ == EmergencyStop::Released; }
+  void setHallFault(Fault fault, HallFaults& faults, bool present, double value);
+  void setAngleFault(Fault fault, bool present, double value);
+  void applyDrive(std::size_t wheel);
+  void sample();
+  void sampleAngle();
+  [[nodiscard]] double trueAngleVolts() const;
+  void placeSensors();
+  void advanceSlope();
+  void feelGround();
+  void advance(double seconds);
+  [[nodiscard]] Contact contactOf(const WheelPose& pose) const;
+  void advanceAlong(double force, double seconds);
+  void findEdges(std::size_t wheel, double from);
+  void addGlitch(std::size_t wheel);
+  void addEdge(HallEdge edge);
+  [[nodiscard]] bool happens(std::uint32_t source, std::size_t wheel, double perSecond) const;
+
+  Noise noise_;
+  bool noisy_ = true;
+  bool varied_ = false;
+  Plant plant_{};
+  Ground surroundings_;
+  double slopeBefore_ = 0;   // percent, behind the place where the slope changes
+  double slopeAhead_ = 0;    // percent
+  double slopeReached_ = 1;  // share of the change that is complete
+  std::array<DriveTrain, kWheels> trains_{};
+  std::array<WheelDrive, kWheels> drives_{};
+  std::array<HallSensors, kWheels> halls_{};
+  SteeringGear steering_;
+  SteeringLinkage linkage_;
+  EmergencyStop emergencyStop_ = EmergencyStop::Released;
+  std::array<HallFaults, kWheels> hallFaults_{};
+  std::array<CurrentFaults, kWheels> currentFaults_{};
+  bool angleBroken_ = false;
+  bool angleOpen_ = false;
+  bool angleStuck_ = false;
+  double angleDrift_ = 0;  // degrees in a step
+  double angleDrifted_ = 0;
+  double keptVolts_ = 0;  // of an angle input that is open or stuck
+  bool leftEndBroken_ = false;
+  bool rightEndBroken_ = false;
+  std::array<double, kWheels> currentVolts_{};
+  double angleNoise_ = 0;
+  Forces ground_{};  // gravity along the ground in this step
+  double weight_ = 0;
+  double grip_ = 0;
+  double supply_ = 0;
+  double speed_ = 0;
+  double sideSpeed_ = 0;
+  double yawRate_ = 0;
+  double heading_ = 0;
+  double distance_ = 0;
+  double greatestRpm_ = 0;
+  std::uint64_t steps_ = 0;
+  std::vector<HallEdge> edges_;
+};
+
+}  // namespace wr::plant

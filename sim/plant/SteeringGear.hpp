@@ -1,0 +1,40 @@
+#pragma once
+
+namespace wr::plant {
+
+/// @brief The steering device: a stepper motor with its gear, end stops and switches.
+class SteeringGear {
+ public:
+  static constexpr double kStep = 0.05;    ///< degrees
+  static constexpr int kLastStep = 680;    ///< where the steering is stopped: 34 degrees
+  static constexpr double kSwitch = 33.5;  ///< where the switch of an end closes, degrees
+
+  /// @brief Switches the current of the motor.
+  /// @param enabled false: steps are lost
+  void enable(bool enabled) { enabled_ = enabled; }
+
+  /// @brief Lets the motor stall: each step is lost.
+  /// @param stalled true from now on
+  void stall(bool stalled) { stalled_ = stalled; }
+
+  /// @brief One step pulse.
+  /// @param left direction
+  void step(bool left);
+
+  /// @brief Where the steering stands.
+  /// @return degrees, positive to the left
+  [[nodiscard]] double degrees() const { return steps_ * kStep; }
+
+  /// @brief Whether the switch of the left end is closed.
+  [[nodiscard]] bool leftEnd() const { return degrees() >= kSwitch; }
+
+  /// @brief Whether the switch of the right end is closed.
+  [[nodiscard]] bool rightEnd() const { return degrees() <= -kSwitch; }
+
+ private:
+  bool enabled_ = false;
+  bool stalled_ = false;
+  int steps_ = 0;
+};
+
+}  // namespace wr::plant

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "sim/plant/Plant.hpp"
+
+namespace wr::plant {
+
+/// @brief Where a wheel is and which way it points.
+struct WheelPose {
+  double x = 0;       ///< m before the middle of the robot
+  double y = 0;       ///< m to the left of it
+  double cosine = 1;  ///< of the angle to the left
+  double sine = 0;
+};
+
+/// @brief The four wheels under the robot: front left, front right, rear left, rear right. The front
+/// wheels turn about one point with the rear axle (Ackermann steering).
+class SteeringLinkage {
+ public:
+  static constexpr double kWheelbase = 1.582;  ///< m: the robot's public description
+  static constexpr double kTrack = 1.054;      ///< m: the robot's public description
+
+  SteeringLinkage() { turn(0); }
+
+  /// @brief Turns the front wheels.
+  /// @param degrees angle of a wheel in the middle of the front axle, positive to the left
+  void turn(double degrees);
+
+  /// @brief A wheel.
+  /// @param wheel 0 to 3
+  [[nodiscard]] const WheelPose& pose(std::size_t wheel) const { return poses_[wheel]; }
+
+ private:
+  double degrees_ = 1;
+  std::array<WheelPose, kWheels> poses_{};
+};
+
+}  // namespace wr::plant

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "sim/scenario/RobotSession.hpp"
+
+namespace wr::programs {
+
+/// @brief Exit codes of the simulators.
+enum class Exit { Done = 0, Failed = 1, Usage = 2, Found = 4 };
+
+/// @brief A symbolic link that lasts as long as the object. A file of another kind is not replaced.
+class SymbolicLink {
+ public:
+  /// @brief Creates the link.
+  /// @param path where; empty for no link
+  /// @param target where it leads
+  SymbolicLink(std::filesystem::path path, std::filesystem::path target);
+  SymbolicLink(const SymbolicLink&) = delete;
+  SymbolicLink& operator=(const SymbolicLink&) = delete;
+  ~SymbolicLink();
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::path target_;
+};
+
+/// @brief Lets Ctrl-C and SIGTERM ask for the end of the program.
+void catchEndRequests();
+
+/// @brief Checks whether the end was asked for.
+[[nodiscard]] bool endRequested();
+
+/// @brief Plays a scenario and prints how it ended.
+/// @param file the scenario
+/// @param reports file that gets the reports; empty for none
+/// @param robot a robot that was just switched on
+/// @return exit code of the program
+[[nodiscard]] Exit playScenario(const std::string& file, const std::string& reports,
+                                scenario::RobotSession& robot);
+
+/// @brief Returns a check of an option whose number must be greater than 0.
+[[nodiscard]] CLI::Validator greaterThanZero();
+
+/// @brief Reads the command line, runs a program, and turns errors into an exit code and a text.
+/// @param app options of the program
+/// @param count number of arguments, with the name of the program
+/// @param arguments the arguments
+/// @param body the program; it throws CLI::ParseError for options that do not fit each other
+/// @return exit code for main()
+int runProgram(CLI::App& app, int count, char** arguments, const std::function<Exit()>& body);
+
+}  // namespace wr::programs

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/programs/SerialLine.hpp"
+
+namespace wr::programs {
+
+/// @brief A pseudo-terminal of this machine.
+///
+/// It keeps the far end open itself, so a client may leave and another may come. Bytes that the
+/// pseudo-terminal does not accept at once wait in bounded storage.
+class PseudoTerminal final : public SerialLine {
+ public:
+  /// @brief Bytes that can wait to be sent.
+  static constexpr std::size_t kCapacity = 512;
+
+  /// @brief Opens a pseudo-terminal in raw mode. Throws std::system_error when it cannot.
+  PseudoTerminal();
+  ~PseudoTerminal() override;
+
+  [[nodiscard]] const std::string& name() const override { return path_; }
+  std::size_t read(std::span<std::uint8_t> bytes) override;
+  bool write(std::span<const std::uint8_t> bytes) override;
+
+ private:
+  void send();
+
+  int line_ = -1;
+  int farEnd_ = -1;
+  std::string path_;
+  std::vector<std::uint8_t> waiting_;
+};
+
+}  // namespace wr::programs

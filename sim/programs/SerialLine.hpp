@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace wr::programs {
+
+/// @brief The far end of a serial port of the robot, on this machine. No call waits.
+class SerialLine {
+ public:
+  SerialLine() = default;
+  SerialLine(const SerialLine&) = delete;
+  SerialLine& operator=(const SerialLine&) = delete;
+  virtual ~SerialLine() = default;
+
+  /// @brief Returns the name by which a client opens the line.
+  [[nodiscard]] virtual const std::string& name() const = 0;
+
+  /// @brief Reads bytes that a client has sent.
+  /// @param bytes gets the bytes
+  /// @return number of bytes; 0 while there are none
+  virtual std::size_t read(std::span<std::uint8_t> bytes) = 0;
+
+  /// @brief Sends bytes to the client.
+  /// @param bytes the bytes
+  /// @return false when they are lost, because no client reads
+  virtual bool write(std::span<const std::uint8_t> bytes) = 0;
+};
+
+/// @brief Opens a line. Throws std::system_error when it cannot.
+/// @param kind "pty", "stdout" or "tcp:PORT"; see isLineKind()
+/// @return the line
+[[nodiscard]] std::unique_ptr<SerialLine> openLine(const std::string& kind);
+
+/// @brief Checks whether openLine() has a kind of line.
+[[nodiscard]] bool isLineKind(const std::string& kind);
+
+}  // namespace wr::programs

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "sim/programs/SerialLine.hpp"
+
+namespace wr::programs {
+
+/// @brief A TCP port of this machine, 127.0.0.1, for one client at a time. A client may leave and
+/// another may come.
+class TcpLine final : public SerialLine {
+ public:
+  /// @brief Waits for clients. Throws std::system_error when it cannot.
+  /// @param port the port; 0: the system chooses a free one, see name()
+  explicit TcpLine(std::uint16_t port);
+  ~TcpLine() override;
+
+  [[nodiscard]] const std::string& name() const override { return name_; }
+  std::size_t read(std::span<std::uint8_t> bytes) override;
+  bool write(std::span<const std::uint8_t> bytes) override;
+
+ private:
+  void leave();
+
+  int door_;
+  int client_ = -1;
+  std::string name_;
+};
+
+}  // namespace wr::programs

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+namespace wr::programs {
+
+/// @brief Returns the result of a system call. Throws std::system_error when it is negative.
+/// @param result the result
+/// @param what the call, for the error
+inline int checked(int result, const std::string& what) {
+  if (result < 0) {
+    throw std::system_error(errno, std::generic_category(), what);
+  }
+  return result;
+}
+
+}  // namespace wr::programs

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "sim/scenario/RobotSession.hpp"
+
+namespace wr::scenario {
+
+/// @brief A datagram socket that accepts actions of a scenario while the robot runs in real time.
+///
+/// Each datagram is one action as in a scenario, without its time: "rc off", "fault hall 0",
+/// "expect true_velocity0 between 5 3000". The answer goes to the sender: "ok", or the error.
+/// Actions of the PC are refused, because the PC link is in use.
+class ControlChannel {
+ public:
+  /// @brief Opens the socket. Throws std::system_error when it cannot.
+  /// @param path path of the socket; an old socket there is replaced; empty for no socket
+  /// @param robot robot on which the actions act
+  ControlChannel(std::filesystem::path path, RobotSession& robot);
+  ControlChannel(const ControlChannel&) = delete;
+  ControlChannel& operator=(const ControlChannel&) = delete;
+  ~ControlChannel();
+
+  /// @brief Carries out the actions that have arrived, and answers them.
+  void serve();
+
+  /// @brief Carries out one action.
+  /// @param words the action
+  /// @return "ok", or the error
+  [[nodiscard]] std::string perform(const std::string& words);
+
+ private:
+  std::filesystem::path path_;
+  RobotSession& robot_;
+  int socket_ = -1;
+};
+
+}  // namespace wr::scenario

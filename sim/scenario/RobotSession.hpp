@@ -1,0 +1,94 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sim/plant/RemoteControl.hpp"
+#include "sim/plant/Robot.hpp"
+
+namespace wr::scenario {
+
+/// @brief What a simulated board found to be wrong with the firmware.
+struct SessionFinding {
+  std::string id;    ///< kind of the finding
+  std::string text;  ///< the whole of it, in one line
+};
+
+/// @brief A reset of the microcontroller from outside.
+enum class ResetKind : std::uint8_t {
+  Pin,   ///< the reset pin; memory keeps its content
+  Power  ///< the supply was off; memory is lost
+};
+
+/// @brief A robot in stepped time, seen from the PC's end of its line.
+class RobotSession {
+ public:
+  /// @brief Time since the robot was switched on.
+  using Time = std::chrono::microseconds;
+
+  RobotSession() = default;
+  RobotSession(const RobotSession&) = delete;
+  RobotSession& operator=(const RobotSession&) = delete;
+  virtual ~RobotSession() = default;
+
+  /// @brief Puts bytes on the line, which brings them one after the other from now on.
+  /// @param bytes the bytes
+  virtual void send(std::span<const std::uint8_t> bytes) = 0;
+
+  /// @brief Puts bytes on the line so that the last one is whole some time before the next clock pulse.
+  /// There must have been a clock pulse.
+  /// @param bytes the bytes
+  /// @param before how long before the pulse
+  virtual void sendBeforePulse(std::span<const std::uint8_t> bytes, Time before) = 0;
+
+  /// @brief The bytes that the robot has sent since the last call.
+  /// @return the bytes, oldest first
+  [[nodiscard]] virtual std::vector<std::uint8_t> takeSent() = 0;
+
+  /// @brief Lets time pass up to an instant.
+  /// @param instant the instant
+  /// @return false if a finding has stopped the robot
+  virtual bool runUntil(Time instant) = 0;
+
+  /// @brief Runs to the next clock pulse, through its cycle, and until all that it sent is on the line.
+  /// @return false if a finding has stopped the robot
+  virtual bool runThroughPulse() = 0;
+
+  /// @brief The present time.
+  /// @return time since the robot was switched on
+  [[nodiscard]] virtual Time now() const = 0;
+
+  /// @brief The physics of the robot.
+  /// @return the physics: to read the truth, and to change ground, noise and faults
+  [[nodiscard]] virtual plant::Robot& robot() = 0;
+
+  /// @brief The remote control.
+  /// @return the remote control, off at first
+  [[nodiscard]] virtual plant::RemoteControl& remoteControl() = 0;
+
+  /// @brief Resets the microcontroller. Throws std::runtime_error where that is not possible.
+  /// @param kind what resets it
+  virtual void reset(ResetKind /*kind*/) {
+    throw std::runtime_error(
+        "this robot cannot be reset: play the scenario with the whole firmware");
+  }
+
+  /// @brief Takes the external clock of 50 MHz away, or brings it back. Throws std::runtime_error
+  /// where there is none.
+  /// @param present false: it is lost
+  virtual void setExternalClock(bool /*present*/) {
+    throw std::runtime_error(
+        "the host has no external clock: play the scenario on the virtual board");
+  }
+
+  /// @brief What has stopped the robot.
+  /// @return the finding; nothing while there is none
+  [[nodiscard]] virtual std::optional<SessionFinding> finding() const = 0;
+};
+
+}  // namespace wr::scenario

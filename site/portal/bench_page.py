@@ -1,0 +1,114 @@
+"""The page of the bench: the paper's four scenarios, its figures and ours."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Any
+
+from portal import plots
+from portal.plots import HEIGHT, WIDTH, Drawing, Line, Tick, axis
+from portal.portal import Page, Portal
+from traceability.reading.bench_record import (
+    CYCLES,
+    MANUAL,
+    PERIOD_MS,
+    SCENARIOS,
+    SHARE,
+    SLOW,
+    SPEED_GOAL,
+    SPEED_LEAST,
+    TIMINGS,
+    Paper,
+    read_bench,
+)
+
+BIN_US = 20
+TOP = 12  # modules and functions shown of each scenario
+CLASSES = {MANUAL: "measured host", SLOW: "measured board", "board": "truth host"}
+WORDS = {**TIMINGS, "board": "a board"}
+
+
+def bench_page(portal: Portal) -> Page:
+    record = read_bench(portal.root)
+    runs: dict[str, Any] = record["scenarios"] if record else {}
+    return portal.page(
+        "bench",
+        "Bench",
+        "bench",
+        "bench",
+        papers=SCENARIOS,
+        runs=runs,
+        timings=TIMINGS,
+        manual=MANUAL,
+        slow=SLOW,
+        cycles=CYCLES,
+        period=PERIOD_MS,
+        share=SHARE,
+        speeds=(SPEED_LEAST, SPEED_GOAL),
+        target=target,
+        top=TOP,
+        comparison=comparison(runs) if runs else None,
+        distributions={name: distribution(run) for name, run in runs.items()},
+        board=any("board" in run for run in runs.values()),
+        width=plots.WIDTH,
+        height=plots.HEIGHT,
+    )
+
+
+def target(paper: Paper, run: dict[str, Any], kind: str) -> tuple[float, float]:
+    """The most that the pessimistic time may be, and how many times that it is."""
+    most = (paper.average if kind == "average" else paper.maximum) / SHARE
+    return round(most, 3), round(run[SLOW]["report_ms"][kind] / most, 2)
+
+
+def comparison(runs: dict[str, Any]) -> Drawing:
+    """For each scenario a line from the average to the maximum: the paper's and ours."""
+    x = axis(0.0, max(paper.maximum for paper in SCENARIOS), rounded=True)
+    rows = len(SCENARIOS)
+    lines, parts = [], []
+    for offset, name, kind in (
+        (-0.2, "the paper", "set-point"),
+        (0.0, WORDS[MANUAL], CLASSES[MANUAL]),
+        (0.2, WORDS[SLOW], CLASSES[SLOW]),
+    ):
+        path = ""
+        for row, paper in enumerate(SCENARIOS):
+            low, high = paper.average, paper.maximum
+            if name != "the paper":
+                found = runs[paper.name].get(MANUAL if name == WORDS[MANUAL] else SLOW)
+                if found is None:
+                    continue
+                low, high = (found["report_ms"][one] for one in ("average", "maximum"))
+            down = HEIGHT * (row + 0.5 + offset) / rows
+            first, last = (x.place(value) * WIDTH / 100 for value in (low, high))
+            path += f"M{first:.1f} {down - 8:.1f}v16m0 -8H{last:.1f}"
+            parts.append(f"{paper.title}, {name}: {low:g} to {high:g} ms")
+        lines.append(Line(kind, f"{name}: average to maximum", path))
+    marks = [Tick(str(row + 1), 100 - 100 * (row + 0.5) / rows) for row in range(rows)]
+    return Drawing(
+        "Time from the clock pulse to the report", "ms", x.ticks, marks, lines, "; ".join(parts)
+    )
+
+
+def distribution(run: dict[str, Any]) -> Drawing:
+    """How many cycles took how long, in steps of 20 us."""
+    times = {kind: run[kind]["times_us"] for kind in CLASSES if kind in run}
+    bins = {kind: Counter(time // BIN_US for time in values) for kind, values in times.items()}
+    most = max(max(found) for found in bins.values()) + 1
+    x = axis(0.0, most * BIN_US / 1000, rounded=True)
+    y = axis(0.0, float(max(max(found.values()) for found in bins.values())), rounded=True)
+    lines = [Line(CLASSES[kind], WORDS[kind], outline(found, x, y)) for kind, found in bins.items()]
+    words = "; ".join(
+        f"{WORDS[kind]}: {min(values)} to {max(values)} us" for kind, values in times.items()
+    )
+    return Drawing("Cycles by their time", "cycles in 20 us", x.ticks, y.ticks, lines, words)
+
+
+def outline(found: Counter[int], x: plots.Axis, y: plots.Axis) -> str:
+    """The steps of a histogram."""
+    parts: list[str] = []
+    for number in range(min(found), max(found) + 1):
+        left, right = (x.place(edge * BIN_US / 1000) * WIDTH / 100 for edge in (number, number + 1))
+        down = HEIGHT - y.place(found[number]) * HEIGHT / 100
+        parts.append(f"{'V' if parts else f'M{left:.1f} {HEIGHT}V'}{down:.1f}H{right:.1f}")
+    return "".join([*parts, f"V{HEIGHT}"])

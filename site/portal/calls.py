@@ -1,0 +1,142 @@
+"""Who calls whom: the module diagram of one module."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from portal.links import Links
+from traceability.model.design_model import Model
+from traceability.schema import Call, Method, Module
+
+ROW = 26
+GROUP_GAP = 12
+LEFT, RIGHT = 296, 560
+BOX_LEFT, BOX_RIGHT = 340, 516
+TOP = 74
+MOST = 12  # ends shown beside one method; the list form has all
+
+
+@dataclass
+class End:
+    """The other end of a call: a method or a function, and whether the call is virtual."""
+
+    method: str
+    virtual: bool
+    link: str | None
+
+
+@dataclass
+class Row:
+    """A method of the module with its callers and callees."""
+
+    name: str
+    link: str | None
+    callers: list[End] = field(default_factory=list)
+    callees: list[End] = field(default_factory=list)
+
+
+@dataclass
+class Text:
+    x: int
+    y: float
+    method: str
+    link: str | None
+    end: bool
+
+
+@dataclass
+class Wire:
+    path: str
+    virtual: bool
+
+
+@dataclass
+class Drawing:
+    height: float
+    box_bottom: float
+    names: list[tuple[str, str | None, float]]
+    texts: list[Text]
+    wires: list[Wire]
+    hidden: int
+
+
+class CallGraph:
+    """Callers of each method; calls to an abstraction count for each method that they can reach."""
+
+    def __init__(self, model: Model, links: Links) -> None:
+        self.links = links
+        self.callers: dict[str, list[End]] = {}
+        for module in model.modules.values():
+            for method in module.methods:
+                self._add(method.id, method.calls, links.method(method.id))
+        for function in model.functions.values():
+            self._add(function.id, function.calls, links.source(function.place))
+
+    def _add(self, caller: str, calls: list[Call], link: str | None) -> None:
+        for call in calls:
+            for target in {call.target, *call.targets}:
+                ends = self.callers.setdefault(target, [])
+                if all(end.method != caller for end in ends):
+                    ends.append(End(caller, call.virtual, link))
+
+    def rows(self, module: Module) -> list[Row]:
+        found: dict[str, Row] = {}
+        for method in module.methods:
+            row = found.setdefault(method.name, Row(method.name, self.links.method(method.id)))
+            self._fill(row, module, method)
+        return [row for row in found.values() if row.callers or row.callees]
+
+    def _fill(self, row: Row, module: Module, method: Method) -> None:
+        outside = f"{module.name}::"
+        known = {end.method for end in row.callers}
+        row.callers += [
+            end
+            for end in self.callers.get(method.id, [])
+            if not end.method.startswith(outside)
+            and end.method not in known
+            and not is_heir_constructor(module, method, end.method)
+        ]
+        known = {end.method for end in row.callees}
+        for call in method.calls:
+            inside = call.target.startswith(outside) or is_base_constructor(module, call.target)
+            if not inside and call.target not in known and self.links.find_method(call.target):
+                known.add(call.target)
+                row.callees.append(End(call.target, call.virtual, self.links.method(call.target)))
+
+
+def is_base_constructor(module: Module, method: str) -> bool:
+    owner, _, name = method.partition("::")
+    return owner == name and owner in module.bases
+
+
+def is_heir_constructor(module: Module, method: Method, caller: str) -> bool:
+    owner, _, name = caller.partition("::")
+    return method.kind == "constructor" and owner == name and owner in module.heirs
+
+
+def draw(rows: list[Row]) -> Drawing:
+    """Places the three columns: each method beside the middle of its callers and callees."""
+    drawing = Drawing(0, 0, [], [], [], 0)
+    y = float(TOP)
+    for row in rows:
+        callers, callees = row.callers[:MOST], row.callees[:MOST]
+        drawing.hidden += len(row.callers) + len(row.callees) - len(callers) - len(callees)
+        height = max(len(callers), len(callees), 1) * ROW
+        middle = y + height / 2
+        drawing.names.append((row.name, row.link, middle))
+        for ends, x, is_caller in ((callers, LEFT, True), (callees, RIGHT, False)):
+            first = middle - (len(ends) - 1) * ROW / 2
+            for number, end in enumerate(ends):
+                at = first + number * ROW
+                drawing.texts.append(Text(x, at, end.method, end.link, is_caller))
+                drawing.wires.append(Wire(curve(at, middle, is_caller), end.virtual))
+        y += height + GROUP_GAP
+    drawing.box_bottom = y
+    drawing.height = y + 34
+    return drawing
+
+
+def curve(outer: float, middle: float, is_caller: bool) -> str:
+    start, end = (LEFT + 6, BOX_LEFT - 7) if is_caller else (BOX_RIGHT, RIGHT - 9)
+    first, last = (outer, middle) if is_caller else (middle, outer)
+    return f"M{start} {first:g}C{start + 21} {first:g} {end - 21} {last:g} {end} {last:g}"

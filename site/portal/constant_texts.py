@@ -1,0 +1,47 @@
+"""Constants of the code as pages show them: the value with its unit, linked to the declaration."""
+
+from __future__ import annotations
+
+import html
+
+from portal.links import Links
+from traceability.model.design_model import Model
+from traceability.schema import Constant
+
+# The unit of the code: how much of the unit of a page it is.
+SHOWN = {
+    "0.01 degree": (100, "degree"),
+    "0.1 rpm": (10, "rpm"),
+    "0.01 %": (100, "%"),
+    "mV": (1000, "V"),
+    "uV": (1000, "mV"),
+    "mA": (1000, "A"),
+    "mOhm": (1000, "ohm"),
+    "1/1000": (1000, ""),
+}
+# Units with a longer one, which is used for its multiples.
+LONGER = {"us": (1000, "ms"), "ms": (1000, "s"), "Hz": (1_000_000, "MHz")}
+
+
+def constant_text(constant: Constant) -> str:
+    """The value and the unit, as in ``100 ms``."""
+    number, unit = float(constant.number), constant.unit.partition(" per ")[0]
+    steps, unit = SHOWN.get(unit, (1, unit))
+    number /= steps
+    while unit in LONGER and number and number % LONGER[unit][0] == 0:
+        steps, unit = LONGER[unit]
+        number /= steps
+    if unit == "degree" and abs(number) > 1:
+        unit = "degrees"
+    return f"{number:.15g} {unit}".strip()
+
+
+def constant_links(model: Model, links: Links) -> dict[str, str]:
+    """For each constant, its text in HTML."""
+    found = {}
+    for name, constant in model.constants.items():
+        text = html.escape(constant_text(constant).replace(" ", "\N{NO-BREAK SPACE}"))
+        text = text.replace("^2", "<sup>2</sup>")
+        address = links.source(constant.place)
+        found[name] = f'<a href="{address}" title="{name}">{text}</a>' if address else text
+    return found

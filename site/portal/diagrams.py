@@ -1,0 +1,466 @@
+"""Class and state diagrams: PlantUML text from the model, and the SVG made fit for a page.
+
+PlantUML knows no CSS variables. The text therefore carries marker colours, and each becomes a
+variable of the theme in the SVG. All diagrams whose text changed are drawn by one start of Java.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import subprocess
+import xml.etree.ElementTree as ET
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from portal.links import Links
+from traceability.model.design_model import Model
+from traceability.schema import Module, PatternApplication, StateMachine, Transition
+
+DIAGRAMS = "diagrams"  # the folder of their sources in the site
+SVG = "{http://www.w3.org/2000/svg}"
+XLINK = "{http://www.w3.org/1999/xlink}"
+FORMAT = "8"  # part of the cache key: raise it when the finishing of the SVG changes
+
+FAMILIES = {
+    "Decorator": "decorator",
+    "Concrete Decorator": "decorator",
+    "Context": "context",
+    "Invoker": "context",
+    "Client": "context",
+    "Director": "context",
+    "Receiver": "target",
+    "Product": "target",
+    "Singleton": "target",
+}
+STATE_HUES = {
+    "Working": "working",
+    "Connected": "working",
+    "Waiting": "waiting",
+    "WaitingN": "waiting",
+    "Handshaking": "waiting",
+    "Reconnecting": "reconnecting",
+    "Disconnected": "reconnecting",
+    "PC": "pc",
+    "RC": "rc",
+}
+HUES = [
+    *(f"role-{name}" for name in ("abstraction", "concrete", "context", "decorator", "target")),
+    *(f"fsm-{name}" for name in ("working", "waiting", "reconnecting", "pc", "rc")),
+]
+VARIABLES = {
+    "line": "--ink-2",
+    "text": "--ink",
+    "soft": "--ink-3",
+    "plain": "--paper",
+    "edge": "--rule",
+    **{hue: f"--{hue}" for hue in HUES},
+    **{f"{hue}-fill": f"--{hue}-fill" for hue in HUES},
+}
+MARKERS = {name: f"#FA{number:02X}5C" for number, name in enumerate(VARIABLES)}
+COLOURS = {MARKERS[name]: variable for name, variable in VARIABLES.items()}
+COLOURS["#FFFFFF"] = "--paper"  # the inside of diamonds
+
+UNSET = "#A80036"  # what PlantUML draws edges with when it is given no colour
+
+LOCATED = re.compile(r'class="(edge|says)" data-for="([^"]*)"')
+
+LONG_LABEL = 12  # a transition's action goes below a longer event
+
+# (role of one end, role of the other end, arrow): drawn when the one uses the other.
+RELATIONS = [
+    ("Context", "State", "o-->"),
+    ("Context", "Strategy", "o-->"),
+    ("Decorator", "Component", "o-->"),
+    ("Invoker", "Command", "o-->"),
+    ("Concrete Command", "Receiver", "..>"),
+    ("Client", "Concrete Command", "..>"),
+    ("Director", "Builder", "-->"),
+    ("Director", "Concrete Builder", "-->"),
+    ("Concrete Builder", "Product", "..>"),
+    ("Concrete Element", "Reader", "..>"),
+    ("Concrete Element", "Writer", "..>"),
+]
+
+
+def role_family(role: str) -> str:
+    """One of five families, each with a colour of its own, that cover the roles of all patterns."""
+    if role in FAMILIES:
+        return FAMILIES[role]
+    return "concrete" if role.startswith("Concrete") else "abstraction"
+
+
+@dataclass
+class Diagram:
+    """A drawing in PlantUML's language, and what a reader without sight hears of it."""
+
+    id: str
+    label: str
+    text: str
+    edges: dict[tuple[str, str], list[Transition]] = field(default_factory=dict)
+
+
+def preamble() -> list[str]:
+    return [
+        "@startuml",
+        "set namespaceSeparator none",
+        "hide circle",
+        "hide empty members",
+        "hide empty description",
+        "skinparam backgroundColor transparent",
+        "skinparam shadowing false",
+        "skinparam roundCorner 4",
+        "skinparam svgLinkTarget _self",
+        "skinparam defaultFontName SansSerif",
+        "skinparam defaultFontSize 13",
+        f"skinparam defaultFontColor {MARKERS['text']}",
+        f"skinparam arrowColor {MARKERS['line']}",
+        f"skinparam arrowFontColor {MARKERS['text']}",
+        "skinparam arrowFontSize 12",
+        f"skinparam classBorderColor {MARKERS['edge']}",
+        f"skinparam classBackgroundColor {MARKERS['plain']}",
+        f"skinparam classFontColor {MARKERS['text']}",
+        "skinparam classFontStyle bold",
+        "skinparam classAttributeFontSize 12",
+        f"skinparam classAttributeFontColor {MARKERS['text']}",
+        f"skinparam classStereotypeFontColor {MARKERS['soft']}",
+        "skinparam classStereotypeFontSize 12",
+        "skinparam classStereotypeFontStyle plain",
+        "skinparam padding 3",
+        f"skinparam stateFontColor {MARKERS['text']}",
+        f"skinparam stateStartColor {MARKERS['line']}",
+        "skinparam nodesep 34",
+        "skinparam ranksep 44",
+    ]
+
+
+# ---- pattern applications ----------------------------------------------------
+
+
+def between(model: Model, bound: set[str]) -> set[str]:
+    """Modules that lie in the hierarchy between two bound modules."""
+
+    def leads_to_bound(name: str) -> bool:
+        module = model.modules.get(name)
+        return module is not None and any(b in bound or leads_to_bound(b) for b in module.bases)
+
+    found: set[str] = set()
+    for name in bound:
+        pending = list(model.modules[name].bases)
+        while pending:
+            base = pending.pop()
+            if base in model.modules and base not in bound | found and leads_to_bound(base):
+                found.add(base)
+                pending += model.modules[base].bases
+    return found
+
+
+def shown_members(module: Module, role: str) -> list[str]:
+    if role_family(role) == "context":
+        return []
+    wanted = ("pure", "virtual", "plain") if module.abstract else ("override",)
+    names = [
+        m
+        for m in module.methods
+        if (m.access == "public" or m.kind != "plain")  # a primitive is virtual and not public
+        and m.kind in wanted
+        and not m.name.startswith(("operator", "~"))
+    ]
+    seen: dict[str, str] = {}
+    for method in names:
+        style = f"//{method.name}()//" if method.kind == "pure" else f"{method.name}()"
+        seen.setdefault(method.name, style)
+    members = list(seen.values())
+    return members if len(members) <= 7 else [*members[:6], f"{{method}} {len(members) - 6} more"]
+
+
+def class_lines(module: Module, roles: list[str], links: Links) -> list[str]:
+    keyword = "abstract class" if module.abstract else "class"
+    if roles:
+        family = role_family(roles[0])
+        fill, line = MARKERS[f"role-{family}-fill"], MARKERS[f"role-{family}"]
+        style = f"<<{', '.join(roles)}>> [[{links.module(module.name)}]] {fill} ##{line[1:]}"
+    else:
+        style = (
+            f"[[{links.module(module.name)}]] {MARKERS['plain']} ##[dashed]{MARKERS['edge'][1:]}"
+        )
+    members = shown_members(module, roles[0]) if roles else []
+    return [f"{keyword} {module.name} {style} {{", *(f"  {m}" for m in members), "}"]
+
+
+def pattern_diagram(model: Model, application: PatternApplication, links: Links) -> Diagram:
+    roles: dict[str, list[str]] = {}
+    for binding in application.roles:
+        if binding.module in model.modules:
+            roles.setdefault(binding.module, []).append(binding.role)
+    extra = between(model, set(roles))
+    shown = [*roles, *sorted(extra)]
+    lines = preamble()
+    for name in shown:
+        lines += class_lines(model.modules[name], roles.get(name, []), links)
+    for name in shown:
+        lines += [f"{b} <|-- {name}" for b in model.modules[name].bases if b in shown]
+    lines += relation_lines(model, application)
+    lines.append("@enduml")
+    words = "; ".join(f"{name} is {' and '.join(r)}" for name, r in roles.items())
+    label = f"Class diagram of {application.title}: {words}"
+    return Diagram(f"pattern-{application.id}", label, "\n".join(lines))
+
+
+def relation_lines(model: Model, application: PatternApplication) -> list[str]:
+    lines: list[str] = []
+    for one, other, arrow in RELATIONS:
+        for a in (r.module for r in application.roles if r.role == one):
+            for b in (r.module for r in application.roles if r.role == other):
+                module = model.modules.get(a)
+                derives = module is not None and b in module.bases and one != "Decorator"
+                if module and b in model.modules and a != b and not derives and b in uses(module):
+                    lines.append(f"{a} {arrow} {b}")
+    return lines
+
+
+def uses(module: Module) -> set[str]:
+    return {*module.uses, *module.bases}
+
+
+# ---- state machines ----------------------------------------------------------
+
+
+def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram:
+    """Transitions that no test made are dashed, as long as results tell."""
+    lines = preamble()
+    for name, module in machine.states.items():
+        hue = STATE_HUES.get(name, "pc")
+        link = links.module(module)
+        target = f"[[{link}]] " if link else ""
+        fill, line = MARKERS[f"fsm-{hue}-fill"], MARKERS[f"fsm-{hue}"]
+        lines.append(f"state {name} {target}{fill} ##{line[1:]}")
+    lines.append(f"[*] --> {machine.initial}")
+    edges = merged_transitions(machine)
+    for (source, target), steps in edges.items():
+        text = "\\n".join(line for step in steps for line in label_lines(step))
+        unseen = not stale and not all(step.tests for step in steps)
+        arrow = "-[dashed]->" if unseen else "-->"
+        lines.append(f"{source} {arrow} {target} : {text}")
+    lines.append("@enduml")
+    label = f"State diagram: {machine.title}. The table beside it holds the same transitions."
+    return Diagram(f"machine-{machine.id}", label, "\n".join(lines), edges)
+
+
+def merged_transitions(machine: StateMachine) -> dict[tuple[str, str], list[Transition]]:
+    """Transitions between the same two states share an edge."""
+    merged: dict[tuple[str, str], list[Transition]] = {}
+    for step in machine.transitions:
+        merged.setdefault((step.source, step.target), []).append(step)
+    return merged
+
+
+def label_lines(step: Transition) -> list[str]:
+    label = f"{step.event} [{step.guard}]" if step.guard else step.event
+    if not step.action:
+        return [label]
+    action = f"/ {step.action}"
+    return [label, action] if len(label) > LONG_LABEL else [f"{label} {action}"]
+
+
+def located(svg: str, requirement: str) -> str:
+    """The diagram of a machine with the edges and labels marked that a requirement asks for."""
+
+    def mark(match: re.Match[str]) -> str:
+        lit = " lit" if requirement in match[2].split() else ""
+        return f'class="{match[1]}{lit}" data-for="{match[2]}"'
+
+    return LOCATED.sub(mark, svg).replace('class="plant"', 'class="plant located"', 1)
+
+
+# ---- high-level diagram --------------------------------------------------------
+
+LINES = {
+    "call": "-->",
+    "interrupt": "-[dotted]->",
+    "command": "-[dashed]->",
+    "pipe": "-[bold]->",
+    "physical": "-[dashed]-",
+}
+
+
+def high_level_diagram(model: Model, links: Links) -> Diagram:
+    lines = preamble()
+    lines += [
+        f"skinparam rectangleFontColor {MARKERS['text']}",
+    ]
+    grouped = {name for group in model.groups for name in group.modules}
+    for number, group in enumerate(model.groups):
+        fill = f"{MARKERS['plain']};line:{MARKERS['edge'][1:]};line.dashed"
+        lines.append(f'rectangle "{group.name}" as group{number} {fill} {{')
+        lines += [f"  {part(model, name, links)}" for name in group.modules]
+        lines.append("}")
+    ends = [name for one in model.connections for name in (one.source, one.target)]
+    lines += [part(model, name, links) for name in dict.fromkeys(ends) if name not in grouped]
+    for one in model.connections:
+        label = f" : {one.connector}" if one.connector not in ("", "Pipe") else ""
+        lines.append(f"{node(one.source)} {LINES[one.kind]} {node(one.target)}{label}")
+    lines.append("@enduml")
+    label = "High-level diagram. The table below holds the same connections."
+    return Diagram("high-level", label, "\n".join(lines))
+
+
+def node(name: str) -> str:
+    return re.sub(r"\W", "_", name)
+
+
+def part(model: Model, name: str, links: Links) -> str:
+    """A box: a module, or what lies outside."""
+    module = model.modules.get(name) if name != "PC" else None
+    if module is None:
+        style = f"{MARKERS['plain']};line:{MARKERS['line'][1:]};line.dotted"
+        return f'rectangle "{name}" as {node(name)} {style}'
+    words = f"//{name}//" if module.abstract else f"**{name}**"
+    style = f"{MARKERS['role-concrete-fill']};line:{MARKERS['role-concrete'][1:]}"
+    return f'rectangle "{words}" as {node(name)} [[{links.module(name)}]] {style}'
+
+
+# ---- drawing -----------------------------------------------------------------
+
+
+class DiagramError(Exception):
+    """PlantUML could not draw."""
+
+
+def draw(diagrams: Iterable[Diagram], cache: Path) -> dict[str, str]:
+    """The finished SVG of each diagram, by its id."""
+    cache.mkdir(parents=True, exist_ok=True)
+    wanted = {d.id: (d, cache / f"{digest(d)}.svg") for d in diagrams}
+    stale = [(d, path) for d, path in wanted.values() if not path.exists()]
+    if stale:
+        run_plantuml(stale, cache)
+    return {name: path.read_text(encoding="utf-8") for name, (_, path) in wanted.items()}
+
+
+def digest(diagram: Diagram) -> str:
+    asked = [step.requirements for steps in diagram.edges.values() for step in steps]
+    content = f"{FORMAT}\0{diagram.id}\0{diagram.label}\0{diagram.text}\0{asked}"
+    return hashlib.sha256(content.encode()).hexdigest()[:20]
+
+
+def run_plantuml(stale: list[tuple[Diagram, Path]], cache: Path) -> None:
+    work = cache / "work"
+    work.mkdir(exist_ok=True)
+    inputs = []
+    for diagram, path in stale:
+        source = work / f"{path.stem}.puml"
+        source.write_text(diagram.text + "\n", encoding="utf-8")
+        inputs.append(source)
+    command = ["plantuml", "-tsvg", "-nometadata", "-charset", "UTF-8", *map(str, inputs)]
+    result = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
+    if result.returncode:
+        raise DiagramError(f"PlantUML: {result.stdout.strip()} {result.stderr.strip()}".strip())
+    for (diagram, path), source in zip(stale, inputs, strict=True):
+        drawn = source.with_suffix(".svg")
+        path.write_text(finish(drawn.read_text(encoding="utf-8"), diagram), encoding="utf-8")
+        source.unlink()
+        drawn.unlink()
+
+
+def finish(svg: str, diagram: Diagram) -> str:
+    """The SVG with variables for colours, own ids, plain links and the page's font."""
+    root = ET.fromstring(svg)
+    clean(root)
+    width, height = root.get("width", "0").strip("px"), root.get("height", "0").strip("px")
+    root.attrib.clear()
+    root.set("viewBox", f"0 0 {width} {height}")
+    root.set("width", width)
+    root.set("height", height)
+    root.set("style", f"--width: {width}px")
+    root.set("class", "plant")
+    root.set("role", "group")
+    root.set("aria-label", diagram.label)
+    for element in root.iter():
+        if identifier := element.get("id"):
+            element.set("id", f"{diagram.id}-{re.sub(r'[^A-Za-z0-9_-]', '_', identifier)}")
+    for (source, target), steps in diagram.edges.items():
+        group_edge(root, f"{diagram.id}-{source}-_{target}", steps)
+    return ET.tostring(root, encoding="unicode")
+
+
+def group_edge(root: ET.Element, identifier: str, steps: list[Transition]) -> None:
+    """Puts line and tip of an edge into a group that names the requirements, and each label too.
+
+    The labels come after all edges, so that no line is drawn over them.
+    """
+    line = f"path[@id='{identifier}']"
+    drawing = next(parent for parent in root.iter() if parent.find(line) is not None)
+    parts = list(drawing)
+    start = next(at for at, part in enumerate(parts) if part.get("id") == identifier)
+    every = dict.fromkeys(name for step in steps for name in step.requirements)
+    edge = ET.Element("g", {"class": "edge", "data-for": " ".join(every)})
+    rest = iter(parts[start:])
+    edge.extend([next(rest), next(rest)])
+    labels = []
+    for step in steps:
+        says = ET.Element("g", {"class": "says", "data-for": " ".join(step.requirements)})
+        says.extend(next(rest) for _ in label_lines(step))
+        for text in says:
+            del text.attrib["textLength"], text.attrib["lengthAdjust"]
+        labels.append(says)
+    for part in (*edge, *(text for says in labels for text in says)):
+        drawing.remove(part)
+    drawing.insert(start, edge)
+    drawing.extend(labels)
+
+
+def clean(element: ET.Element) -> None:
+    for child in list(element):
+        if not isinstance(child.tag, str) or child.tag in (f"{SVG}defs", f"{SVG}script"):
+            element.remove(child)
+        else:
+            clean(child)
+    element.tag = element.tag.removeprefix(SVG)
+    if target := element.get(f"{XLINK}href"):
+        element.attrib.clear()
+        element.set("href", target)
+        return
+    restyle(element)
+
+
+def restyle(element: ET.Element) -> None:
+    style = dict(part.split(":", 1) for part in element.get("style", "").split(";") if ":" in part)
+    style = {key.strip(): value.strip() for key, value in style.items()}
+    for name in ("fill", "stroke"):
+        if value := element.attrib.pop(name, None):
+            style[name] = value
+    for name, value in style.items():
+        style[name] = f"var({COLOURS[value.upper()]})" if value.upper() in COLOURS else value
+    if style.get("stroke", "").upper() == UNSET:  # states take no colour for their edge
+        style["stroke"] = style.get("fill", "").replace("-fill)", ")")
+    if element.tag == "ellipse":  # the initial state
+        element.set("rx", "5")
+        element.set("ry", "5")
+    for name in ("font-family", "filter"):
+        element.attrib.pop(name, None)
+    if element.tag == "text" and element.get("font-style") == "italic":
+        element.attrib.pop("font-weight", None)
+    if element.tag == "text" and (element.text or "").startswith("«"):
+        plain_role(element)
+    if style:
+        element.set("style", ";".join(f"{key}:{value}" for key, value in style.items()))
+
+
+def plain_role(element: ET.Element) -> None:
+    """A role without its quotation marks, in the middle of the room that was made for both."""
+    element.text = (element.text or "").strip("«»")
+    middle = float(element.get("x", "0")) + float(element.attrib.pop("textLength", "0")) / 2
+    element.attrib.pop("lengthAdjust", None)
+    element.set("x", f"{middle:g}")
+    element.set("text-anchor", "middle")
+
+
+def diagram_files(diagrams: list[Diagram]) -> dict[str, str]:
+    """The source of each diagram in PlantUML's language, by the name of its file.
+
+    The addresses in it lead to the pages, from the folder of the diagrams.
+    """
+    return {
+        f"{DIAGRAMS}/{one.id}.puml": one.text.replace("[[@/", "[[../") + "\n" for one in diagrams
+    }

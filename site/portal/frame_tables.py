@@ -1,0 +1,134 @@
+"""Tables of the PC protocol, made from the table of frames, for pages that people write."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from portal.tables import list_table
+from weeding_robot_client.layout import (
+    BY_QUANTITY,
+    WHEEL_COUNT,
+    Enumeration,
+    Field,
+    FrameTable,
+    Layout,
+    read_frames,
+)
+
+TABLE = Path("design/frames.toml")
+INCLUDED = re.compile(r"^\.\. include:: /_generated/(\S+)$", re.MULTILINE)
+
+
+def frame_tables(root: Path) -> dict[str, str]:
+    """File name and text of each table that a page can include."""
+    if not (root / TABLE).exists():
+        return {}
+    frames = read_frames((root / TABLE).read_text(encoding="utf-8"))
+    files = {"frame_types.inc": types_table(frames)}
+    for layout in frames.frames.values():
+        files[f"frame_{layout.name.lower()}.inc"] = fields_table(layout)
+    for enumeration in frames.enumerations.values():
+        name = f"values_{enumeration.name.replace(' ', '_')}.inc"
+        files[name] = values_table(enumeration)
+    return files
+
+
+def expanded(source: str, root: Path) -> str:
+    """The text of a page with its tables of frames, as the search needs it."""
+    tables = frame_tables(root) if INCLUDED.search(source) else {}
+    return INCLUDED.sub(lambda found: tables.get(found[1], ""), source)
+
+
+def types_table(frames: FrameTable) -> str:
+    rows = [
+        (
+            f"{one.kind:#04x}",
+            one.name,
+            "PC to MCU" if one.sender == "PC" else "MCU to PC",
+            f"{one.size} bytes" if one.size != 1 else "1 byte",
+            one.use,
+        )
+        for one in frames.frames.values()
+    ]
+    return list_table((12, 18, 18, 12, 40), ("type", "name", "from, to", "payload", "use"), rows)
+
+
+def fields_table(layout: Layout) -> str:
+    """The fields of a frame. Fields of the wheels stand in one row for each group."""
+    fields = list(layout.fields)
+    rows = []
+    while fields:
+        one = fields.pop(0)
+        rows.append(field_row(one, [other for other in fields if other.stem == one.stem]))
+        if one.wheel is not None:
+            fields = [other for other in fields if other.stem != one.stem]
+    heads = ("offset", "type", "name", "unit", "meaning")
+    return list_table((12, 8, 22, 14, 44), heads, rows)
+
+
+def field_row(one: Field, of_other_wheels: Iterable[Field]) -> tuple[str, ...]:
+    offsets = [one.offset, *(other.offset for other in of_other_wheels)]
+    name = one.name if one.wheel is None else f"{one.stem}0`` to ``{WHEEL_COUNT - 1}"
+    where = ", ".join(map(str, offsets))
+    return where, one.type, f"``{name}``", unit_of(one), ". ".join(meanings(one))
+
+
+def unit_of(one: Field) -> str:
+    if one.unit == BY_QUANTITY:
+        return "of the quantity"
+    if not one.unit:
+        return ""
+    unit = shown_unit(one.unit, one.scale)
+    return f"{unit}, -{one.limit} to {one.limit}" if one.limit else unit
+
+
+def meanings(one: Field) -> Iterator[str]:
+    """The meaning of a field, and of its numbers and bits."""
+    yield one.meaning
+    if one.values:
+        yield f"See :ref:`{one.values.page}`" if one.values.page else in_line(one.values)
+    if one.none is not None:
+        yield f"{one.none} none"
+    if one.bits:
+        yield "; ".join(f"bit {bit.number} ``{bit.name}``: {bit.meaning}" for bit in one.bits)
+    if one.bits_of:
+        yield "bit n: the source whose number is n"
+    if one.valid:
+        bits = ", ".join(f"{number} ``{name}``" for number, name in enumerate(one.valid))
+        yield f"The bit that says whether a value is valid: {bits}"
+
+
+def in_line(enumeration: Enumeration) -> str:
+    """The numbers with their names, for one cell."""
+    return ", ".join(
+        f"{entry.number} {entry.name}"
+        + (f" ({entry.meaning})" if entry.meaning else "")
+        + (
+            f" in {shown_unit(entry.unit, entry.scale)}, -{entry.limit} to {entry.limit}"
+            if entry.limit
+            else ""
+        )
+        for entry in enumeration.entries
+    )
+
+
+def shown_unit(unit: str, scale: float) -> str:
+    """The unit of one step on the line, as in mV or 0.1 rpm."""
+    if scale == 0.001:
+        return f"m{unit}"
+    return unit if scale == 1 else f"{scale:g} {unit}"
+
+
+def values_table(enumeration: Enumeration) -> str:
+    """The numbers of an enumeration, with what the client shows."""
+    heads = [enumeration.name, "in scenarios", "shown as", "meaning"]
+    heads += [enumeration.detail] if enumeration.detail else []
+    rows = []
+    for entry in enumeration.entries:
+        shown = entry.shown.replace("{number}", "n")
+        row = [str(entry.number), f"``{entry.name}``", shown, entry.meaning]
+        rows.append((*row, entry.detail) if enumeration.detail else tuple(row))
+    widths = (10, 20, 20, 30, 20) if enumeration.detail else (12, 22, 24, 42)
+    return list_table(widths, heads, rows)

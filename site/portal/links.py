@@ -1,0 +1,125 @@
+"""Where each element of the model is shown. An address starts with ``@/``, the root of the site."""
+
+from __future__ import annotations
+
+import re
+from pathlib import PurePosixPath
+
+from traceability.model.design_model import Model
+from traceability.schema import Method, Module, Place
+
+ROOT = "@/"
+TWO_HUMPS = re.compile(r"\b[A-Z][a-z0-9]+(?:[A-Z][a-z0-9]*)+\b")
+ID_OR_CODE = re.compile(r"<code>([^<]*)</code>|\b(?:FR|NFR|SG|HZ|AU)-\d+\b|" + TWO_HUMPS.pattern)
+
+
+def slug(name: str) -> str:
+    """A name as part of an address: operators become words of code points."""
+    return re.sub(r"[^A-Za-z0-9_.-]", lambda hit: f"-{ord(hit.group()):x}", name)
+
+
+def paper_anchor(name: str) -> str:
+    """The place of a name on the page that goes through the paper."""
+    return slug(name.replace(" ", "-"))
+
+
+def depth_prefix(page: str) -> str:
+    """The way from a page back to the root of the site."""
+    return "../" * (len(PurePosixPath(page).parts) - 1)
+
+
+class Links:
+    """Addresses of elements; ``None`` for what has no page."""
+
+    def __init__(self, model: Model, checks: set[str]) -> None:
+        self.model = model
+        self.checks = checks
+        self.files = set(model.files)
+        self.methods = {m.id: m for module in model.modules.values() for m in module.methods}
+
+    def module(self, name: str) -> str | None:
+        module = self.model.modules.get(name)
+        if module is None:
+            return None
+        return f"{ROOT}{module_page(module)}"
+
+    def method(self, identifier: str) -> str | None:
+        method = self.find_method(identifier)
+        if method is None:
+            return self.module(identifier.partition("::")[0])
+        page = self.module(method.module)
+        if self.model.modules[method.module].datatype and method.access != "public":
+            return page  # the data dictionary shows what others may call
+        return page and f"{page.partition('#')[0]}#{self.method_anchor(method)}"
+
+    def find_method(self, identifier: str) -> Method | None:
+        """A method of the module, or the one that it inherits."""
+        name, _, method = identifier.partition("::")
+        seen: set[str] = set()
+        pending = [name]
+        while pending:
+            candidate = pending.pop(0)
+            if candidate in seen:
+                continue
+            seen.add(candidate)
+            if found := self.methods.get(f"{candidate}::{method}"):
+                return found
+            if module := self.model.modules.get(candidate):
+                pending += module.bases
+        return None
+
+    def method_anchor(self, method: Method) -> str:
+        module = self.model.modules[method.module]
+        scope = f"{method.module}-" if module.datatype else "m-"
+        return scope + slug(method.name)
+
+    def requirement(self, identifier: str) -> str | None:
+        known = identifier in self.model.requirements
+        return f"{ROOT}requirements/{identifier}.html" if known else None
+
+    def safety(self, identifier: str) -> str | None:
+        """A safety goal has a page, a hazard and an assumption of use a place on one."""
+        case = self.model.safety
+        if identifier in case.goals:
+            return f"{ROOT}safety/{identifier}.html"
+        if identifier in case.hazards:
+            return f"{ROOT}safety/hazards.html#{identifier}"
+        return f"{ROOT}safety/index.html#{identifier}" if identifier in case.assumptions else None
+
+    def pattern(self, identifier: str) -> str | None:
+        return f"{ROOT}patterns/{identifier}.html" if identifier in self.model.patterns else None
+
+    def change(self, identifier: str) -> str | None:
+        return f"{ROOT}changes/{identifier}.html" if identifier in self.model.changes else None
+
+    def machine(self, identifier: str) -> str | None:
+        known = identifier in self.model.machines
+        return f"{ROOT}machines.html#{slug(identifier)}" if known else None
+
+    def logic(self, identifier: str) -> str | None:
+        known = identifier in self.model.logic_modules
+        return f"{ROOT}structure.html#{logic_anchor(identifier)}" if known else None
+
+    def test(self, identifier: str) -> str | None:
+        known = identifier in self.model.tests
+        return f"{ROOT}tests.html#{slug(identifier)}" if known else None
+
+    def check(self, identifier: str) -> str | None:
+        return f"{ROOT}checks/{identifier}.html" if identifier in self.checks else None
+
+    def source(self, place: Place) -> str | None:
+        if place.file not in self.files:
+            return None
+        line = f"#L{place.line}" if place.line else ""
+        return f"{ROOT}source/{place.file}.html{line}"
+
+    def file(self, path: str) -> str | None:
+        return self.source(Place(path, 0))
+
+
+def module_page(module: Module) -> str:
+    return f"datatypes.html#{module.name}" if module.datatype else f"modules/{module.name}.html"
+
+
+def logic_anchor(identifier: str) -> str:
+    return identifier.replace("/", ".")

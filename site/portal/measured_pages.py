@@ -1,0 +1,137 @@
+"""Pages of what was measured: virtual K64, closed loop, mutants, the usual design."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+
+from portal import plots
+from portal.portal import Page, Portal
+from traceability.reading import baseline_record
+from traceability.schema import Place
+
+TORTURE = "tests/torture/"
+LEAST_DIFFERENCE = 20  # instructions in a cycle: functions that differ by less are not shown
+
+
+@dataclass
+class DriverFile:
+    """A file of the drivers, and its lines that no test executed on the virtual K64."""
+
+    path: str
+    executed: int
+    lines: int
+    missed: list[Place]  # runs of lines
+
+
+def virtual_k64_page(portal: Portal) -> Page:
+    return portal.page(
+        "virtual_k64",
+        "Findings of the virtual K64",
+        "virtual_k64",
+        "virtual_k64",
+        drivers=driver_coverage(portal),
+        torture=[t for t in portal.model.tests.values() if t.place.file.startswith(TORTURE)],
+    )
+
+
+def beliefs_page(portal: Portal) -> Page:
+    return portal.page("beliefs", "Beliefs of the virtual board", "beliefs", "beliefs")
+
+
+def driver_coverage(portal: Portal) -> list[DriverFile] | None:
+    if portal.model.board_lines is None:
+        return None
+    return [
+        DriverFile(path, sum(lines.values()), len(lines), missed_runs(path, lines))
+        for path, lines in sorted(portal.model.board_lines.items())
+    ]
+
+
+def missed_runs(path: str, lines: dict[int, bool]) -> list[Place]:
+    """Runs of missed lines; what lies between two and is no code does not part them."""
+    runs: list[Place] = []
+    missed_before = False
+    for line, hit in sorted(lines.items()):
+        if not hit:
+            first = runs.pop().line if missed_before else line
+            runs.append(Place(path, first, line))
+        missed_before = not hit
+    return runs
+
+
+def closed_loop_page(portal: Portal) -> Page:
+    scenarios = portal.model.closed_loop
+
+    def within(binding: str) -> tuple[int | None, int]:
+        """How many figures are within their limits, if any was measured, and how many there are."""
+        every = [figure for scenario in scenarios for figure in scenario.figures]
+        ran = [figure for figure in every if binding in figure.values]
+        return sum(figure.holds(binding) for figure in ran) if ran else None, len(every)
+
+    return portal.page(
+        "closed_loop",
+        "Closed loop",
+        "closed_loop",
+        "closed_loop",
+        scenarios=scenarios,
+        drawings={
+            scenario.name: [drawing for plot in scenario.plots if (drawing := plots.draw(plot))]
+            for scenario in scenarios
+        },
+        within=within,
+        number=lambda value: f"{value:.3g}" if abs(value) < 100 else f"{value:.0f}",
+        width=plots.WIDTH,
+        height=plots.HEIGHT,
+    )
+
+
+def mutation_page(portal: Portal) -> Page:
+    mutation = portal.model.mutation
+    tried = mutation.tried if mutation else []
+    return portal.page(
+        "mutation",
+        "Mutants",
+        "mutation",
+        "mutation",
+        rows=[(r, portal.model.mutants_of(r.id)) for r in portal.model.requirements.values()],
+        kinds=Counter(mutant.kind for mutant in tried),
+        survivors=[mutant for mutant in tried if not mutant.killed_by],
+    )
+
+
+def usual_design_page(portal: Portal) -> Page:
+    found = baseline_record.read_comparison(portal.root)
+    changes = baseline_record.changes_of(portal.root)
+    patches = {
+        change: {
+            design: (portal.root / baseline_record.patch_of(change, design)).read_text("utf-8")
+            for design in baseline_record.DESIGNS
+        }
+        for change in changes
+    }
+    return portal.page(
+        "usual_design",
+        "Patterns and the usual design",
+        "usual_design",
+        "usual_design",
+        found=found,
+        folder=str(baseline_record.FOLDER),
+        rows=baseline_record.ROWS,
+        designs=baseline_record.DESIGNS,
+        targets=baseline_record.TARGETS,
+        more=baseline_record.more,
+        verdict=baseline_record.verdict,
+        changes=changes,
+        titles=baseline_record.TITLES,
+        patches=patches,
+        counts={
+            change: {
+                design: baseline_record.count_patch(text).as_json()
+                for design, text in texts.items()
+            }
+            for change, texts in patches.items()
+        },
+        functions=baseline_record.beside(found["functions"], LEAST_DIFFERENCE) if found else [],
+        least=LEAST_DIFFERENCE,
+    )

@@ -1,0 +1,113 @@
+"""The page of a module."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from markupsafe import Markup
+
+from portal import calls
+from portal.portal import Page, Portal
+from traceability.schema import Method, Module
+
+FIRST_TESTS = 12  # shown open on the page of a module
+XML = "build/model/xml"
+MEMBERS = "<!-- members -->"  # where Breathe's part of the page comes
+
+
+def module_page(portal: Portal, module: Module) -> Page:
+    rows = portal.calls.rows(module)
+    logic = portal.model.logic_modules.get(module.logic)
+    first_tests = portal.own_tests(module)[:FIRST_TESTS]
+    specified = [m for m in module.methods if m.access == "public"]
+    return portal.page(
+        f"modules/{module.name}",
+        module.name,
+        "structure",
+        "module",
+        module=module,
+        members=Markup(MEMBERS) if doxygen_file(portal, module) else None,
+        logic=logic,
+        rows=rows,
+        drawing=calls.draw(rows),
+        methods=specified,
+        hidden=[m for m in module.methods if m.access != "public"],
+        inherited=inherited_methods(portal, module),
+        first_tests=first_tests,
+        other_tests=[test for test in portal.tests_of(module) if test not in first_tests],
+        through=requirement_methods(module),
+        siblings=[name for name in (logic.modules if logic else []) if name != module.name],
+        ancestors=ancestors(portal, module),
+        bars=coverage_bars(portal, module),
+        changes=portal.changes_of(module.name),
+        in_paper=portal.in_paper(module.name),
+        on_board=[hit for lines in board_hits(portal, module).values() for hit in lines.values()],
+    )
+
+
+def doxygen_file(portal: Portal, module: Module) -> Path | None:
+    """Doxygen's file on a class."""
+    path = portal.root / XML / f"class{module.qualified.replace('::', '_1_1')}.xml"
+    return path if path.is_file() else None
+
+
+def ancestors(portal: Portal, module: Module) -> list[str]:
+    """Bases, nearest first."""
+    found: list[str] = []
+    pending = list(module.bases)
+    while pending:
+        base = pending.pop(0)
+        if base not in found:
+            found.append(base)
+            if base in portal.model.modules:
+                pending += portal.model.modules[base].bases
+    return found
+
+
+def inherited_methods(portal: Portal, module: Module) -> list[Method]:
+    """Public methods that the module has from its bases and does not override."""
+    known = {m.name for m in module.methods}
+    found: list[Method] = []
+    for base in ancestors(portal, module):
+        for method in portal.model.modules[base].methods if base in portal.model.modules else []:
+            skip = method.kind == "constructor" or method.name.startswith(("~", "operator"))
+            if method.access == "public" and not skip and method.name not in known:
+                known.add(method.name)
+                found.append(method)
+    return found
+
+
+def requirement_methods(module: Module) -> dict[str, list[str]]:
+    """The methods through which a module serves each requirement."""
+    found: dict[str, list[str]] = {identifier: [] for identifier in module.requirements}
+    for method in module.methods:
+        for identifier in method.satisfies:
+            names = found.setdefault(identifier, [])
+            if method.name not in names:
+                names.append(method.name)
+    return found
+
+
+def coverage_bars(portal: Portal, module: Module) -> list[tuple[str, list[str]]]:
+    """For each file a class for each of its lines: executed, missed, or not code."""
+    bars = []
+    for path, hits in {**module.line_hits, **board_hits(portal, module)}.items():
+        kinds = [line_kind(hits.get(n)) for n in range(1, portal.length(path) + 1)]
+        bars.append((path, kinds))
+    return bars
+
+
+def board_hits(portal: Portal, module: Module) -> dict[str, dict[int, int]]:
+    """File -> line -> 1 where the virtual K64 executed the line, for a module of the drivers."""
+    measured = portal.model.board_lines or {}
+    return {
+        path: {line: int(hit) for line, hit in sorted(measured[path].items())}
+        for path in (module.header, module.source)
+        if path in measured
+    }
+
+
+def line_kind(hits: int | None) -> str:
+    if hits is None:
+        return "z"
+    return "h" if hits else "m"

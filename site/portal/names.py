@@ -1,0 +1,274 @@
+"""Names as HTML, written as in the paper: LOGIC in small capitals, *abstract*, **concrete**."""
+
+from __future__ import annotations
+
+import functools
+import re
+from collections import Counter
+from collections.abc import Callable
+from html import unescape
+
+from markupsafe import Markup, escape
+
+from portal.diagrams import role_family
+from portal.links import ID_OR_CODE, Links
+from traceability.model.design_model import Model
+from traceability.schema import Module, Place, RoleBinding, Test
+
+VIEWS = [
+    ("F", "diagram", "Diagram"),
+    ("I", "interface", "Interface"),
+    ("G", "guide", "Guide"),
+    ("P", "patterns", "Patterns"),
+    ("R", "requirements", "Requirements"),
+    ("S", "source", "Source"),
+    ("T", "tests", "Tests"),
+]
+VERDICTS = {
+    "verified": ("ok", "verified"),
+    "partly": ("warn", "partly verified"),
+    "suspect": ("warn", "suspect"),
+    "failed": ("bad", "failed"),
+    "stale": ("warn", "stale"),
+    "unverified": ("none", "not verified"),
+}
+RESULTS = {
+    "passed": ("ok", "passed"),
+    "failed": ("bad", "failed"),
+    "skipped": ("warn", "skipped"),
+    None: ("none", "not run"),
+}
+
+
+def anchor(address: str | None, text: Markup | str, kind: str = "", **data: str) -> Markup:
+    """A link, or plain text in the same dress when there is nowhere to go."""
+    classes = f' class="{escape(kind)}"' if kind else ""
+    if address is None:
+        return Markup(f"<span{classes}>{escape(text)}</span>")
+    extra = "".join(f' data-{key}="{escape(value)}"' for key, value in data.items())
+    return Markup(f'<a{classes}{extra} href="{escape(address)}">{escape(text)}</a>')
+
+
+def breakable(name: str) -> Markup:
+    """A long name may break at its humps and joints."""
+    joints = re.sub(r"(::|[._/]|(?<=[a-z0-9])(?=[A-Z]))", "\\1\0", name)
+    return Markup("<wbr>").join(escape(part) for part in joints.split("\0"))
+
+
+def views_of(module: Module, called: set[str]) -> set[str]:
+    """The letters of the views of a module that have content."""
+    letters = {"I", "G", "S"}
+    if module.name in called or any(m.calls for m in module.methods):
+        letters.add("F")
+    if module.roles:
+        letters.add("P")
+    if module.requirements:
+        letters.add("R")
+    if module.tests:
+        letters.add("T")
+    return letters
+
+
+def kept(make: Callable[[Names, str], Markup]) -> Callable[[Names, str], Markup]:
+    """A name is the same link wherever it stands: it is made once."""
+
+    @functools.wraps(make)
+    def found(self: Names, name: str) -> Markup:
+        key = make.__name__, name
+        if key not in self.made:
+            self.made[key] = make(self, name)
+        return self.made[key]
+
+    return found
+
+
+class Names:
+    """Makes names of elements into links. The templates call these."""
+
+    def __init__(self, model: Model, links: Links) -> None:
+        self.model = model
+        self.links = links
+        self.made: dict[tuple[str, str], Markup] = {}
+        self.logic_names = Counter(module.name for module in model.logic_modules.values())
+        self.called = {
+            target.partition("::")[0]
+            for module in model.modules.values()
+            for method in module.methods
+            for call in method.calls
+            for target in [call.target, *call.targets]
+        }
+
+    @kept
+    def mod(self, name: str) -> Markup:
+        module = self.model.modules.get(name)
+        if module is None:  # what a module holds leads to that module
+            return anchor(self.links.module(name.partition("::")[0]), name, "mod none")
+        kind = "mod d" if module.datatype else f"mod {'a' if module.abstract else 'c'}"
+        return anchor(self.links.module(name), name, kind, m=name)
+
+    @kept
+    def meth(self, identifier: str) -> Markup:
+        name, _, method = identifier.partition("::")
+        if not method:
+            return self.function(name)
+        link = anchor(self.links.method(identifier), breakable(method), "meth")
+        return Markup('<span class="mm">{}<span class="dc">::</span><wbr>{}</span>').format(
+            self.mod(name), link
+        )
+
+    def types(self, code: str, own: str = "") -> Markup:
+        """A type or a signature, with the modules and value types in it as links."""
+        known = self.model.modules
+        parts = re.split(r"(\w+)", code.replace("< ", "<").replace(" >", ">"))
+        return Markup("").join(
+            anchor(self.links.module(one), one, "type") if one in known and one != own else one
+            for one in parts
+        )
+
+    def function(self, name: str) -> Markup:
+        """A function outside classes, of the project or of a library."""
+        known = self.model.functions.get(name)
+        return anchor(self.links.source(known.place) if known else None, breakable(name), "meth")
+
+    @kept
+    def logic(self, identifier: str) -> Markup:
+        """A logic module; below its parent when another one has the same name."""
+        module = self.model.logic_modules.get(identifier)
+        text = Markup(module.name if module else identifier)
+        parent = self.model.logic_modules.get(module.parent or "") if module else None
+        if module and parent and self.logic_names[module.name] > 1:
+            text = Markup("{}<wbr>/{}").format(parent.name, module.name)
+        return anchor(self.links.logic(identifier), text, "logic")
+
+    @kept
+    def req(self, identifier: str) -> Markup:
+        return anchor(self.links.requirement(identifier), identifier, "id")
+
+    @kept
+    def safety(self, identifier: str) -> Markup:
+        """A safety goal, a hazard or an assumption of use."""
+        return anchor(self.links.safety(identifier), identifier, "id")
+
+    @kept
+    def pat(self, identifier: str) -> Markup:
+        return anchor(self.links.pattern(identifier), identifier, "id")
+
+    @kept
+    def change(self, identifier: str) -> Markup:
+        return anchor(self.links.change(identifier), identifier, "id")
+
+    @kept
+    def test(self, identifier: str) -> Markup:
+        text = Markup("<code>{}</code>").format(breakable(identifier))
+        return anchor(self.links.test(identifier), text)
+
+    @kept
+    def check(self, identifier: str) -> Markup:
+        text = Markup("<code>{}</code>").format(identifier)
+        return anchor(self.links.check(identifier), text, "id")
+
+    def src(self, place: Place, full: bool = False, label: str = "") -> Markup:
+        file = place.file if full else file_name(place.file)
+        where = label or (f"{file}:{place.line}" if place.line else file)
+        return anchor(
+            self.links.source(place), Markup("<code>{}</code>").format(breakable(where)), "src"
+        )
+
+    def role(self, binding: RoleBinding) -> Markup:
+        family = role_family(binding.role)
+        return Markup('<span class="role {}">{}</span>').format(family, binding.role)
+
+    def swatch(self, role: str) -> Markup:
+        return Markup('<span class="swatch {}" aria-hidden="true"></span>').format(
+            role_family(role)
+        )
+
+    @kept
+    def keys(self, name: str) -> Markup:
+        """The seven view keys of a module; the place of a view without content stays empty."""
+        module = self.model.modules.get(name)
+        if module is None or module.datatype:
+            return Markup("")
+        present = views_of(module, self.called)
+        parts = [self._key(name, view, view[0] in present) for view in VIEWS]
+        gap = Markup('<span class="gap"></span>')
+        inner = Markup("").join([*parts[:3], gap, *parts[3:5], gap, *parts[5:]])
+        return Markup(
+            '<span class="vk" role="group" aria-label="Views of {}" data-vk="{}">{}</span>'
+        ).format(name, name, inner)
+
+    def _key(self, name: str, view: tuple[str, str, str], present: bool) -> Markup:
+        letter, section, word = view
+        if not present:
+            return Markup('<span class="off"></span>')
+        return Markup('<a href="@/modules/{}.html#{}" aria-label="{}: {}">{}</a>').format(
+            name, section, name, word.lower(), letter
+        )
+
+    def verdict(self, state: str) -> Markup:
+        return glyph(*VERDICTS[state])
+
+    def result(self, test: Test, binding: str) -> Markup:
+        """The result on one binding; a dash where the test is not built for it."""
+        one = test.results.get(binding)
+        if one is None:
+            return Markup('<span class="mut" title="not built for it">\N{EN DASH}</span>')
+        if one.stale and one.result:
+            return glyph("warn", f"{one.result}, stale")
+        return glyph(*RESULTS.get(one.result, ("none", str(one.result))))
+
+    def results(self, test: Test) -> Markup:
+        """The result on each binding that the test is built for."""
+        parts = [
+            Markup("{} {}").format(binding, self.result(test, binding)) for binding in test.results
+        ]
+        return Markup(", ").join(parts)
+
+    def text(self, words: str) -> Markup:
+        """A text of the model as HTML, with the names and ids in it as links."""
+
+        def name(match: re.Match[str]) -> str:
+            code, whole = match.group(1), match.group(0)
+            word = unescape(code) if code is not None else whole
+            if word in self.model.requirements:
+                return str(self.req(word))
+            if word in self.model.modules:
+                return str(self.mod(word))
+            if word in self.links.checks:
+                return str(self.check(word))
+            if code is not None and word in self.model.tests:
+                return str(self.test(word))
+            if code is not None and "::" in word and self.links.find_method(word.strip("()")):
+                return str(self.meth(word.strip("()")))
+            return str(self.safety(word)) if self.links.safety(word) else whole
+
+        return Markup(ID_OR_CODE.sub(name, marked(words)))
+
+
+def marked(words: str) -> str:
+    """The light markup of a text as HTML: `names`, paragraphs and lists."""
+    text = re.sub(r"`([^`]*)`", r"<code>\1</code>", str(escape(words)))
+    paragraphs = [_paragraph(one) for one in text.split("\n\n") if one]
+    if len(paragraphs) < 2:
+        return "".join(paragraphs)
+    return "".join(f"<p>{one}</p>" for one in paragraphs)
+
+
+def _paragraph(text: str) -> str:
+    first, *items = re.split(r"(?:^|\n)- ", text)
+    return first + ("<ul><li>" + "</li><li>".join(items) + "</li></ul>" if items else "")
+
+
+def gist(brief: str) -> str:
+    """What a brief says after the name that it begins with; empty when it says no more."""
+    return brief.partition(": ")[2]
+
+
+def file_name(path: str) -> str:
+    return path.rpartition("/")[2]
+
+
+@functools.cache
+def glyph(kind: str, word: str) -> Markup:
+    """A verdict is a mark and a word, never a colour alone."""
+    return Markup('<span class="v {}">{}</span>').format(kind, word)

@@ -1,0 +1,162 @@
+"""The side navigation: the same on every page, with counts from the model."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from itertools import pairwise
+from pathlib import Path
+
+from traceability.model.design_model import Model
+from traceability.reading.products import PRODUCTS
+
+FIRST = ("tour", "quick_start", "client", "emulator", "scenarios", "bring_up")
+PROVE = ("hazards",)
+EXPLAIN = (
+    "execution_model",
+    "wheel_control",
+    "steering_control",
+    "plant",
+    "host_target",
+    "add_extension",
+    "product_line",
+    "annotations",
+    "glossary",
+)
+
+
+@dataclass
+class Doc:
+    """A hand-written page."""
+
+    name: str
+    title: str
+
+    @property
+    def address(self) -> str:
+        return f"docs/{self.name}.html"
+
+
+@dataclass
+class Entry:
+    id: str
+    title: str
+    address: str
+    key: str = ""
+    count: int | None = None
+
+
+@dataclass
+class Group:
+    id: str
+    title: str
+    entries: list[Entry]
+
+
+def hand_written(folder: Path) -> list[Doc]:
+    """The pages below ``docs/``, the ones to begin with first."""
+    pages = [
+        Doc(str(path.relative_to(folder).with_suffix("")), first_title(path))
+        for path in sorted(folder.rglob("*.rst"))
+    ]
+    order = [*FIRST, *PROVE, *EXPLAIN]
+    place = {name: number for number, name in enumerate(order)}
+    return sorted(pages, key=lambda doc: (place.get(doc.name, len(order)), doc.title.lower()))
+
+
+def first_title(path: Path) -> str:
+    """The text above the first underline of a page."""
+    lines = path.read_text(encoding="utf-8").splitlines()
+    for above, line in pairwise(lines):
+        if above.strip() and is_underline(line):
+            return above.strip()
+    return path.stem
+
+
+def is_underline(line: str) -> bool:
+    return len(line) > 2 and set(line) <= set("=-~#*^")
+
+
+class Navigation:
+    """Three groups, as there are three reasons to come here, and the pages that explain."""
+
+    def __init__(self, model: Model, docs: list[Doc], checks: int, faults: int) -> None:
+        tour = [entry(doc) for doc in docs if doc.name == "tour"]
+        explain = [entry(doc) for doc in docs if doc.name in EXPLAIN]
+        prove = [entry(doc) for doc in docs if doc.name in PROVE]
+        use = [entry(doc) for doc in docs if doc.name not in ("tour", *PROVE, *EXPLAIN)]
+        source = Entry("source", "Source", "source/index.html", "S")
+        exports = Entry("exports", "Exports", "exports.html")
+        self.groups = [
+            Group("understand", "Understand", [*tour, *understand(model)]),
+            Group("verify", "Verify", [*verify(model, checks, faults), *prove]),
+            Group("build", "Build and use", [*use, source, exports]),
+        ]
+        if explain:
+            self.groups.append(Group("explain", "Explanations", explain))
+
+    def data(self) -> list[dict[str, object]]:
+        return [asdict(group) for group in self.groups]
+
+    def group_of(self, nav: str) -> str:
+        for group in self.groups:
+            if any(entry.id == nav for entry in group.entries):
+                return group.id
+        return ""
+
+
+def entry(doc: Doc) -> Entry:
+    return Entry(f"docs/{doc.name}", doc.title, doc.address)
+
+
+def understand(model: Model) -> list[Entry]:
+    """In the order in which a newcomer reads."""
+    modules = [module for module in model.modules.values() if not module.datatype]
+    designs = sum(not module.extension for module in modules)
+    types = len(model.modules) - len(modules)
+    patterns = len(model.patterns)
+    return [
+        Entry("architecture", "Architecture", "architecture.html"),
+        Entry("structure", "Module structure", "structure.html", "", designs),
+        Entry("patterns", "Pattern applications", "patterns/index.html", "P", patterns),
+        Entry("machines", "State machines", "machines.html", "", len(model.machines)),
+        Entry("changes", "Likely changes", "changes.html", "", len(model.changes)),
+        Entry("secrets", "Secrets", "secrets.html", "", designs),
+        Entry("guide", "Module guide", "guide.html", "G"),
+        Entry("interfaces", "Interfaces", "interfaces.html", "I"),
+        Entry("inheritances", "Interface inheritances", "inheritances.html"),
+        Entry("products", "Product line", "products.html", "", len(PRODUCTS)),
+        Entry("datatypes", "Data dictionary", "datatypes.html", "", types),
+        Entry("uses", "Uses", "uses.html"),
+        Entry("concordance", "Concordance with the paper", "concordance.html"),
+        Entry("usual_design", "The usual design", "usual_design.html"),
+        Entry("execution", "Execution", "execution.html", "", len(model.contexts)),
+    ]
+
+
+def verify(model: Model, checks: int, faults: int) -> list[Entry]:
+    requirements, case = model.requirements, model.safety
+    trees = sum(requirement.tree is not None for requirement in requirements.values())
+    safety = [
+        Entry("safety", "Safety case", "safety/index.html", "", len(case.goals)),
+        Entry("safety_cost", "What it cost to add safety", "safety/cost.html"),
+    ]
+    return [
+        Entry("requirements", "Requirements", "requirements/index.html", "R", len(requirements)),
+        *(safety if case.goals else []),
+        Entry("trees", "Invocation trees", "trees.html", "", trees),
+        Entry("tests", "Tests", "tests.html", "T", len(model.tests)),
+        Entry("mutation", "Mutants", "mutation.html"),
+        Entry("reverse", "From code to requirements", "reverse.html"),
+        Entry("closed_loop", "Closed loop", "closed_loop.html", "", len(model.closed_loop)),
+        Entry("bench", "Bench", "bench.html"),
+        Entry("virtual_k64", "Findings of the virtual K64", "virtual_k64.html"),
+        Entry(
+            "beliefs",
+            "Beliefs of the virtual board",
+            "beliefs.html",
+            "",
+            len(model.beliefs),
+        ),
+        Entry("checks", "Checks", "checks/index.html", "", checks),
+        Entry("drift", "Drift test", "checks/drift.html", "", faults),
+    ]

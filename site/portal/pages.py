@@ -1,0 +1,234 @@
+"""Which pages there are, and those that list one kind of thing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import partial
+from itertools import islice
+
+from portal.bench_page import bench_page
+from portal.diagrams import DIAGRAMS
+from portal.links import logic_anchor
+from portal.measured_pages import (
+    beliefs_page,
+    closed_loop_page,
+    mutation_page,
+    usual_design_page,
+    virtual_k64_page,
+)
+from portal.module_page import module_page
+from portal.paper_views import paper_views
+from portal.portal import Page, Portal
+from portal.requirement_pages import aligned, first_run, requirement_page, requirements_page
+from portal.safety_pages import safety_pages
+from portal.source_pages import source_page, sources_page
+from traceability.model.orphan_methods import methods_without, tests_without
+from traceability.reading.products import PRODUCTS, read_products
+from traceability.schema import Method, PatternApplication, Place, Requirement, TreeNode
+
+HIGH_LEVEL = "High-level diagram"
+ANY = "*"  # in an allowed use: every logic module
+EXAMPLE = "FR-15"  # the requirement that the first page follows
+
+
+def all_pages(portal: Portal, part: int = 0, parts: int = 1) -> Iterator[Page]:
+    """All pages, or one part of them: each process makes its own."""
+    for make in islice(_makers(portal), part, None, parts):
+        yield make()
+
+
+def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
+    model = portal.model
+    for path in model.files:
+        yield partial(source_page, portal, path)
+    yield from overviews(portal)
+    yield from paper_views(portal)
+    yield from safety_pages(portal)
+    for module in portal.designs:
+        yield partial(module_page, portal, module)
+    for application in model.patterns.values():
+        yield partial(pattern_page, portal, application)
+    for requirement in model.requirements.values():
+        yield partial(requirement_page, portal, requirement)
+    for check in portal.checks.values():
+        yield partial(portal.page, f"checks/{check.id}", check.id, "checks", "check", check=check)
+
+
+def overviews(portal: Portal) -> Iterator[Callable[[], Page]]:
+    page = partial(partial, portal.page)
+    by_logic = [m for m in portal.model.logic_modules.values() if m.modules]
+    yield partial(home_page, portal)
+    yield partial(structure_page, portal)
+    yield page("guide", "Module guide", "guide", "guide", groups=by_logic)
+    yield page("interfaces", "Interfaces", "interfaces", "interfaces", groups=by_logic)
+    yield page("datatypes", "Data dictionary", "datatypes", "datatypes")
+    yield page("patterns/index", "Pattern applications", "patterns", "patterns")
+    yield partial(products_page, portal)
+    yield page("machines", "State machines", "machines", "machines")
+    yield partial(uses_page, portal)
+    yield partial(execution_page, portal)
+    yield partial(exports_page, portal)
+    yield page("architecture", "Architecture", "architecture", "architecture", wide=True)
+    yield partial(requirements_page, portal)
+    yield page("trees", "Invocation trees", "trees", "trees")
+    yield partial(tests_page, portal)
+    yield partial(virtual_k64_page, portal)
+    yield partial(beliefs_page, portal)
+    yield partial(mutation_page, portal)
+    yield partial(reverse_page, portal)
+    yield partial(closed_loop_page, portal)
+    yield partial(usual_design_page, portal)
+    yield partial(bench_page, portal)
+    yield page("checks/index", "Checks", "checks", "checks")
+    yield page("checks/drift", "Drift test", "drift", "drift")
+    yield partial(sources_page, portal)
+
+
+def structure_page(portal: Portal) -> Page:
+    tops = [m for m in portal.model.logic_modules.values() if m.parent is None]
+    return portal.page(
+        "structure", "Module structure", "structure", "structure", tops=tops, anchor=logic_anchor
+    )
+
+
+def uses_page(portal: Portal) -> Page:
+    return portal.page("uses", "Uses", "uses", "uses", rows=use_rows(portal))
+
+
+def exports_page(portal: Portal) -> Page:
+    return portal.page("exports", "Exports", "exports", "exports", sources=diagram_sources(portal))
+
+
+def tests_page(portal: Portal) -> Page:
+    return portal.page("tests", "Tests", "tests", "tests", suites=suites(portal))
+
+
+def reverse_page(portal: Portal) -> Page:
+    rows = reverse_rows(portal)
+    return portal.page("reverse", "From code to requirements", "reverse", "reverse", rows=rows)
+
+
+def home_page(portal: Portal) -> Page:
+    example = portal.model.requirements.get(EXAMPLE)
+    method = best_method(portal, example) if example and example.tree else None
+    return portal.page(
+        "index",
+        "The weeding robot's microcontroller software",
+        "home",
+        "home",
+        example=example,
+        method=method,
+        rows=aligned(portal, example, first_run(example))[:14] if example else [],
+    )
+
+
+def best_method(portal: Portal, requirement: Requirement) -> Method | None:
+    """The deepest method of the tree that satisfies the requirement."""
+    nodes = portal.flat(requirement.tree) if requirement.tree else []
+    methods = [m for m in (real_method(portal, node) for _, node in reversed(nodes)) if m]
+    wanted = [m for m in methods if requirement.id in m.satisfies]
+    return next(iter([*wanted, *methods]), None)
+
+
+def real_method(portal: Portal, node: TreeNode) -> Method | None:
+    method = portal.links.find_method(node.resolved or f"{node.module}::{node.method}")
+    return method if method and method.body else None
+
+
+def products_page(portal: Portal) -> Page:
+    products = read_products(portal.root)
+    held = [set(product["modules"]) for product in (products or {}).values()]
+    common = set.intersection(*held) if held else set()
+    return portal.page(
+        "products",
+        "Product line",
+        "products",
+        "products",
+        listed=PRODUCTS,
+        products=products,
+        rows=sorted(set().union(*held) - common),
+        common=sorted(common),
+    )
+
+
+def reverse_rows(portal: Portal) -> list[tuple[str, int, int]]:
+    """Of the public methods and of the tests: how many there are, how many serve no requirement."""
+    modules = portal.model.modules.values()
+    methods = [m for item in modules if not item.datatype for m in item.methods]
+    public = sum(method.access == "public" for method in methods)
+    return [
+        ("method", public, len(methods_without(portal.model))),
+        ("test", len(portal.model.tests), len(tests_without(portal.model))),
+    ]
+
+
+def pattern_page(portal: Portal, application: PatternApplication) -> Page:
+    machines = [m for m in portal.model.machines.values() if m.application == application.id]
+    modules = dict.fromkeys(r.module for r in application.roles if r.module in portal.model.modules)
+    return portal.page(
+        f"patterns/{application.id}",
+        application.id,
+        "patterns",
+        "pattern",
+        application=application,
+        machines=machines,
+        modules=[portal.model.modules[name] for name in modules],
+        kin=[a for a in portal.model.patterns.values() if a.pattern == application.pattern],
+    )
+
+
+def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
+    """The file of each diagram, and the page that shows it."""
+    found = []
+    for application in portal.model.patterns.values():
+        page = portal.links.pattern(application.id) or ""
+        found.append((f"{DIAGRAMS}/pattern-{application.id}.puml", page, application.title))
+    if portal.model.groups:
+        found.append((f"{DIAGRAMS}/high-level.puml", "@/architecture.html#high-level", HIGH_LEVEL))
+    for machine in portal.model.machines.values():
+        page = portal.links.machine(machine.id) or ""
+        found.append((f"{DIAGRAMS}/machine-{machine.id}.puml", page, machine.title))
+    return found
+
+
+def execution_page(portal: Portal) -> Page:
+    """The contexts, the highest priority first; what has none comes last."""
+    contexts = sorted(
+        portal.model.contexts.values(), key=lambda one: (one.priority is None, one.priority or 0)
+    )
+    return portal.page(
+        "execution", "Execution", "execution", "execution", wide=True, contexts=contexts
+    )
+
+
+def suites(portal: Portal) -> dict[str, list[str]]:
+    found: dict[str, list[str]] = {}
+    for test in portal.model.tests.values():
+        found.setdefault(test.suite, []).append(test.id)
+    return found
+
+
+@dataclass
+class UseRow:
+    source: str
+    target: str
+    why: str | None
+    places: int
+    first: list[Place]
+
+
+def use_rows(portal: Portal) -> list[UseRow]:
+    """Allowed and actual uses side by side."""
+    allowed = {(use.source, use.target): use.why for use in portal.model.allowed_uses}
+    actual = {(use.source, use.target): use.places for use in portal.model.uses}
+    pairs = {pair for pair in allowed if pair[0] != ANY} | set(actual)
+    return [
+        UseRow(
+            *pair,
+            allowed.get(pair, allowed.get((ANY, pair[1]))),
+            len(actual.get(pair, [])),
+            [*actual.get(pair, [])][:2],
+        )
+        for pair in sorted(pairs)
+    ]

@@ -1,0 +1,212 @@
+"""Views of the paper: likely changes, secrets, interface inheritances, concordance."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import partial
+
+from markupsafe import Markup
+
+from portal import names
+from portal.links import ROOT, paper_anchor
+from portal.portal import Page, Portal
+from traceability.schema import LikelyChange, LogicModule, Method, Module, PaperElement
+
+CONSTANT = re.compile(r"k[A-Z]\w*")
+COMMON_CHECKS = ("module-secret", "module-spec", "uses-allowed", "req-verified", "tree-static")
+
+
+def paper_views(portal: Portal) -> Iterator[Callable[[], Page]]:
+    yield partial(portal.page, "changes", "Likely changes", "changes", "changes")
+    for change in portal.model.changes.values():
+        yield partial(change_page, portal, change)
+    yield partial(secrets_page, portal)
+    yield partial(inheritances_page, portal)
+    yield partial(concordance_page, portal)
+
+
+def inheritances_page(portal: Portal) -> Page:
+    return portal.page(
+        "inheritances", "Interface inheritances", "inheritances", "inheritances",
+        families=families(portal),
+    )  # fmt: skip
+
+
+# ---- likely changes ----------------------------------------------------------
+
+
+def change_page(portal: Portal, change: LikelyChange) -> Page:
+    application = portal.model.patterns[change.application]
+    untouched: dict[str, list[str]] = {}
+    for name in change.untouched:
+        untouched.setdefault(portal.model.modules[name].logic, []).append(name)
+    return portal.page(
+        f"changes/{change.application}",
+        f"Change: {application.title}",
+        "changes",
+        "change",
+        change=change,
+        application=application,
+        hider=portal.model.modules[change.hidden_by],
+        steps=[filled(step, change) for step in change.steps],
+        untouched=untouched,
+        tests=[portal.model.tests[name] for name in change.tests],
+        checks=checks_of(portal, change),
+    )
+
+
+def filled(step: str, change: LikelyChange) -> str:
+    values = {
+        "{id}": change.application,
+        "{derives}": " or ".join(f"`{name}`" for name in change.derives),
+        "{edits}": ", ".join(f"`{name}`" for name in change.edits) or "a composition",
+    }
+    for mark, value in values.items():
+        step = step.replace(mark, value)
+    return step
+
+
+def checks_of(portal: Portal, change: LikelyChange) -> list[str]:
+    """The clauses of the pattern, and the checks that every new module meets."""
+    pattern = portal.model.patterns[change.application].pattern.lower().replace(" ", "-")
+    prefix = f"pattern-{pattern.partition('-')[0]}-"
+    clauses = [name for name in portal.checks if name.startswith(prefix)]
+    roles = ["pattern-heir-unbound"] if change.role else []
+    return [name for name in (*COMMON_CHECKS, *roles, *clauses) if name in portal.checks]
+
+
+# ---- secrets -----------------------------------------------------------------
+
+
+def secrets_page(portal: Portal) -> Page:
+    return portal.page(
+        "secrets",
+        "Secrets",
+        "secrets",
+        "secrets",
+        groups=[logic for logic in portal.model.logic_modules.values() if logic.modules],
+        hidden_names=hidden_names,
+    )
+
+
+def hidden_names(owner: Module | LogicModule) -> dict[str, list[str]]:
+    """What the secret of a module or of a folder names, by kind."""
+    found = {"registers": list(owner.registers)} if isinstance(owner, Module) else {}
+    for name in owner.hides:
+        found.setdefault(kind_of(name), []).append(name)
+    return {kind: words for kind, words in found.items() if words}
+
+
+def kind_of(name: str) -> str:
+    if name.endswith(".hpp"):
+        return "headers"
+    return "constants" if CONSTANT.fullmatch(name.rpartition("::")[2]) else "types"
+
+
+# ---- interface inheritances --------------------------------------------------
+
+
+@dataclass
+class Heir:
+    """A module in a family of heirs: what it adds to the interface, and what it does with it."""
+
+    module: Module
+    depth: int
+    own: list[Method]
+    overridden: list[Method]
+    inherited: list[Method]
+
+
+def families(portal: Portal) -> list[list[Heir]]:
+    """A family for each module that others derive from and that derives from none itself."""
+    modules = portal.model.modules
+    roots = [m for m in portal.designs if any(h in modules for h in m.heirs)]
+    return [
+        list(heirs(portal, root, 0, []))
+        for root in roots
+        if not any(base in modules for base in root.bases)
+    ]
+
+
+def heirs(portal: Portal, module: Module, depth: int, above: list[Method]) -> Iterator[Heir]:
+    """The module and all below it; ``above`` is the interface that it inherits."""
+    methods = [m for m in unique(module.methods) if m.access == "public" or m.kind != "plain"]
+    methods = [m for m in methods if m.kind != "constructor" and m.name[0] != "~"]
+    inherited = {method.name for method in above}
+    overridden = [m for m in methods if m.name in inherited]
+    own = [m for m in methods if m.name not in inherited]
+    names_here = {m.name for m in methods}
+    taken = [m for m in above if m.name not in names_here]
+    yield Heir(module, depth, own, overridden, taken)
+    for heir in portal.designs:
+        if module.name in heir.bases:
+            yield from heirs(portal, heir, depth + 1, [*taken, *methods])
+
+
+def unique(methods: list[Method]) -> list[Method]:
+    return list({method.name: method for method in methods}.values())
+
+
+# ---- concordance -------------------------------------------------------------
+
+
+def concordance_page(portal: Portal) -> Page:
+    model = portal.model
+    by_key = {(element.kind, element.name): element for element in model.paper}
+    places = [(place, by_key.get((place.kind, place.id))) for place in model.paper_places]
+    own = {id(element) for _, element in places}
+    kinds: dict[str, list[PaperElement]] = {}
+    for element in model.paper:
+        if id(element) not in own:
+            kinds.setdefault(element.kind, []).append(element)
+    back = {m.name: found for m in portal.designs if (found := portal.in_paper(m.name))}
+    return portal.page(
+        "concordance",
+        "Concordance with the paper",
+        "concordance",
+        "concordance",
+        places=places,
+        kinds=sorted(kinds.items()),
+        back=back,
+        designs=len(portal.designs),
+        rows=len(model.paper) + len(back),
+        target=lambda target: target_link(portal, target),
+        slug=paper_anchor,
+    )
+
+
+def target_link(portal: Portal, target: str) -> Markup:
+    """What an entry of the concordance names, as a link."""
+    kind, _, name = target.partition(":")
+    makers = {
+        "module": portal.names.mod,
+        "method": portal.names.meth,
+        "pattern": portal.names.pat,
+        "change": portal.names.change,
+        "requirement": portal.names.req,
+        "logic": portal.names.logic,
+        "check": portal.names.check,
+    }
+    if kind in makers:
+        return makers[kind](name)
+    address, title = page_of(portal, kind, name)
+    return names.anchor(address, title)
+
+
+def page_of(portal: Portal, kind: str, name: str) -> tuple[str | None, str]:
+    """Address and title of what is not an element with a page of its own."""
+    model = portal.model
+    if kind == "machine":
+        machine = model.machines.get(name)
+        return portal.links.machine(name), machine.title if machine else name
+    if kind == "element":
+        found = next((one for one in model.architecture if one.id == name), None)
+        return (f"{ROOT}architecture.html#{name}", found.name) if found else (None, name)
+    page, _, part = (f"docs/{name}" if kind == "docs" else name).partition("#")
+    address = f"{page}.html"
+    entries = [entry for group in portal.navigation.groups for entry in group.entries]
+    titles = {entry.address: entry.title for entry in entries} | {"index.html": "First page"}
+    title = titles.get(address, page)
+    return f"{ROOT}{address}{'#' + part if part else ''}", f"{title}, {part}" if part else title

@@ -1,0 +1,125 @@
+"""Curves over time as HTML: lines in SVG that fit any width, words around them at the size of text.
+
+Colours and strokes are those of the theme, by the classes of the lines.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from traceability.schema import HOST, Curve, LoopPlot
+
+WIDTH, HEIGHT = 1000, 300
+TICKS = 5
+WORDS = {"set_point": "set-point", "measured": "measured", "truth": "truth"}
+
+
+@dataclass
+class Tick:
+    """A value on an axis, and its place on the axis [per cent]."""
+
+    text: str
+    at: float
+
+
+@dataclass
+class Axis:
+    """What lies at its two ends, and the round values between them."""
+
+    first: float
+    last: float
+    ticks: list[Tick]
+
+    def place(self, value: float) -> float:
+        """Place of a value [per cent]."""
+        return 100 * (value - self.first) / (self.last - self.first)
+
+
+@dataclass
+class Line:
+    """A curve: its class, what it is called, and its path in the drawing."""
+
+    kind: str
+    words: str
+    path: str
+
+
+@dataclass
+class Drawing:
+    title: str
+    unit: str
+    x: list[Tick]
+    y: list[Tick]
+    lines: list[Line]
+    words: str  # for those who do not see it
+
+
+def draw(plot: LoopPlot) -> Drawing | None:
+    """None when there is nothing to draw. The set-point is drawn once, for the first binding."""
+    curves = [curve for curve in plot.curves if curve.points]
+    if not curves:
+        return None
+    times = [at for curve in curves for at, _ in curve.points]
+    values = [value for curve in curves for _, value in curve.points]
+    x = axis(0.0 if min(times) < 0.2 * max(times) else min(times), max(times), rounded=False)
+    y = axis(min(0.0, *values), max(0.0, *values), rounded=True)
+    shown = [
+        curve
+        for number, curve in enumerate(curves)
+        if curve.kind != "set_point" or curve.kind not in {one.kind for one in curves[:number]}
+    ]
+    lines = [Line(class_of(curve), words_of(curve), path(curve, x, y)) for curve in shown]
+    ends = "; ".join(
+        f"{line.words} ends at {curve.points[-1][1]:g}"
+        for line, curve in zip(lines, shown, strict=True)
+    )
+    text = f"{plot.title} in {plot.unit}, {x.first:g} s to {x.last:g} s: {ends}"
+    return Drawing(plot.title, plot.unit, x.ticks, y.ticks, lines, text)
+
+
+def class_of(curve: Curve) -> str:
+    if curve.kind == "set_point":
+        return "set-point"
+    return f"{curve.kind} {'host' if curve.binding == HOST else 'board'}"
+
+
+def words_of(curve: Curve) -> str:
+    words = WORDS[curve.kind]
+    return words if curve.kind == "set_point" else f"{words}, {curve.binding}"
+
+
+def axis(low: float, high: float, *, rounded: bool) -> Axis:
+    """An axis with some round values; rounded, it begins and ends with one."""
+    span = high - low or 1.0
+    high = low + span
+    rough = span / TICKS
+    power = 10.0 ** math.floor(math.log10(rough))
+    step = next(step for step in (power, 2 * power, 5 * power, 10 * power) if step >= rough)
+    before, after = math.floor(low / step), math.ceil(high / step)
+    if rounded:
+        after = max(after, before + 1)
+        found = Axis(before * step, after * step, [])
+    else:
+        found = Axis(low, high, [])
+        before, after = math.ceil(low / step), math.floor(high / step)
+    for number in range(before, after + 1):
+        value = number * step
+        found.ticks.append(Tick(f"{round(value, 6):g}", found.place(value)))
+    return found
+
+
+def path(curve: Curve, x: Axis, y: Axis) -> str:
+    """A set-point holds until the next one; between other values the line is straight."""
+    steps = curve.kind == "set_point"
+    parts: list[str] = []
+    for at, value in curve.points:
+        across = x.place(at) * WIDTH / 100
+        down = HEIGHT - y.place(value) * HEIGHT / 100
+        if not parts:
+            parts.append(f"M{across:.1f} {down:.1f}")
+        elif steps:
+            parts.append(f"H{across:.1f}V{down:.1f}")
+        else:
+            parts.append(f"L{across:.1f} {down:.1f}")
+    return "".join(parts)

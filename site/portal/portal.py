@@ -1,0 +1,410 @@
+"""What the pages are made from: the model, its links, and what is derived from both once."""
+
+from __future__ import annotations
+
+import functools
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, FileSystemBytecodeCache, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
+
+from portal import diagrams, names
+from portal.calls import CallGraph
+from portal.highlight import Highlighter
+from portal.links import Links, paper_anchor, slug
+from portal.navigation import Navigation, hand_written
+from traceability.model.design_model import Model
+from traceability.model.execution import INTERRUPT, START
+from traceability.model.impact import Impact, Impacts
+from traceability.model.metrics import figures
+from traceability.reading.seeded_fault_record import Outcome, read_record
+from traceability.reading.seeded_faults import Fault, read_faults
+from traceability.schema import (
+    HOST,
+    ExecutionContext,
+    Finding,
+    Method,
+    Module,
+    PaperElement,
+    Place,
+    Requirement,
+    SharedPipe,
+    SourceReference,
+    Test,
+    Transition,
+    TreeNode,
+)
+
+SITE = Path(__file__).resolve().parents[1]
+
+LATER = {"doc-warning", "link-doc", "link-site"}  # Sphinx and the finished site tell
+# They need results of these sources.
+DYNAMIC = {"tree-dynamic", "req-passed", "req-line", "fsm-seen", "hazard-scenario"}
+
+
+@dataclass
+class CheckText:
+    """What a check is for; made from the registry of checks. Plain text."""
+
+    id: str
+    title: str
+    why: str
+    holds: str
+    blind: str
+    mend: str
+
+
+@dataclass
+class Page:
+    """A page of the site. ``nav`` names the entry of the navigation that it belongs to."""
+
+    name: str  # without .html
+    title: str
+    body: str
+    nav: str
+    wide: bool = False
+
+
+def heading_anchor(title: str) -> str:
+    """The anchor that Sphinx makes from a heading."""
+    return re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-")
+
+
+class Portal:
+    """Everything that a template may ask for."""
+
+    def __init__(
+        self, root: Path, model: Model, findings: list[Finding], checks: list[CheckText]
+    ) -> None:
+        self.root = root
+        self.model = model
+        self.findings = findings
+        self.checks = {check.id: check for check in checks}
+        self.faults = read_faults(root)
+        self.outcomes = read_record(root)
+        self.links = Links(model, set(self.checks))
+        self.names = names.Names(model, self.links)
+        self.calls = CallGraph(model, self.links)
+        self.code = Highlighter(root, root / "build" / "pages-cache" / "code")
+        self.impacts = Impacts(model)
+        self.docs = hand_written(root / "docs")
+        self.navigation = Navigation(model, self.docs, len(self.checks), len(self.faults))
+        self.metrics = figures(root, model)
+        self.designs = [m for m in model.modules.values() if not m.datatype]
+        self.datatypes = [m for m in model.modules.values() if m.datatype]
+        self.diagrams = self._diagrams()
+        finished = diagrams.draw(self.diagrams, root / "build" / "diagrams")
+        self.drawn = {name: Markup(svg) for name, svg in finished.items()}
+        self.templates = self._environment()
+        self.row_of = functools.cache(self._row_of)
+
+    def _diagrams(self) -> list[diagrams.Diagram]:
+        return [
+            *(
+                diagrams.pattern_diagram(self.model, application, self.links)
+                for application in self.model.patterns.values()
+            ),
+            *(
+                diagrams.machine_diagram(machine, self.links, self.model.stale_on(HOST))
+                for machine in self.model.machines.values()
+            ),
+            *([diagrams.high_level_diagram(self.model, self.links)] if self.model.groups else []),
+        ]
+
+    def _environment(self) -> Environment:
+        compiled = self.root / "build" / "pages-cache" / "templates"
+        compiled.mkdir(parents=True, exist_ok=True)
+        environment = Environment(
+            loader=FileSystemLoader(SITE / "templates"),
+            bytecode_cache=FileSystemBytecodeCache(str(compiled)),
+            autoescape=True,
+            undefined=StrictUndefined,
+            trim_blocks=True,
+            lstrip_blocks=True,
+        )
+        environment.filters["text"] = self.names.text
+        environment.filters["gist"] = names.gist
+        environment.filters["file_name"] = names.file_name
+        environment.filters["anchor"] = slug
+        environment.filters["bold"] = Markup("<b>{}</b>").format
+        for kind in ("mod", "meth", "logic", "pat", "req", "src", "change", "check"):
+            environment.filters[kind] = getattr(self.names, kind)
+        environment.globals.update(
+            model=self.model,
+            portal=self,
+            n=self.names,
+            links=self.links,
+            views=names.VIEWS,
+            glyph=names.glyph,
+            family=diagrams.role_family,
+            located=lambda svg, requirement: Markup(diagrams.located(svg, requirement)),
+        )
+        return environment
+
+    def page(
+        self,
+        name: str,
+        title: str,
+        nav: str,
+        template: str,
+        *,
+        wide: bool = False,
+        **values: Any,
+    ) -> Page:
+        body = self.templates.get_template(f"{template}.html").render(**values)
+        return Page(name, title, body, nav, wide)
+
+    def _row_of(self, test: str) -> Markup:
+        """The row of a test in a table; many pages show the same."""
+        template = self.templates.get_template("test_row.html")
+        return Markup(template.render(test=self.model.tests[test]))
+
+    # ---- derived facts --------------------------------------------------------
+
+    @property
+    def clauses(self) -> int:
+        return sum(c.holds for a in self.model.patterns.values() for c in a.clauses)
+
+    @property
+    def early(self) -> int:
+        """How many checks are decided before the pages are written."""
+        return sum(not self.is_later(check) for check in self.checks)
+
+    @property
+    def trees(self) -> list[Requirement]:
+        return [r for r in self.model.requirements.values() if r.tree]
+
+    def flat(self, node: TreeNode, depth: int = 0) -> list[tuple[int, TreeNode]]:
+        """The nodes of a tree with their depth, from the root."""
+        below = [pair for child in node.children for pair in self.flat(child, depth + 1)]
+        return [(depth, node), *below]
+
+    def element_targets(self) -> dict[str, str]:
+        """The module that each element of the architecture leads to; "" when it has none here."""
+        known = self.model.modules
+        return {
+            element.id: next(
+                (self.links.module(m) or "" for m in element.modules if m in known), ""
+            )
+            for element in self.model.architecture
+            if element.modules
+        }
+
+    def executed(self, requirement: Requirement) -> str:
+        """Kind of glyph for a tree: "none" as long as no test of it was recorded."""
+        if requirement.runs:
+            return "ok"
+        measured = requirement.tree is not None and requirement.tree.ran is not None
+        return "bad" if measured else "none"
+
+    def executed_on(self, requirement: Requirement) -> str:
+        return ", ".join(requirement.runs)
+
+    def showing(self, step: Transition) -> list[str]:
+        """The tests that made a transition: those that verify a requirement of it come first."""
+        tests = self.model.tests
+        return sorted(
+            (name for name in step.tests if name in tests),
+            key=lambda name: set(tests[name].verifies).isdisjoint(step.requirements),
+        )
+
+    def impact(self, subject: str) -> Impact:
+        return self.impacts.of(subject)
+
+    def modules_of(self, context: ExecutionContext) -> list[str]:
+        """The design modules that a context may reach."""
+        names = dict.fromkeys(method.partition("::")[0] for method in context.methods)
+        return [name for name in names if not self.model.modules[name].datatype]
+
+    def interrupts_of(self, pipe: SharedPipe) -> list[str]:
+        """The interrupts that write or read a pipe."""
+        users = [*pipe.writers.values(), *pipe.readers.values()]
+        found = dict.fromkeys(name for contexts in users for name in contexts)
+        return [name for name in found if self.model.contexts[name].kind == INTERRUPT]
+
+    def contexts_of(self, module: Module) -> list[str]:
+        """The interrupts and threads that may run methods of a module."""
+        begin = f"{module.name}::"
+        return [
+            context.id
+            for context in self.model.contexts.values()
+            if context.kind != START and any(m.startswith(begin) for m in context.methods)
+        ]
+
+    def path_of(self, module: Module) -> list[str]:
+        """Logic modules from the top down to the module's own."""
+        path: list[str] = []
+        logic = self.model.logic_modules.get(module.logic)
+        while logic is not None:
+            path.insert(0, logic.id)
+            logic = self.model.logic_modules.get(logic.parent or "")
+        return path
+
+    def body_lines(self, place: Place | None) -> list[tuple[int, Markup]]:
+        """The highlighted lines of a place, numbered."""
+        if place is None:
+            return []
+        lines = self.code.lines(place.file)
+        last = place.end or place.line
+        return [
+            (number, Markup(lines[number - 1]))
+            for number in range(place.line, min(last, len(lines)) + 1)
+        ]
+
+    @functools.cached_property
+    def marks(self) -> dict[str, dict[int, list[str]]]:
+        """File -> line -> the methods and tests that begin there."""
+        found: dict[str, dict[int, list[str]]] = {}
+
+        def add(place: Place, name: str) -> None:
+            names = found.setdefault(place.file, {}).setdefault(place.line, [])
+            if name not in names:
+                names.append(name)
+
+        for module in self.model.modules.values():
+            for method in module.methods:
+                for place in (method.place, method.body):
+                    if place:
+                        add(place, method.id)
+        for test in self.model.tests.values():
+            add(test.place, test.id)
+        return found
+
+    @functools.cached_property
+    def hits(self) -> dict[str, dict[int, int]]:
+        """File -> line -> how often the tests executed it; on the virtual K64, whether."""
+        found: dict[str, dict[int, int]] = {}
+        for module in self.model.modules.values():
+            for path, lines in module.line_hits.items():
+                found.setdefault(path, {}).update(lines)
+        for path, measured in (self.model.board_lines or {}).items():
+            known = found.setdefault(path, {})
+            known.update({line: int(hit) for line, hit in measured.items()})
+        return found
+
+    def length(self, path: str) -> int:
+        return len(self.code.lines(path))
+
+    def tests_of(self, module: Module) -> list[Test]:
+        return [self.model.tests[name] for name in module.tests if name in self.model.tests]
+
+    def own_tests(self, module: Module) -> list[Test]:
+        """The tests to read first: those of its own file, then of the requirements it satisfies."""
+        file = f"tests/{module.logic}/{module.name}Test.cpp"
+        wanted = {identifier for method in module.methods for identifier in method.satisfies}
+        tests = self.tests_of(module)
+        own = [test for test in tests if test.place.file == file]
+        verifying = [t for t in tests if t.place.file != file and wanted.intersection(t.verifies)]
+        return [*own, *verifying]
+
+    def source_of(self, source: SourceReference) -> Markup:
+        """Where a requirement comes from, with a link to what has a page here."""
+        if not source.kind:
+            return self.names.text(source.name)
+        if source.kind == "goal":
+            return Markup("safety goal {}").format(self.names.safety(source.name))
+        if source.kind == "paper":
+            place = next((one for one in self.model.paper_places if one.id == source.name), None)
+            address = f"@/concordance.html#{paper_anchor(source.name)}" if place else None
+            title = f": {place.title}" if place else ""
+            return Markup("paper, {}{}").format(names.anchor(address, source.name), title)
+        if source.kind == "protocol":
+            address = f"@/docs/protocol.html#{heading_anchor(source.name)}"
+            return Markup("protocol, {}").format(names.anchor(address, source.name))
+        return Markup("{}: {}").format(source.kind, self.names.text(source.name))
+
+    def targets_of(self, requirement: Requirement) -> str:
+        """The targets on which a test of the requirement passed in this run."""
+        tests = [self.model.tests[name] for name in requirement.verified_by]
+        passed = {target for test in tests for target in test.gave("passed")}
+        found = [target for target in self.model.results_hashes if target in passed]
+        return f"{', '.join(found) or 'none in this run'}; real board: none yet"
+
+    def passed(self, tests: list[Test]) -> int | None:
+        """How many runs passed, with results that fit the sources; ``None`` when there are none."""
+        runs = [run for test in tests for run in test.results.values()]
+        if self.model.results_stale or not any(run.result for run in runs):
+            return None
+        return sum(run.result == "passed" for run in runs)
+
+    def share_of(self, requirement: Requirement, binding: str) -> str:
+        """How many of the tests that verify a requirement passed on a binding."""
+        tests = [self.model.tests[name] for name in requirement.verified_by]
+        runs = [test.results[binding] for test in tests if binding in test.results]
+        if not runs:
+            return "\N{EN DASH}"
+        passed = sum(run.result == "passed" and not run.stale for run in runs)
+        return f"{passed}/{len(runs)}"
+
+    def passed_on(self, binding: str) -> tuple[int | None, int]:
+        """How many tests passed on a binding, if that is known, and how many are built for it."""
+        runs = [t.results[binding] for t in self.model.tests.values() if binding in t.results]
+        known = not self.model.stale_on(binding)
+        return sum(run.result == "passed" for run in runs) if known else None, len(runs)
+
+    def executed_count(self, binding: str) -> int:
+        return sum(binding in one.runs for one in self.model.requirements.values())
+
+    def runs(self, tests: Iterable[Test]) -> int:
+        """A test counts once on each binding that it is built for."""
+        return sum(len(test.results) for test in tests)
+
+    def applications_of(self, module: Module) -> list[str]:
+        return list(dict.fromkeys(role.application for role in module.roles))
+
+    def callers(self, method: Method) -> list[str]:
+        """The methods that call it, in the modules of the robot and of the extensions."""
+        return [name for name in method.called_by if name in self.links.methods]
+
+    def changes_of(self, module: str) -> list[str]:
+        """The likely changes that a module absorbs: it hides them, or one way of them."""
+        return [
+            change.application
+            for change in self.model.changes.values()
+            if module in (change.hidden_by, *change.altered)
+        ]
+
+    def in_paper(self, name: str) -> list[PaperElement]:
+        """What the paper names that is this module, one of its methods, or this application."""
+        return [
+            element
+            for element in self.model.paper
+            if element.where
+            and any(one.split(":", 1)[1].split("::")[0] == name for one in element.here)
+        ]
+
+    def is_later(self, check: str) -> bool:
+        """Whether nothing is known of a check before the pages are written."""
+        return check in LATER and not self.findings_of(check)
+
+    def verdict_of(self, check: str) -> Markup:
+        """What this run knows of a check when the pages are written."""
+        if found := len(self.findings_of(check)):
+            return names.glyph("bad", f"{found} found")
+        if self.is_later(check):
+            return names.glyph("none", "after the pages")
+        if check in DYNAMIC and self.model.results_stale:
+            return names.glyph("none", "no fresh results")
+        return names.glyph("ok", "holds")
+
+    def faults_of(self, check: str) -> list[Fault]:
+        return [fault for fault in self.faults if fault.check == check]
+
+    def outcome_of(self, fault: Fault) -> Outcome | None:
+        """What became of a fault; ``None`` when it was not seeded in the present state."""
+        return next((one for one in self.outcomes or [] if one.name == fault.name), None)
+
+    def verdict_on(self, fault: Fault) -> Markup:
+        outcome = self.outcome_of(fault)
+        if outcome is None:
+            return names.glyph("none", "not seeded")
+        if outcome.compiles != fault.compiles:
+            return names.glyph("bad", "does not compile" if fault.compiles else "compiles")
+        return names.glyph("ok", "found") if outcome.caught else names.glyph("bad", "missed")
+
+    def findings_of(self, check: str) -> list[Finding]:
+        return [finding for finding in self.findings if finding.check == check]

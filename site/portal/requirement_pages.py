@@ -1,0 +1,138 @@
+"""The list of requirements, and the page of each: its tree beside what a test did."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from portal import verification_views
+from portal.module_page import line_kind
+from portal.portal import Page, Portal
+from traceability.schema import HOST, MethodCoverage, Requirement, StateMachine, TreeNode, TreeRun
+
+
+def requirements_page(portal: Portal) -> Page:
+    model = portal.model
+    found = {
+        item.id: verification_views.facets(model, item) for item in model.requirements.values()
+    }
+    picks = {
+        "state": lambda one: [one.state],
+        "logic": lambda one: one.logic,
+        "pattern": lambda one: one.pattern,
+        "method": lambda one: one.method,
+        "level": lambda one: one.level,
+        "goal": lambda one: one.goal,
+        "binding": lambda one: one.binding,
+    }
+    return portal.page(
+        "requirements/index",
+        "Requirements",
+        "requirements",
+        "requirements",
+        sections=sections(portal),
+        facets=found,
+        options={
+            name: verification_views.options(found.values(), pick) for name, pick in picks.items()
+        },
+        bars=verification_views.chart(sections(portal)),
+        lines_of=verification_views.lines_of,
+        host=HOST,
+    )
+
+
+def requirement_page(portal: Portal, requirement: Requirement) -> Page:
+    nodes = portal.flat(requirement.tree) if requirement.tree else []
+    tests = [portal.model.tests[t] for t in requirement.verified_by if t in portal.model.tests]
+    return portal.page(
+        f"requirements/{requirement.id}",
+        requirement.id,
+        "requirements",
+        "requirement",
+        requirement=requirement,
+        nodes=nodes,
+        runs=[
+            (binding, run, aligned(portal, requirement, run))
+            for binding, run in requirement.runs.items()
+        ],
+        rows=aligned(portal, requirement, None),
+        tests=tests,
+        covered=covered_methods(requirement),
+        gaps=[gap for gap in portal.model.line_gaps if requirement.id in gap.requirements],
+        lines_of=verification_views.lines_of,
+        branches_of=verification_views.branches_of,
+        mutants=portal.model.mutants_of(requirement.id),
+        machines=machines_of(portal, requirement.id),
+        line_kind=line_kind,
+    )
+
+
+def covered_methods(requirement: Requirement) -> list[dict[str, MethodCoverage]]:
+    """A row for each body of a method of the tree: binding -> what the tests executed of it."""
+    rows: dict[tuple[str, int], dict[str, MethodCoverage]] = {}
+    for binding, methods in requirement.coverage.items():
+        for method in methods:
+            rows.setdefault((method.place.file, method.place.line), {})[binding] = method
+    return list(rows.values())
+
+
+def first_run(requirement: Requirement) -> TreeRun | None:
+    return next(iter(requirement.runs.values()), None)
+
+
+def machines_of(portal: Portal, requirement: str) -> list[StateMachine]:
+    """State machines with a transition that the requirement asks for."""
+    return [
+        machine
+        for machine in portal.model.machines.values()
+        if any(requirement in step.requirements for step in machine.transitions)
+    ]
+
+
+@dataclass
+class Row:
+    """A row of tree and trace: a node, a recorded call, or both when they match."""
+
+    node: TreeNode | None = None
+    depth: int = 0
+    call: str = ""
+    call_depth: int = 0
+    matched: bool = False
+    trunks: list[int] = field(default_factory=list)
+
+
+def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> list[Row]:
+    """Each node of the tree on the row of the recorded call that it matches."""
+    rows = [Row(call=t.method, call_depth=t.depth) for t in run.rows] if run else []
+    nodes = portal.flat(requirement.tree) if requirement.tree else []
+    places = run.places if run else [None] * len(nodes)
+    loose: list[tuple[int, Row]] = []
+    last = -1
+    for (depth, node), at in zip(nodes, places, strict=True):
+        if at is not None and 0 <= at < len(rows) and rows[at].node is None:
+            rows[at].node, rows[at].depth, rows[at].matched = node, depth, True
+            last = at
+        else:
+            loose.append((last + 1, Row(node=node, depth=depth)))
+    for at, row in reversed(loose):
+        rows.insert(at, row)
+    add_trunks(rows)
+    return rows
+
+
+def add_trunks(rows: list[Row]) -> None:
+    """Which vertical lines of the tree pass each row: a parent's line ends at its last child."""
+    placed = [(index, row.depth) for index, row in enumerate(rows) if row.node]
+    for number, (index, depth) in enumerate(placed):
+        if depth == 0:
+            continue
+        parent = next(i for i, d in reversed(placed[:number]) if d == depth - 1)
+        for between in range(parent + 1, index):
+            if depth - 1 not in rows[between].trunks:
+                rows[between].trunks.append(depth - 1)
+
+
+def sections(portal: Portal) -> dict[str, list[Requirement]]:
+    found: dict[str, list[Requirement]] = {}
+    for requirement in portal.model.requirements.values():
+        found.setdefault(requirement.section, []).append(requirement)
+    return found

@@ -1,0 +1,115 @@
+"""The pages of the safety case, and of what it cost to add safety."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import partial
+
+from portal.portal import Page, Portal
+from traceability.model.safety_case import requirements_of, scenarios_of
+from traceability.reading.bench_record import read_bench, read_paper_bench
+from traceability.reading.products import DEFAULT, read_products
+from traceability.schema import SafetyGoal
+
+PAPER_PRODUCT = "weeding_robot_paper"
+TIMING = "no-wait-states"
+
+
+def safety_pages(portal: Portal) -> Iterator[Callable[[], Page]]:
+    if not portal.model.safety.goals:
+        return
+    yield partial(overview_page, portal)
+    yield partial(hazards_page, portal)
+    yield partial(cost_page, portal)
+    for goal in portal.model.safety.goals.values():
+        yield partial(goal_page, portal, goal)
+
+
+def overview_page(portal: Portal) -> Page:
+    case = portal.model.safety
+    return portal.page(
+        "safety/index",
+        "Safety case",
+        "safety",
+        "safety_case",
+        case=case,
+        figures=portal.metrics,
+        by_level=[(level, count(portal, level)) for level in reversed(case.levels)],
+    )
+
+
+def count(portal: Portal, level: str) -> int:
+    return sum(hazard.level == level for hazard in portal.model.safety.hazards.values())
+
+
+def hazards_page(portal: Portal) -> Page:
+    return portal.page("safety/hazards", "Hazards", "safety", "hazards", case=portal.model.safety)
+
+
+def goal_page(portal: Portal, goal: SafetyGoal) -> Page:
+    model = portal.model
+    return portal.page(
+        f"safety/{goal.id}",
+        goal.id,
+        "safety",
+        "safety_goal",
+        case=model.safety,
+        goal=goal,
+        requirements=requirements_of(model, goal),
+        scenarios=scenarios_of(model, goal),
+    )
+
+
+@dataclass
+class Compared:
+    """A value of the product with the safety functions, and of the one without."""
+
+    title: str
+    unit: str
+    safe: float | None
+    paper: float | None
+
+    @property
+    def difference(self) -> float | None:
+        return None if self.safe is None or self.paper is None else self.safe - self.paper
+
+
+def cost_page(portal: Portal) -> Page:
+    return portal.page(
+        "safety/cost",
+        "What it cost to add safety",
+        "safety_cost",
+        "safety_cost",
+        case=portal.model.safety,
+        cost=portal.model.safety.cost,
+        compared=[*sizes(portal), *cycles(portal)],
+        products=(DEFAULT, PAPER_PRODUCT),
+    )
+
+
+def sizes(portal: Portal) -> Iterator[Compared]:
+    products = read_products(portal.root) or {}
+    safe, paper = products.get(DEFAULT, {}), products.get(PAPER_PRODUCT, {})
+    yield Compared("flash of the image", "bytes", safe.get("flash"), paper.get("flash"))
+    yield Compared("RAM of the image, stack included", "bytes", safe.get("ram"), paper.get("ram"))
+
+
+def cycles(portal: Portal) -> Iterator[Compared]:
+    """The longest time from the clock pulse to the report, in each scenario of the bench."""
+    safe = read_bench(portal.root)
+    paper = read_paper_bench(portal.root)
+    names = list((safe or {}).get("scenarios", {})) or ["any scenario of the bench"]
+    for name in names:
+        title = f"longest control cycle, {name.replace('_', ' ')}"
+        yield Compared(title, "ms", longest(safe, name), longest(paper, name))
+
+
+def longest(record: object, name: str) -> float | None:
+    """The maximum of a scenario in a record of the bench; ``None`` when it was not measured."""
+    found = record
+    for key in ("scenarios", name, TIMING, "report_ms", "maximum"):
+        if not isinstance(found, dict) or key not in found:
+            return None
+        found = found[key]
+    return float(found) if isinstance(found, (int, float)) else None

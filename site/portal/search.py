@@ -1,0 +1,208 @@
+"""The search index, the cards of the modules, and the targets of hand-written pages."""
+
+from __future__ import annotations
+
+import html
+import json
+from collections.abc import Iterator
+
+from portal.constant_texts import constant_links
+from portal.frame_tables import expanded
+from portal.links import ROOT, paper_anchor
+from portal.module_page import ancestors
+from portal.names import views_of
+from portal.portal import SITE, Portal
+from portal.sections import sections_of, terms_of
+from traceability.schema import Module
+
+# Group, key, title, text, address; then what is found too, and shown only where it is found.
+Entry = tuple[str, ...]
+# Groups of entries -> the kind that Sphinx's inventory names.
+NAMED = {
+    "Modules": "module",
+    "Data types": "module",
+    "Methods": "method",
+    "Pattern applications": "pattern",
+    "Requirements": "requirement",
+    "Safety case": "safety",
+    "Tests": "test",
+    "Checks": "check",
+}
+
+
+def script(portal: Portal) -> str:
+    """A script, so that it can be read without a server."""
+    data = {
+        "commit": portal.model.commit,
+        "modules": {m.name: card(portal, m) for m in portal.model.modules.values()},
+        "entries": [list(entry) for entry in entries(portal)],
+        "synonyms": synonyms(),
+    }
+    return f"window.PORTAL = {json.dumps(data, ensure_ascii=False, separators=(',', ':'))};\n"
+
+
+def synonyms() -> list[list[str]]:
+    """Words that mean the same, in small letters."""
+    lines = (SITE / "synonyms.txt").read_text(encoding="utf-8").splitlines()
+    return [
+        [word.strip() for word in line.split(",")] for line in lines if line[:1] not in ("", "#")
+    ]
+
+
+def card(portal: Portal, module: Module) -> dict[str, object]:
+    logic = portal.model.logic_modules.get(module.logic)
+    return {
+        "kind": kind(module),
+        "logic": logic.name if logic else module.logic,
+        "secret": plain(module.secret or module.brief),
+        "roles": [[role.role, role.application] for role in module.roles],
+        "views": "" if module.datatype else "".join(sorted(views_of(module, portal.names.called))),
+        "url": (portal.links.module(module.name) or "").removeprefix(ROOT),
+    }
+
+
+def kind(module: Module) -> str:
+    if module.datatype:
+        return "d"
+    return "a" if module.abstract else "c"
+
+
+def plain(text: str) -> str:
+    """A text without its markup, on one line."""
+    return " ".join(text.replace("`", "").split())
+
+
+def entries(portal: Portal) -> list[Entry]:
+    model, links = portal.model, portal.links
+    found: list[Entry] = []
+
+    def add(group: str, key: str, title: str, text: str, address: str | None) -> None:
+        if address:
+            found.append((group, key, title, plain(text), address.removeprefix(ROOT)))
+
+    for module in model.modules.values():
+        group = "Data types" if module.datatype else "Modules"
+        add(
+            group,
+            kind(module),
+            module.name,
+            module.secret or module.brief,
+            links.module(module.name),
+        )
+    for logic in model.logic_modules.values():
+        add("Logic modules", "", logic.name, logic.brief, links.logic(logic.id))
+    for application in model.patterns.values():
+        text = f"{application.pattern}. {application.title}"
+        add("Pattern applications", "P", application.id, text, links.pattern(application.id))
+    for requirement in model.requirements.values():
+        add(
+            "Requirements", "R", requirement.id, requirement.text, links.requirement(requirement.id)
+        )
+    seen: set[str] = set()
+    for module in model.modules.values():
+        for method in module.methods:
+            if method.access == "public" and method.kind != "constructor" and method.id not in seen:
+                seen.add(method.id)
+                add("Methods", "G", method.id, method.brief, links.method(method.id))
+    for test in model.tests.values():
+        add("Tests", "T", test.id, test.brief, links.test(test.id))
+    for check in portal.checks.values():
+        add("Checks", "", check.id, check.title, links.check(check.id))
+    for path in model.files:
+        add("Source", "S", path.rpartition("/")[2], path, links.file(path))
+    add("Pages", "", "First page", "Weeding robot, design portal", f"{ROOT}index.html")
+    for group_ in portal.navigation.groups:
+        for entry in group_.entries:
+            add("Pages", entry.key, entry.title, group_.title, ROOT + entry.address)
+    others = (change_entries, safety_entries, paper_entries, written_entries)
+    return [*found, *(entry for make in others for entry in make(portal))]
+
+
+def inventory(found: list[Entry]) -> list[list[str]]:
+    """Kind, name and address of each element that other documentation may name."""
+    return [
+        [NAMED[group], title, address]
+        for group, _, title, _, address, *_ in found
+        if group in NAMED
+    ]
+
+
+def change_entries(portal: Portal) -> Iterator[Entry]:
+    for change in portal.model.changes.values():
+        address = portal.links.change(change.application) or ""
+        title = f"Change of {change.application}"
+        yield "Likely changes", "", title, change.pattern, address.removeprefix(ROOT)
+
+
+def safety_entries(portal: Portal) -> Iterator[Entry]:
+    """The goals, hazards and assumptions of the safety case."""
+    case = portal.model.safety
+    titles = {one.id: one.title for one in case.goals.values()}
+    titles |= {one.id: one.title for one in case.hazards.values()}
+    titles |= {one.id: one.title for one in case.assumptions.values()}
+    for name, title in titles.items():
+        address = portal.links.safety(name) or ""
+        yield "Safety case", "", name, title, address.removeprefix(ROOT)
+
+
+def paper_entries(portal: Portal) -> Iterator[Entry]:
+    """The places of the paper, and what it names there."""
+    page, model = "concordance.html", portal.model
+    for place in model.paper_places:
+        yield "Paper", "", place.id, place.title, f"{page}#{paper_anchor(place.id)}"
+    for element in model.paper:
+        if element.where:
+            text = f"{element.kind}, {', '.join(element.where)}"
+            yield "Paper", "", element.name, text, f"{page}#{paper_anchor(element.kind)}"
+
+
+def written_entries(portal: Portal) -> Iterator[Entry]:
+    """The sections of the hand-written pages, with all their words, and the terms they define."""
+    for doc in portal.docs:
+        source = (portal.root / "docs" / f"{doc.name}.rst").read_text(encoding="utf-8")
+        name = doc.name.replace("_", " ")
+        for section in sections_of(doc, expanded(source, portal.root)):
+            text = f"{section.text} {name}" if section.title == doc.title else section.text
+            yield "Explanations", "", section.title, doc.title, section.address, text
+        for term in terms_of(doc, source):
+            yield "Glossary", "", term.title, term.text, term.address
+
+
+def targets(portal: Portal) -> dict[str, dict[str, str]]:
+    """For each role of the hand-written pages: name to HTML."""
+    model, links, names = portal.model, portal.links, portal.names
+    methods = {
+        f"{module.name}::{method.name}"
+        for module in model.modules.values()
+        for owner in [module.name, *ancestors(portal, module)]
+        if owner in model.modules
+        for method in model.modules[owner].methods
+    }
+    return {
+        "module": {name: str(names.mod(name)) for name in model.modules},
+        "logic": {
+            key: str(names.logic(logic.id))
+            for logic in model.logic_modules.values()
+            for key in (logic.id, logic.name)
+        },
+        "method": {name: str(names.meth(name)) for name in sorted(methods)},
+        "requirement": {name: str(names.req(name)) for name in model.requirements},
+        "safety": {
+            name: str(names.safety(name))
+            for items in (model.safety.goals, model.safety.hazards, model.safety.assumptions)
+            for name in items
+        },
+        "pattern": {name: str(names.pat(name)) for name in model.patterns},
+        "constant": constant_links(model, links),
+        "check": {name: str(names.check(name)) for name in portal.checks},
+        "test": {name: str(names.test(name)) for name in model.tests},
+        "source": {
+            path: f'<a class="src" href="{links.file(path)}"><code>{path}</code></a>'
+            for path in model.files
+        },
+        "view": {
+            entry.id: f'<a href="{ROOT}{entry.address}">{html.escape(entry.title)}</a>'
+            for group in portal.navigation.groups
+            for entry in group.entries
+        },
+    }

@@ -1,0 +1,94 @@
+"""Builds the site: each core makes a part of the bodies, while Sphinx reads; then Sphinx writes."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from dataclasses import dataclass, field, replace
+from functools import partial
+from itertools import chain
+from multiprocessing import get_context
+from pathlib import Path
+
+from portal.diagrams import DIAGRAMS, DiagramError, diagram_files
+from portal.pages import all_pages
+from portal.portal import CheckText, Page, Portal
+from portal.sphinx_pages import BODIES, body_file, run_sphinx, write_sources
+from portal.writing import remove_others, write_changed
+from traceability.exports import model_json, verification_table
+from traceability.model.design_model import Model
+from traceability.schema import Finding, Place
+
+PARTS = 8  # of the pages: more than cores, so that none waits long for another
+
+
+@dataclass
+class SiteResult:
+    """How many pages the site has, and what Sphinx warned of."""
+
+    pages: int
+    warnings: list[Finding] = field(default_factory=list)
+
+
+def build_site(root: Path, model: Model, findings: list[Finding]) -> SiteResult:
+    """Brings ``build/site`` up to date with the model."""
+    root = root.resolve()
+    pages, site = root / "build" / "pages", root / "build" / "site"
+    try:
+        portal = Portal(root, model, findings, check_texts())
+    except DiagramError as error:
+        mend = "correct what the diagram is made from, see the message of PlantUML"
+        return SiteResult(0, [Finding(Place("design", 0), "doc-diagram", str(error), mend)])
+    kept = write_sources(portal, pages)
+    with get_context("fork").Pool(os.cpu_count() or 1, _share, (portal, site)) as pool:
+        exported = pool.apply_async(_write_exports)
+        written = pool.map_async(partial(_write_part, pages / BODIES), range(PARTS), 1)
+        warnings = run_sphinx(portal, pages, site, lambda: list(chain(*written.get())))
+        made = {page.name for page in chain(*written.get())}
+        exported.get()
+    remove_others(pages / BODIES, "*.html", [f"{name}.html" for name in made])
+    kept |= made
+    remove_others(site, "*.html", [f"{name}.html" for name in kept])
+    shutil.rmtree(site / "_sources", ignore_errors=True)
+    return SiteResult(len(kept), warnings)
+
+
+def check_texts() -> list[CheckText]:
+    from traceability.checks.registry import CHECKS
+
+    return [CheckText(c.id, c.title, c.why, c.holds, c.blind, c.mend) for c in CHECKS]
+
+
+# What a process is forked with: too large to be sent to it.
+_shared: list[tuple[Portal, Path]] = []
+
+
+def _share(portal: Portal, site: Path) -> None:
+    _shared.append((portal, site))
+
+
+def _write_part(bodies: Path, part: int) -> list[Page]:
+    """Writes the bodies of a part of the pages; returns these pages without them."""
+    portal, _ = _shared[-1]
+    made = []
+    for page in all_pages(portal, part, PARTS):
+        write_changed(body_file(bodies, page.name), page.body)
+        made.append(replace(page, body=""))
+    return made
+
+
+def _write_exports() -> None:
+    portal, site = _shared[-1]
+    write_exports(portal, site)
+    verification_table.write_exports(portal.root, site, portal.model)
+
+
+def write_exports(portal: Portal, site: Path) -> None:
+    """The files that the page of exports leads to."""
+    files = diagram_files(portal.diagrams)
+    kept = [name.rpartition("/")[2] for name in files]
+    remove_others(site / DIAGRAMS, "*.puml", kept)
+    files[model_json.MODEL] = model_json.model_text(portal.model)
+    files[model_json.SCHEMA] = model_json.schema_text()
+    for name, text in files.items():
+        write_changed(site / name, text)

@@ -1,0 +1,86 @@
+"""The Sphinx extension of the portal: roles and an inventory that name what the model knows."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Set
+from pathlib import Path
+from typing import Any
+
+from docutils import nodes
+from sphinx.application import Sphinx
+from sphinx.domains import Domain, ObjType
+from sphinx.environment import BuildEnvironment
+from sphinx.util import logging
+from sphinx.util.docutils import SphinxRole
+
+from portal.links import ROOT, depth_prefix
+
+LOGGER = logging.getLogger(__name__)
+NAMES = "names.json"  # in the folder of the sources: kind, name and address of each element
+
+
+class NameRole(SphinxRole):
+    """A role such as ``:module:`RC```: the name of an element, linked to its page."""
+
+    def __init__(self, targets: dict[str, str]) -> None:
+        super().__init__()
+        self.targets = targets
+
+    def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
+        known = self.targets.get(self.text.removesuffix("()"))
+        if known is None:
+            text = f"unknown target: there is no {self.name} {self.text!r}"
+            LOGGER.warning(text, location=self.get_location())
+            return [nodes.literal(self.rawtext, self.text)], []
+        html = known.replace(f'"{ROOT}', f'"{depth_prefix(self.env.docname)}')
+        return [nodes.raw(self.rawtext, html, format="html")], []
+
+
+class DesignDomain(Domain):
+    """The elements of the design, for ``objects.inv``: other documentation can link to them."""
+
+    name = "design"
+    label = "Design"
+    object_types = {  # noqa: RUF012 - as Sphinx declares it
+        kind: ObjType(kind)
+        for kind in ("module", "method", "pattern", "requirement", "safety", "test", "check")
+    }
+
+    def get_objects(self) -> Iterator[tuple[str, str, str, str, str, int]]:
+        names = Path(self.env.srcdir) / NAMES
+        for kind, name, address in json.loads(names.read_text(encoding="utf-8")):
+            page, _, anchor = address.partition("#")
+            yield name, name, kind, page.removesuffix(".html"), anchor, 1
+
+    def merge_domaindata(self, docnames: Set[str], otherdata: dict[str, Any]) -> None:
+        """It has no data of its own."""
+
+
+def load(app: Sphinx) -> None:
+    links = Path(app.srcdir) / "links.json"
+    for kind, targets in json.loads(links.read_text(encoding="utf-8")).items():
+        app.add_role(kind, NameRole(targets), override=True)
+    # Only builders of HTML have it, and no other one is used.
+    app.builder.search = False  # type: ignore[attr-defined]
+
+
+def hand_written(app: Sphinx, env: BuildEnvironment, *_changed: set[str]) -> list[str]:
+    """All of these are read again where one changed or gave a warning: they name each other."""
+    names = [name for name in env.found_docs if name.startswith("docs/")]
+    return names if app.config.read_all_docs else []
+
+
+def mark(app: Sphinx, _doctree: nodes.document) -> None:
+    """Tells the layout of a page the entry of the navigation that it belongs to."""
+    name = app.env.docname
+    app.env.metadata[name].update(nav=name, prose=True, orphan="")
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    app.add_domain(DesignDomain)
+    app.add_config_value("read_all_docs", True, "")
+    app.connect("builder-inited", load)
+    app.connect("env-get-outdated", hand_written)
+    app.connect("doctree-read", mark)
+    return {"version": "3", "parallel_read_safe": True, "parallel_write_safe": True}

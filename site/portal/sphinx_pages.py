@@ -1,0 +1,185 @@
+"""Sphinx writes all pages: the hand-written ones, and those whose bodies the templates make."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable, Iterator
+from html import escape
+from pathlib import Path
+from typing import Any
+
+from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
+from sphinx.util.docutils import docutils_namespace, patch_docutils
+
+from portal import search
+from portal.frame_tables import frame_tables
+from portal.links import ROOT, depth_prefix
+from portal.module_page import MEMBERS, doxygen_file
+from portal.pin_map import HEADER as PINS
+from portal.pin_map import pin_map
+from portal.portal import SITE, Page, Portal
+from portal.sphinx_extension import NAMES
+from portal.sphinx_warnings import WarningCollector
+from portal.tables import COMMANDS, PACKAGES, PRODUCTS, command_table, package_table, product_table
+from portal.writing import remove_others, write_changed
+from traceability.schema import Finding, Module
+from traceability.sources import files_below, hash_of
+
+SCENARIO = Path("sim/scenario/examples/stop.scenario")
+# What hand-written pages include from other folders: the file, its name beside them, the text.
+INCLUDED = (
+    (PINS, "pin_map.csv", pin_map),
+    (SCENARIO, "example.scenario", lambda root: (root / SCENARIO).read_text("utf-8")),
+    (COMMANDS, "commands.csv", command_table),
+    (PACKAGES, "packages.csv", package_table),
+    (PRODUCTS, "products.inc", product_table),
+)
+FRAME = "frame.txt"  # what all pages have around their body
+BODIES = "_bodies"  # below the pages: those that templates make, without the layout
+UNKNOWN_TO_BREATHE = re.compile(r"\s*<(satisfies|verifies|innerclass)\b.*?</\1>", re.DOTALL)
+
+
+def write_sources(portal: Portal, pages: Path) -> set[str]:
+    """Writes what Sphinx reads; returns the names of the pages."""
+    shown = [m for m in portal.designs if doxygen_file(portal, m)]
+    kept = copy_docs(portal.root / "docs", pages / "docs") | write_members(shown, pages)
+    remove_others(pages, "*.rst", [f"{name}.rst" for name in kept])
+    write_included(portal.root, pages / "_generated")
+    copy_doxygen(portal, shown, pages / "_doxygen")
+    write_changed(pages / NAMES, json.dumps(search.inventory(search.entries(portal))))
+    write_changed(pages / "links.json", json.dumps(search.targets(portal), sort_keys=True))
+    write_changed(pages / "_static" / "portal.js", search.script(portal))
+    return kept
+
+
+def copy_docs(docs: Path, target: Path) -> set[str]:
+    kept = {path.relative_to(docs) for path in docs.rglob("*") if path.is_file()}
+    for path in kept:
+        write_changed(target / path, (docs / path).read_bytes())
+    remove_others(target, "*", map(str, kept))
+    return {f"docs/{path.with_suffix('')}" for path in kept if path.suffix == ".rst"}
+
+
+def write_members(modules: list[Module], pages: Path) -> set[str]:
+    """The members of each class, by Breathe. They become a section of the page of the module."""
+    for module in modules:
+        write_changed(
+            pages / "modules" / f"{module.name}.rst",
+            ".. container:: api\n\n"
+            f"   .. doxygenclass:: {module.qualified}\n"
+            "      :members:\n"
+            "      :protected-members:\n",
+        )
+    return {f"modules/{module.name}" for module in modules}
+
+
+def write_included(root: Path, target: Path) -> None:
+    """What hand-written pages include from other folders of the project."""
+    for source, name, text_of in INCLUDED:
+        if (root / source).exists():
+            write_changed(target / name, text_of(root))
+    for name, text in frame_tables(root).items():
+        write_changed(target / name, text)
+
+
+def copy_doxygen(portal: Portal, modules: list[Module], target: Path) -> None:
+    """What Breathe needs: the classes of the modules, without what it does not know.
+
+    Breathe reads a class again when its file is newer, so only changed files are replaced.
+    """
+    compounds = []
+    for module in modules:
+        if path := doxygen_file(portal, module):
+            text = UNKNOWN_TO_BREATHE.sub("", path.read_text(encoding="utf-8"))
+            write_changed(target / path.name, text)
+            name = f"<name>{module.qualified}</name>"
+            compounds.append(f'<compound refid="{path.stem}" kind="class">{name}</compound>')
+    index = f"<doxygenindex version='1.9.8'>{''.join(compounds)}</doxygenindex>"
+    write_changed(target / "index.xml", index)
+
+
+class GeneratedPages:
+    """The pages that templates make: Sphinx puts each body into the layout, and writes it.
+
+    A page of a module is also one of Sphinx's own: it gets the members that Breathe shows. ``made``
+    returns the pages when their bodies are in the folder ``bodies``.
+    """
+
+    def __init__(
+        self, bodies: Path, frame: str, site: Path, made: Callable[[], list[Page]]
+    ) -> None:
+        self.bodies = bodies
+        self.frame = bodies / FRAME
+        self.site = site
+        self.made = made
+        self.pages: dict[str, Page] = {}
+        write_changed(self.frame, frame)
+
+    def changed(self, _app: Sphinx, env: BuildEnvironment) -> list[str]:
+        """The pages of Sphinx's own to write again, though their members are as before."""
+        self.pages = {page.name: page for page in self.made()}
+        return [name for name in self.pages if name in env.found_docs and self.is_old(name)]
+
+    def is_old(self, name: str) -> bool:
+        page = self.site / f"{name}.html"
+        parts = (self.frame, body_file(self.bodies, name))
+        newest = max(part.stat().st_mtime_ns for part in parts)
+        return not page.exists() or page.stat().st_mtime_ns < newest
+
+    def others(self, app: Sphinx) -> Iterator[tuple[str, dict[str, Any], str]]:
+        for name in self.pages:
+            if name not in app.env.found_docs and self.is_old(name):
+                yield name, {"body": ""}, "page.html"
+
+    def fill(
+        self, _app: Sphinx, name: str, _template: str, context: dict[str, Any], _tree: object
+    ) -> None:
+        if page := self.pages.get(name):
+            text = body_file(self.bodies, name).read_text(encoding="utf-8")
+            body = text.replace(MEMBERS, context["body"]).replace(
+                f'"{ROOT}', f'"{depth_prefix(name)}'
+            )
+            meta = {"nav": page.nav, "wide": page.wide, "prose": False}
+            context |= {"title": escape(page.title, quote=False), "body": body, "meta": meta}
+
+
+def body_file(bodies: Path, name: str) -> Path:
+    return bodies / f"{name}.html"
+
+
+def run_sphinx(
+    portal: Portal, pages: Path, site: Path, made: Callable[[], list[Page]]
+) -> list[Finding]:
+    cache = portal.root / "build" / "pages-cache"
+    sound = cache / "sound-docs"  # names what was read without a warning
+    docs = hash_of(pages, files_below(pages, ("docs", "_generated", "links.json")))
+    collector = WarningCollector(portal.root, pages)
+    with patch_docutils(), docutils_namespace():
+        app = Sphinx(
+            srcdir=pages,
+            confdir=SITE,
+            outdir=site,
+            doctreedir=cache / "sphinx",
+            buildername="html",
+            status=None,
+            warning=collector,
+            confoverrides={
+                "html_context": {"groups": portal.navigation.data()},
+                "html_static_path": [str(pages / "_static")],
+                "breathe_projects": {"firmware": str(pages / "_doxygen")},
+                "root_doc": f"docs/{portal.docs[0].name}",
+                "read_all_docs": not sound.exists() or sound.read_text() != docs,
+            },
+        )
+        frame = (SITE / "theme" / "layout.html").read_text(encoding="utf-8")
+        frame += json.dumps(portal.navigation.data())
+        generated = GeneratedPages(pages / BODIES, frame, site, made)
+        app.connect("env-get-updated", generated.changed)
+        app.connect("html-collect-pages", generated.others)
+        app.connect("html-page-context", generated.fill)
+        app.build()
+    found = collector.findings()
+    write_changed(sound, "" if found else docs)
+    return found

@@ -1,0 +1,57 @@
+"""Tables for hand-written pages, read from the files that the commands themselves read."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from collections.abc import Iterable
+from pathlib import Path
+
+from traceability.reading.products import LIST, listed
+
+COMMANDS = Path("wr")
+PACKAGES = Path("setup/debian.txt")
+PRODUCTS = LIST
+COMMAND = re.compile(r"^  ([a-z-]+) +(.+)$", re.MULTILINE)
+PACKAGE = re.compile(r"^([\w.+-]+) +# (.+)$", re.MULTILINE)
+
+
+def command_table(root: Path) -> str:
+    """Each command of ./wr, as its help has it."""
+    usage = (root / COMMANDS).read_text(encoding="utf-8").partition("\nTEXT\n")[0]
+    rows = ((f"``./wr {name}``", does) for name, does in COMMAND.findall(usage))
+    return comma_separated(("command", "what it does"), rows)
+
+
+def package_table(root: Path) -> str:
+    """Each package of Debian that the commands need, and why."""
+    rows = PACKAGE.findall((root / PACKAGES).read_text(encoding="utf-8"))
+    return comma_separated(("package", "why"), rows)
+
+
+def product_table(root: Path) -> str:
+    """Each product with its composition, as a table of a hand-written page."""
+    rows = ((f"``{one.name}``", f":source:`{one.composition}`", one.text) for one in listed(root))
+    return list_table((30, 34, 36), ("product", "its composition", "what it has"), rows)
+
+
+def list_table(widths: Iterable[int], heads: Iterable[str], rows: Iterable[tuple[str, ...]]) -> str:
+    """A table in the form of hand-written pages, whose cells may hold roles."""
+    lines = [
+        ".. list-table::",
+        "   :header-rows: 1",
+        f"   :widths: {' '.join(map(str, widths))}",
+        "",
+    ]
+    for first, *others in (tuple(heads), *rows):
+        lines += [f"   * - {first}", *(f"     - {cell}".rstrip() for cell in others)]
+    return "\n".join(lines) + "\n"
+
+
+def comma_separated(titles: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> str:
+    table = io.StringIO()
+    writer = csv.writer(table, lineterminator="\n")
+    writer.writerow(titles)
+    writer.writerows(rows)
+    return table.getvalue()

@@ -1,0 +1,101 @@
+"""What the pages show of the verification of each requirement."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+from traceability.model.design_model import Model
+from traceability.reading.traces import nodes_of
+from traceability.schema import HOST, VIRTUAL_K64, MethodCoverage, Requirement
+
+
+@dataclass
+class Share:
+    """How many of something were executed."""
+
+    part: int
+    whole: int
+
+    @property
+    def per_cent(self) -> float:
+        return round(100 * self.part / self.whole, 1)
+
+    def __str__(self) -> str:
+        return f"{self.part}/{self.whole}"
+
+
+def share(hits: Iterable[bool]) -> Share | None:
+    values = list(hits)
+    return Share(sum(values), len(values)) if values else None
+
+
+def lines_of(methods: Iterable[MethodCoverage]) -> Share | None:
+    return share(hit for method in methods for hit in method.lines.values())
+
+
+def branches_of(methods: Iterable[MethodCoverage]) -> Share | None:
+    return share(hit for method in methods for hit in method.branches or [])
+
+
+@dataclass
+class Bar:
+    """A row of the chart: what the tests of the requirements of a section executed."""
+
+    section: str
+    host_lines: Share | None
+    host_branches: Share | None
+    board_lines: Share | None
+
+
+def chart(sections: dict[str, list[Requirement]]) -> list[Bar]:
+    """A method that stands in several trees counts in each of them."""
+
+    def methods(items: list[Requirement], binding: str) -> list[MethodCoverage]:
+        return [method for item in items for method in item.coverage.get(binding, [])]
+
+    return [
+        Bar(
+            section,
+            lines_of(methods(items, HOST)),
+            branches_of(methods(items, HOST)),
+            lines_of(methods(items, VIRTUAL_K64)),
+        )
+        for section, items in sections.items()
+    ]
+
+
+@dataclass
+class Facets:
+    """What a requirement is filtered by."""
+
+    state: str
+    logic: list[str]
+    pattern: list[str]
+    method: list[str]
+    binding: list[str]
+    level: list[str]
+    goal: list[str]
+
+
+def facets(model: Model, requirement: Requirement) -> Facets:
+    names = [method.split("::")[0] for method in requirement.satisfied_by]
+    for node in nodes_of(requirement.tree) if requirement.tree else []:
+        names.append(node.module)
+    modules = [model.modules[name] for name in dict.fromkeys(names) if name in model.modules]
+    passed = {
+        binding for test in requirement.verified_by for binding in model.tests[test].gave("passed")
+    }
+    return Facets(
+        requirement.state,
+        sorted({module.logic for module in modules}),
+        sorted({role.application for module in modules for role in module.roles}),
+        [requirement.method] if requirement.method else [],
+        [binding for binding in model.results_hashes if binding in passed],
+        [requirement.level] if requirement.level else [],
+        requirement.goals,
+    )
+
+
+def options(found: Iterable[Facets], pick: Callable[[Facets], list[str]]) -> list[str]:
+    return sorted({value for one in found for value in pick(one)})

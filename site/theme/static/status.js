@@ -1,0 +1,44 @@
+/* While ./wr portal measures: what runs, and a new page when the results are there. */
+(function () {
+  "use strict";
+  if (!location.protocol.startsWith("http")) return;
+  const address = (document.documentElement.dataset.root || "") + "status.json";
+  const line = document.createElement("div");
+  line.className = "status";
+  line.setAttribute("role", "status");
+  let pages = null; // the version of the pages that this one belongs to
+  const clock = (seconds) =>
+    Math.floor(seconds / 60) + ":" + String(Math.floor(seconds % 60)).padStart(2, "0");
+
+  function running(task) {
+    const since = clock(Math.max(0, Date.now() / 1000 - task.since));
+    return task.name + " " + since + (task.seconds ? " of about " + clock(task.seconds) : "");
+  }
+
+  function show(state) {
+    const waiting = state.waiting.length ? "; " + state.waiting.length + " more" : "";
+    const failed = state.failed.length ? " Failed: " + state.failed.join(", ") + "." : "";
+    line.textContent = state.over
+      ? failed && "The results are complete." + failed
+      : "Running: " + (state.running.map(running).join(", ") || "pages") + waiting +
+        ". Results on this page may be missing or older." + failed;
+    if (line.textContent && !line.isConnected) document.body.append(line);
+    if (!line.textContent) line.remove();
+  }
+
+  async function poll() {
+    let state;
+    try {
+      const answer = await fetch(address, { cache: "no-store" });
+      if (!answer.ok) return; // nothing runs
+      state = await answer.json();
+    } catch (error) {
+      return line.remove(); // the server ended
+    }
+    if (pages !== null && state.pages !== pages) return location.reload();
+    pages = state.pages;
+    show(state);
+    if (!state.over) setTimeout(poll, 1000);
+  }
+  poll();
+})();

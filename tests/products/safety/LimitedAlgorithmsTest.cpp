@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include "safety/CurrentLimited.hpp"
+#include "safety/LimitedAlgorithms.hpp"
+#include "safety/SpeedLimited.hpp"
+
+namespace wr::test {
+namespace {
+
+/// An algorithm whose voltage is its set-point in mV; it records its calls.
+class DirectAlgorithm final : public WheelAlgorithm {
+ public:
+  Tension calculate(std::int16_t setPoint, const WheelFeedback& /*feedback*/) override {
+    return Tension(setPoint);
+  }
+  void applied(Tension tension) override { voltage = tension; }
+  void reset() override { ++resets; }
+
+  Tension voltage;
+  int resets = 0;
+};
+
+WheelFeedback measured(int rpm, int milliamperes) {
+  return {.velocity = Velocity(10 * rpm), .current = Current(milliamperes)};
+}
+
+/// @brief Far from the limit, and for a wheel whose voltage is not known, the demand passes. With 12 A the voltage
+/// does not rise; with 10 A it rises by 2 V, as the winding has more than 1 ohm. The other
+/// direction has the same limits.
+/// @verifies FR-296
+TEST(CurrentLimitedTest, FR296_TheCurrentStaysBelowTheTrip) {
+  DirectAlgorithm direct;
+  CurrentLimited limited(direct);
+  EXPECT_EQ(limited.calculate(24000, measured(0, 12000)), Tension(24000));
+  for (const int sign : {1, -1}) {
+    limited.applied(Tension(sign * 6000));
+    EXPECT_EQ(direct.voltage, Tension(sign * 6000));
+    const auto demand = static_cast<std::int16_t>(sign * 20000);
+    EXPECT_EQ(limited.calculate(demand, measured(50, sign * 12000)), Tension(sign * 6000));
+    EXPECT_EQ(limited.calculate(demand, measured(50, sign * 10000)), Tension(sign * 8000));
+    EXPECT_EQ(limited.calculate(demand, measured(50, sign * 14000)), Tension(sign * 4000));
+    EXPECT_EQ(limited.calculate(static_cast<std::int16_t>(sign * 7999), measured(50, sign * 10000)),
+              Tension(sign * 7999));
+    EXPECT_EQ(limited.calculate(0, measured(50, sign * 11000)), Tension(0));
+  }
+  limited.reset();
+  EXPECT_EQ(direct.resets, 1);
+  EXPECT_EQ(limited.calculate(24000, measured(0, 12000)), Tension(24000));
+}
+
+/// @brief At 290 rpm the voltage of a wheel does not rise, above it falls, and a wheel that accelerates towards the
+/// limit gets less. An order against the motion passes.
+/// @verifies FR-283
+TEST(SpeedLimitedTest, FR283_TheLimitBeginsAtTheVoltageOfTheWheel) {
+  for (const int sign : {1, -1}) {
+    DirectAlgorithm direct;
+    SpeedLimited limited(direct);
+    const auto demand = static_cast<std::int16_t>(sign * 24000);
+    const auto next = [&](int rpm) {
+      const Tension result = limited.calculate(demand, measured(sign * rpm, 0));
+      limited.applied(Tension(sign * 10000));
+      return sign * result.count();
+    };
+    next(290);
+    EXPECT_EQ(next(290), 10000);
+    EXPECT_LT(next(300), 10000);
+    EXPECT_LT(next(300), 10000);
+    EXPECT_GT(next(280), 10000);
+    const std::int32_t steady = next(280);
+    EXPECT_GT(steady, 10000);
+    next(260);
+    EXPECT_LT(next(280), steady);
+    EXPECT_EQ(limited.calculate(static_cast<std::int16_t>(-sign * 1000), measured(sign * 280, 0)),
+              Tension(-sign * 1000));
+    limited.reset();
+    EXPECT_EQ(direct.resets, 1);
+  }
+}
+
+/// @brief A wheel whose voltage is not known gets less than the voltage that its velocity induces: at 290 rpm
+/// 15.2 V. At 29 V instead of 24 V it is not driven then.
+/// @verifies FR-283
+TEST(SpeedLimitedTest, FR283_AnUnknownVoltageIsTakenForLow) {
+  DirectAlgorithm direct;
+  SpeedLimited limited(direct);
+  const Tension first = limited.calculate(24000, measured(290, 0));
+  EXPECT_LT(first.count() * 29 / 24, 15200);
+  EXPECT_GT(first.count(), 10000);
+}
+
+}  // namespace
+}  // namespace wr::test

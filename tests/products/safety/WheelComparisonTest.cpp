@@ -1,0 +1,130 @@
+#include "safety/WheelComparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <optional>
+
+#include "units/Measurements.hpp"
+
+namespace wr::test {
+namespace {
+
+class ComparedWheels : public testing::Test {
+ protected:
+  ComparedWheels() {
+    for (WheelMeasurements& wheel : measurements.wheels) {
+      wheel.position = HallCount(0);
+      wheel.current = Current(0);
+    }
+    EXPECT_EQ(comparison.behind(measurements), std::nullopt);
+  }
+
+  /// A cycle in which the wheels move by some edges.
+  std::optional<std::uint8_t> move(const std::array<int, kWheelCount>& edges) {
+    for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+      HallCount& position = *measurements.wheels[wheel].position;
+      position = position + HallCount(edges[wheel]);
+    }
+    return comparison.behind(measurements);
+  }
+
+  std::optional<std::uint8_t> push(int current, std::size_t wheel = 1) {
+    measurements.wheels[wheel].current = Current(current);
+    return comparison.overloaded(measurements);
+  }
+
+  Measurements measurements;
+  WheelComparison comparison;
+};
+
+/// @brief A wheel that does not move is found after twice 20 edges of the others, which are 0.114 m: the wheel of
+/// 0.272 m radius turns once in 600 edges.
+/// @verifies FR-297
+TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFound) {
+  for (const int direction : {1, -1}) {
+    comparison.reset();
+    move({0, 0, 0, 0});
+    for (int cycle = 1; cycle < 40; ++cycle) {
+      EXPECT_EQ(move({direction, direction, 0, direction}), std::nullopt) << cycle;
+    }
+    EXPECT_EQ(move({direction, direction, 0, direction}), std::uint8_t{2});
+  }
+}
+
+/// @brief A wheel that moves by half as much as the others is behind, one that moves by more is not; a wheel that
+/// is faster than the others is never behind, nor is one that is behind once.
+/// @verifies FR-297
+TEST_F(ComparedWheels, FR297_HalfTheWayIsTheLimit) {
+  for (int cycle = 0; cycle < 10; ++cycle) {
+    EXPECT_EQ(move({26, 26, 14, 26}), std::nullopt);
+    EXPECT_EQ(move({26, 80, 26, 26}), std::nullopt);
+  }
+  EXPECT_EQ(move({13, 26, 26, 26}), std::nullopt);
+  EXPECT_EQ(move({14, 26, 26, 26}), std::nullopt);
+  EXPECT_EQ(move({13, 26, 26, 26}), std::nullopt);
+  EXPECT_EQ(move({13, 26, 26, 26}), std::uint8_t{0});
+}
+
+/// @brief A wheel whose sensors count the wrong way, and one whose position is missing, are behind. The shares of
+/// the tightest curve are not.
+/// @verifies FR-297
+TEST_F(ComparedWheels, FR297_WrongAndMissingEdgesAreBehind) {
+  for (int cycle = 0; cycle < 10; ++cycle) {
+    EXPECT_EQ(move({74, 100, 58, 89}), std::nullopt);
+    EXPECT_EQ(move({-74, -100, -58, -89}), std::nullopt);
+  }
+  EXPECT_EQ(move({30, 30, 30, -30}), std::nullopt);
+  EXPECT_EQ(move({30, 30, 30, -30}), std::uint8_t{3});
+  measurements.wheels[1].position.reset();
+  EXPECT_EQ(comparison.behind(measurements), std::nullopt);
+}
+
+/// @brief More than 11.0 A in ten cycles in a row are too much, in either direction; 11.0 A are not, and a cycle
+/// with less begins again.
+/// @verifies FR-298
+TEST_F(ComparedWheels, FR298_AGreatCurrentMayNotLast) {
+  for (const int sign : {1, -1}) {
+    for (int cycle = 0; cycle < 30; ++cycle) {
+      EXPECT_EQ(push(sign * 11000), std::nullopt);
+    }
+    for (int cycle = 0; cycle < 9; ++cycle) {
+      EXPECT_EQ(push(sign * 11001), std::nullopt);
+    }
+    EXPECT_EQ(push(sign * 11000), std::nullopt);
+    for (int cycle = 0; cycle < 9; ++cycle) {
+      EXPECT_EQ(push(sign * 11001), std::nullopt);
+    }
+    EXPECT_EQ(push(sign * 11001), std::uint8_t{1});
+  }
+}
+
+/// @brief In a curve of more than 11 degrees the set-points may make the wheels push for 5 s, but no longer.
+/// @verifies FR-298
+TEST_F(ComparedWheels, FR298_InACurveAGreatCurrentMayLastLonger) {
+  for (const int angle : {1101, -1101}) {
+    measurements.steering = Angle(angle);
+    for (int cycle = 0; cycle < 49; ++cycle) {
+      EXPECT_EQ(push(14000), std::nullopt);
+    }
+    EXPECT_EQ(push(11000), std::nullopt);
+  }
+  for (int cycle = 0; cycle < 49; ++cycle) {
+    EXPECT_EQ(push(-11001), std::nullopt);
+  }
+  EXPECT_EQ(push(-11001), std::uint8_t{1});
+}
+
+/// @brief A cycle at 11 degrees or less counts as five cycles of a curve.
+/// @verifies FR-298
+TEST_F(ComparedWheels, FR298_TheEndOfACurveShortensTheTime) {
+  measurements.steering = Angle(1101);
+  for (int cycle = 0; cycle < 45; ++cycle) {
+    EXPECT_EQ(push(14000), std::nullopt);
+  }
+  measurements.steering = Angle(-1100);
+  EXPECT_EQ(push(14000), std::uint8_t{1});
+}
+
+}  // namespace
+}  // namespace wr::test

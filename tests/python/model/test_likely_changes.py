@@ -1,0 +1,107 @@
+"""What a likely change takes, read off a small tree."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import pytest
+
+from tests.python.model.small_tree import write_tree
+from traceability.model.build import build
+from traceability.model.design_model import Model
+from traceability.model.likely_changes import add_changes
+from traceability.reading.change_texts import ChangeTexts, Recipe
+from traceability.schema import LikelyChange
+
+CHANGES = """\
+[[recipe]]
+pattern = "State"
+alters = ["Concrete State"]
+adds = "Concrete State"
+derives = "State"
+steps = ["Derive a class from {derives}."]
+
+[[application]]
+id = "reading-modes"
+examples = ["PC"]
+steps = ["Number it."]
+"""
+BUILDER = """\
+#pragma once
+
+#include "main_control/operation_modes/RC.hpp"
+
+namespace wr {
+
+/// @brief Makes the modes.
+///
+/// @function Makes a mode.
+///
+/// @secret Which modes there are.
+class Builder {
+ private:
+  RC rc_;
+};
+
+}  // namespace wr
+"""
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Model:
+    root = write_tree(tmp_path_factory.mktemp("changes"))
+    (root / "design").mkdir(exist_ok=True)
+    (root / "design" / "changes.toml").write_text(CHANGES)
+    (root / "src" / "main_control" / "Builder.hpp").write_text(BUILDER)
+    return build(root)
+
+
+@pytest.fixture
+def change(built: Model) -> LikelyChange:
+    return built.changes["reading-modes"]
+
+
+def test_a_new_part_derives_from_the_abstraction_beside_the_present_ones(
+    change: LikelyChange,
+) -> None:
+    assert change.hidden_by == "Mode"
+    assert (change.role, change.derives) == ("Concrete State", ["Mode"])
+    assert change.altered == ["PC", "RC"]
+    assert change.logic == "main_control/operation_modes"
+
+
+def test_it_is_made_known_where_a_present_one_is_named_and_nowhere_else(
+    change: LikelyChange,
+) -> None:
+    assert change.edits == ["Builder"]
+    assert "MainController" in change.untouched
+    assert "Builder" not in change.untouched
+
+
+def test_steps_of_the_pattern_come_before_those_of_the_application(change: LikelyChange) -> None:
+    assert change.steps == ["Derive a class from {derives}.", "Number it."]
+    assert change.examples == ["PC"]
+
+
+def test_requirements_whose_trees_run_through_its_modules_are_looked_at_again(
+    built: Model,
+) -> None:
+    change = built.changes["reading-modes"]
+    assert change.requirements == ["FR-15"]
+    assert change.tests == ["Working.WaitsWithoutMessage"]
+
+
+def test_a_change_that_adds_nothing_edits_what_it_alters(built: Model) -> None:
+    application = built.patterns["reading-modes"]
+    recipe = Recipe(["State"], steps=["Edit it."])
+    model = dataclasses.replace(built, changes={})
+    add_changes(model, ChangeTexts({application.pattern: recipe}))
+    change = model.changes["reading-modes"]
+    assert (change.derives, change.edits) == ([], ["Mode"])
+    assert "RC" in change.untouched
+
+
+def test_without_texts_there_are_no_changes(built: Model) -> None:
+    model = dataclasses.replace(built, changes={})
+    add_changes(model, ChangeTexts())
+    assert model.changes == {}

@@ -1,0 +1,102 @@
+"""From methods and tests back to the requirements."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import SimpleNamespace
+
+from traceability.checks.requirement_checks import check
+from traceability.model.design_model import Model
+from traceability.model.orphan_methods import justify, methods_without
+from traceability.reading.comments import Comments
+from traceability.schema import HOST, Justified, Method, Module, Place, Requirement, Test, TreeNode
+
+PLACE = Place("src/a/A.hpp", 1)
+TOML = Place("design/justified.toml", 4)
+
+
+def method(name: str, overrides: str | None = None, satisfies: str = "") -> Method:
+    owner, _, plain = name.partition("::")
+    kind = "constructor" if owner == plain else "plain"
+    item = Method(name, owner, plain, name, "public", kind, PLACE, overrides=overrides)
+    item.satisfies = [satisfies] if satisfies else []
+    return item
+
+
+def module(*methods: Method, datatype: bool = False) -> Module:
+    name = methods[0].module
+    found = Module(name, f"wr::{name}", "a", False, datatype, "", "", "", PLACE, PLACE.file, None)
+    found.methods = list(methods)
+    return found
+
+
+def model_of(*modules: Module) -> Model:
+    tree = TreeNode("Leaf::inTree", "Leaf", "inTree", "Leaf::inTree", "root", PLACE)
+    requirement = Requirement("FR-1", "It shall.", "A", PLACE, tree=tree)
+    named = {item.name: item for item in modules}
+    return Model("", "", "", {}, modules=named, requirements={"FR-1": requirement})
+
+
+def without(*modules: Module) -> list[str]:
+    return [item.id for _, item in methods_without(model_of(*modules))]
+
+
+def test_a_tag_or_a_place_in_a_tree_is_enough() -> None:
+    leaf = module(method("Leaf::inTree"), method("Leaf::tagged", satisfies="FR-1"))
+    assert without(leaf) == []
+
+
+def test_a_method_without_both_is_found() -> None:
+    assert without(module(method("Leaf::inTree"), method("Leaf::left"))) == ["Leaf::left"]
+
+
+def test_overriding_methods_serve_together() -> None:
+    top = module(method("Top::act"), method("Top::rest"))
+    middle = module(method("Middle::act", "Top::act"))
+    low = module(method("Low::act", "Middle::act", satisfies="FR-1"))
+    other = module(method("Other::act", "Top::act"), method("Other::rest", "Top::rest"))
+    assert without(top, middle, low, other) == ["Top::rest", "Other::rest"]
+
+
+def test_a_constructor_serves_with_its_module() -> None:
+    used = module(method("Used::Used"), method("Used::act", satisfies="FR-1"))
+    idle = module(method("Idle::Idle"))
+    assert without(used, idle) == ["Idle::Idle"]
+
+
+def test_private_methods_and_value_types_serve_whom_they_like() -> None:
+    hidden = method("Leaf::hidden")
+    hidden.access = "private"
+    assert without(module(hidden), module(method("Value::x"), datatype=True)) == []
+
+
+def findings(model: Model) -> set[tuple[str, str, int]]:
+    root = Path("no such folder")
+    facts = SimpleNamespace(root=root, comments=Comments(root))
+    found = check(model, facts)  # type: ignore[arg-type]  # it reads the model and the sources
+    wanted = ("req-method", "req-test", "req-justified")
+    return {(one.check, one.place.file, one.place.line) for one in found if one.check in wanted}
+
+
+def test_gaps_and_needless_justifications_are_findings() -> None:
+    model = model_of(module(method("Leaf::left")))
+    for name, file in (("A.One", "tests/a/A.cpp"), ("B.Two", "tests/sim/B.cpp")):
+        model.tests[name] = Test(name, "S", "t", "", Place(file, 9), results={})
+    justify(model, [])
+    gaps = {
+        ("req-method", "src/a/A.hpp", 1),
+        ("req-test", "tests/a/A.cpp", 9),
+        ("req-test", "tests/sim/B.cpp", 9),
+    }
+    assert findings(model) == gaps
+    declared = [
+        Justified("method", ["Leaf::left"], "why", TOML),
+        Justified("test", ["tests/sim/", "A.One"], "why", TOML),
+    ]
+    justify(model, declared)
+    assert findings(model) == set()
+    assert declared[1].covers == ["A.One", "B.Two"]
+    model.tests["A.One"].verifies = ["FR-1"]
+    justify(model, [Justified("test", ["A.One"], "why", TOML), *declared])
+    assert findings(model) == {("req-justified", TOML.file, TOML.line)}
+    assert HOST not in model.results_hashes

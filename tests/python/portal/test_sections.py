@@ -1,0 +1,35 @@
+"""The sections of the hand-written pages, for the search."""
+
+from portal.navigation import Doc
+from portal.sections import plain, sections_of
+
+PAGE = """\
+.. _tour:
+
+Tour
+====
+
+It begins here. See :ref:`the way <way>` and
+:module:`RC`.
+
+2. The way
+----------
+
+.. list-table:: What there is
+   :header-rows: 1
+
+   * - name
+     - `Secrets <../secrets.html>`__ and ``src/a.hpp``
+"""
+
+
+def test_each_section_has_its_address_and_its_words() -> None:
+    found = [(s.title, s.address, s.text) for s in sections_of(Doc("tour", "Tour"), PAGE)]
+    assert found == [
+        ("Tour", "docs/tour.html", "It begins here. See the way and RC."),
+        ("2. The way", "docs/tour.html#the-way", "name Secrets and src/a.hpp"),
+    ]
+
+
+def test_a_title_has_no_marks() -> None:
+    assert plain("The ``wait`` of :module:`Waiting`") == "The wait of Waiting"

@@ -1,0 +1,78 @@
+"""The tables on hand-written pages that are read from files of the project."""
+
+import csv
+from pathlib import Path
+
+from portal.tables import (
+    COMMANDS,
+    PACKAGES,
+    PRODUCTS,
+    comma_separated,
+    command_table,
+    package_table,
+    product_table,
+)
+from traceability.reading.products import listed
+
+USAGE = """\
+usage() {
+    cat <<'TEXT'
+usage: ./wr <command> [options]
+
+  portal    build and serve
+  test      run every test
+  bring-up  check a new robot
+
+./wr <command> --help explains the options.
+TEXT
+}
+  other     no command
+"""
+
+
+def test_each_command_of_the_help_is_a_row(tmp_path: Path) -> None:
+    (tmp_path / COMMANDS).write_text(USAGE)
+    assert list(csv.reader(command_table(tmp_path).splitlines())) == [
+        ["command", "what it does"],
+        ["``./wr portal``", "build and serve"],
+        ["``./wr test``", "run every test"],
+        ["``./wr bring-up``", "check a new robot"],
+    ]
+
+
+def test_each_package_is_a_row_and_no_comment_is(tmp_path: Path) -> None:
+    (tmp_path / PACKAGES).parent.mkdir()
+    text = "# Packages: a line each.\ng++   # compiles\nlib-1.2 # optional: a, b\n"
+    (tmp_path / PACKAGES).write_text(text)
+    assert list(csv.reader(package_table(tmp_path).splitlines())) == [
+        ["package", "why"],
+        ["g++", "compiles"],
+        ["lib-1.2", "optional: a, b"],
+    ]
+
+
+def test_a_text_with_a_comma_is_one_cell() -> None:
+    assert comma_separated(("a", "b"), [("1, 2", "3")]) == 'a,b\n"1, 2",3\n'
+
+
+PRODUCT = """
+[parts]
+some = ["A"]
+
+[[product]]
+name = "robot"
+commands = "the PC"
+composition = "src/main.cpp"
+text = "Has :module:`A`."
+parts = ["some"]
+modules = ["B"]
+"""
+
+
+def test_each_product_is_a_row(tmp_path: Path) -> None:
+    (tmp_path / PRODUCTS).parent.mkdir()
+    (tmp_path / PRODUCTS).write_text(PRODUCT)
+    (product,) = listed(tmp_path)
+    assert product.has == {"A", "B"}
+    rows = product_table(tmp_path).split("   * - ")[2:]
+    assert rows == ["``robot``\n     - :source:`src/main.cpp`\n     - Has :module:`A`.\n"]

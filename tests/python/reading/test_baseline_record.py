@@ -1,0 +1,105 @@
+"""What a patch touches, and what is made of the figures of the two designs."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.python.reading.task_records import record_task
+from traceability.reading import baseline_record
+from traceability.reading.baseline_record import PATTERNS, USUAL
+from traceability.reading.task_record import BASELINE
+
+ROOT = Path(__file__).parents[3]
+PATCH = """\
+diff --git a/src/Old.cpp b/src/Old.cpp
+--- a/src/Old.cpp
++++ b/src/Old.cpp
+@@ -1,3 +1,4 @@
+ kept
+-was
++is
++// why
++
+diff --git a/src/New.hpp b/src/New.hpp
+new file mode 100644
+--- /dev/null
++++ b/src/New.hpp
+@@ -0,0 +1,2 @@
++/// What it is.
++class New;
+"""
+
+
+def test_a_patch_is_counted_from_its_text() -> None:
+    touched = baseline_record.count_patch(PATCH)
+    assert touched.files_changed == ["src/Old.cpp"]
+    assert touched.files_added == ["src/New.hpp"]
+    assert touched.lines_touched == 1
+    assert touched.lines_added == 5
+    assert touched.code_added == 2
+
+
+def test_every_change_has_a_title_two_patches_and_a_test() -> None:
+    assert baseline_record.changes_of(ROOT) == sorted(baseline_record.TITLES)
+    for change in baseline_record.TITLES:
+        assert list((ROOT / baseline_record.CHANGES / change).glob("*Test.cpp"))
+        for design in baseline_record.DESIGNS:
+            text = (ROOT / baseline_record.patch_of(change, design)).read_text()
+            assert baseline_record.count_patch(text).lines_added
+
+
+@pytest.mark.parametrize(("folder", "change"), [("warning", "waiting_k")])
+def test_what_a_patch_adds_to_the_patterns_is_what_the_extension_is(
+    folder: str, change: str
+) -> None:
+    """The change for Bluetooth adds its mode alone; the extension authenticates frames too."""
+    text = (ROOT / baseline_record.patch_of(change, PATTERNS)).read_text()
+    added = [
+        name
+        for name in baseline_record.count_patch(text).files_added
+        if Path(name).parent.name == folder
+    ]
+    assert added
+    for name in added:
+        part = text.partition(f"+++ b/{name}\n")[2].partition("\ndiff --git ")[0]
+        lines = [line[1:] for line in part.splitlines() if line.startswith("+")]
+        extension = ROOT / "extensions" / folder / Path(name).name
+        assert code(lines) == code(extension.read_text().splitlines())
+
+
+def code(lines: list[str]) -> list[str]:
+    return [line for line in lines if line.strip() and not line.strip().startswith("//")]
+
+
+def test_a_target_is_met_or_missed() -> None:
+    figures = {USUAL: {"flash": 100.0, "lines": 0.0}, PATTERNS: {"flash": 110.0, "lines": 3.0}}
+    assert baseline_record.more(figures, "flash") == pytest.approx(10)
+    assert baseline_record.more(figures, "lines") is None
+    assert baseline_record.verdict({**figures, PATTERNS: {"flash": 109.9}}, "flash") is True
+    assert baseline_record.verdict({**figures, PATTERNS: {"flash": 111.0}}, "flash") is False
+    assert baseline_record.verdict(figures, "lines") is None
+
+
+def test_functions_stand_beside_each_other_the_greatest_difference_first() -> None:
+    rows = baseline_record.beside(
+        {USUAL: {"run": 90.0, "crc": 10.0}, PATTERNS: {"put": 120.0, "crc": 10.0, "x": 3.0}}, 20
+    )
+    assert rows == [
+        {"name": "put", USUAL: 0.0, PATTERNS: 120.0},
+        {"name": "run", USUAL: 90.0, PATTERNS: 0.0},
+    ]
+
+
+def test_figures_of_other_sources_are_not_shown(tmp_path: Path) -> None:
+    result = tmp_path / baseline_record.RESULT
+    result.parent.mkdir(parents=True)
+    assert baseline_record.read_comparison(tmp_path) is None
+    source = tmp_path / "src/a.cpp"
+    source.parent.mkdir()
+    source.write_text("int a;\n")
+    result.write_text(json.dumps({"cycles": 1}))
+    record_task(tmp_path, BASELINE, "src")
+    assert baseline_record.read_comparison(tmp_path) is not None
+    source.write_text("int b;\n")
+    assert baseline_record.read_comparison(tmp_path) is None

@@ -1,0 +1,147 @@
+"""The figures of the bench, from what the board program measured."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.python.reading.task_records import record_task
+from traceability.reading import bench_record
+from traceability.reading.bench_record import (
+    CYCLES,
+    FOLDER,
+    LIBRARY,
+    MANUAL,
+    SCENARIOS,
+    SLOW,
+    bench_metrics,
+    figures,
+    owner,
+    profile_of,
+    read_frames,
+    spread,
+)
+from traceability.reading.task_record import BENCH
+
+ROOT = Path(__file__).parents[3]
+
+
+def raw(**changes: object) -> dict[str, object]:
+    """A run of 1000 cycles at 120 MHz, of which the last one costs twice as much."""
+    twice = [1] * (CYCLES - 1) + [2]
+    one = {
+        "clock_hz": 120_000_000,
+        "reported": [1] * CYCLES,
+        "report_cycles": [24_000 * times for times in twice],
+        "report_instructions": [12_000 * times for times in twice],
+        "awake_cycles": [120_000 * times for times in twice],
+        "instructions": [60_000 * times for times in twice],
+        "start_cycles": [600 * times for times in twice],
+        "exceptions": {},
+    }
+    return one | changes
+
+
+def exception(priority: int, requests: int, latency: int, cycles: int = 0) -> dict[str, int]:
+    return {
+        "priority": priority,
+        "entries": requests,
+        "requests": requests,
+        "worst_latency": latency,
+        "cycles": cycles,
+        "instructions": cycles,
+        "report_cycles": 0,
+        "report_instructions": 0,
+    }
+
+
+def test_times_are_in_ms_and_the_load_in_per_cent_of_100_ms() -> None:
+    found = figures(raw())
+    assert found["report_ms"] == {"average": 0.2002, "minimum": 0.2, "maximum": 0.4}
+    assert found["load"]["maximum"] == 2.0
+    assert found["instructions"]["maximum"] == 120_000
+    assert found["start_us"]["minimum"] == 5.0
+    assert found["jitter_us"] == 5.0
+    assert found["times_us"][-2:] == [200, 400]
+
+
+@pytest.mark.parametrize("reported", [[1] * (CYCLES - 1), [1] * (CYCLES - 1) + [0]])
+def test_each_of_the_cycles_must_have_reported(reported: list[int]) -> None:
+    with pytest.raises(ValueError, match="999 cycles with a report"):
+        figures(raw(reported=reported))
+
+
+def test_the_worst_latency_of_each_priority_names_its_interrupt() -> None:
+    found = figures(
+        raw(
+            exceptions={
+                "64": exception(2, 1000, 240),
+                "65": exception(2, 1000, 120),
+                "78": exception(1, 10, 60),
+                "80": exception(12, 0, 0, 5000),
+            }
+        )
+    )
+    assert found["latency"] == {
+        "1": {"us": 0.5, "who": "Hall sensors"},
+        "2": {"us": 2.0, "who": "clock pulse"},
+    }
+    assert found["exceptions"][0]["who"] == "main thread"
+
+
+def test_an_instruction_belongs_to_the_innermost_part_of_the_project() -> None:
+    inlined = [
+        ("std::copy", "/usr/include/c++/bits/stl_algo.h"),
+        ("wr::Crc16::add", "/b/src/communication/Crc16.cpp"),
+        ("wr::FrameEncoder::encode", "src/communication/FrameEncoder.cpp"),
+    ]
+    assert owner(inlined) == ("Crc16", "wr::Crc16::add")
+    assert owner([("memcpy", "newlib/memcpy.c")]) == (LIBRARY, "memcpy")
+    arming = ("wr::Arming::follow", "/b/extensions/safety/Arming.cpp")
+    assert owner([arming]) == ("Arming", "wr::Arming::follow")
+
+
+def test_the_frames_of_an_address_are_read_innermost_first() -> None:
+    text = "0x00000010\ninner\na.cpp:1\nouter\nb.cpp:2\n0x00000012\nalone\nc.cpp:3"
+    assert read_frames(text.splitlines()) == {
+        0x10: [("inner", "a.cpp"), ("outer", "b.cpp")],
+        0x12: [("alone", "c.cpp")],
+    }
+
+
+def test_the_profile_has_the_instructions_of_a_cycle_dearest_first() -> None:
+    counts = {0x10: (1000, 500), 0x12: (4000, 0)}
+    frames = {0x10: [("f", "src/A.cpp")], 0x12: [("g", "src/B.cpp")]}
+    found = profile_of(counts, frames)
+    assert found["modules"] == [["B", 4.0, 0.0], ["A", 1.5, 0.5]]
+    assert found["functions"] == [["g", 4.0, 0.0], ["f", 1.5, 0.5]]
+
+
+def test_the_metrics_have_the_times_of_both_models() -> None:
+    run = {
+        MANUAL: {"report_ms": spread([1.0, 3.0], 1)},
+        SLOW: {"report_ms": spread([2.0, 6.0], 1)},
+    }
+    assert bench_metrics({"scenarios": {"steps": run}}) == [
+        {"name": "steps", "avg_ms": 2.0, "max_ms": 3.0, "bound_avg_ms": 4.0, "bound_max_ms": 6.0}
+    ]
+    assert bench_metrics(None) is None
+
+
+def test_a_record_of_other_sources_is_none(tmp_path: Path) -> None:
+    source = tmp_path / "src/a.cpp"
+    source.parent.mkdir()
+    source.write_text("int a;\n")
+    path = tmp_path / bench_record.BENCH
+    path.parent.mkdir(parents=True)
+    assert bench_record.read_bench(tmp_path) is None
+    path.write_text('{"scenarios": {}}')
+    assert bench_record.read_bench(tmp_path) is None
+    record_task(tmp_path, BENCH, "src")
+    assert bench_record.read_bench(tmp_path) is not None
+    source.write_text("int b;\n")
+    assert bench_record.read_bench(tmp_path) is None
+
+
+def test_each_scenario_of_the_paper_has_its_file() -> None:
+    files = {path.stem for path in (ROOT / FOLDER).glob("*.scenario")}
+    assert files == {paper.name for paper in SCENARIOS}

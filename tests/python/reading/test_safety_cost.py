@@ -1,0 +1,109 @@
+"""What it cost to add safety, as git counts it."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from traceability.reading.safety_cost import correction_of, numstat, read_cost
+from traceability.schema import Correction, Place, SafetyCase, TouchedFile
+
+WHERE = Place("design/safety_case.toml", 1)
+
+
+def git(root: Path, *words: str) -> str:
+    identity = ("-c", "user.name=A", "-c", "user.email=a@example.org")
+    command = ["git", "-C", str(root), *identity, *words]
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
+
+
+def commit(root: Path, **files: str) -> str:
+    for name, text in files.items():
+        path = root / name.replace("__", "/")
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    git(root, "add", "-A")
+    git(root, "commit", "-q", "-m", "A change")
+    return git(root, "rev-parse", "HEAD")
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> tuple[Path, str]:
+    """Edits of a module, of one with a correction, a new module of the robot and an extension."""
+    git(tmp_path, "init", "-q")
+    base = commit(tmp_path, src__Mode="one\ntwo\n", src__sensing__Hall="one\n", docs__page="a\n")
+    commit(
+        tmp_path,
+        src__Mode="one\n2\nthree\n",
+        src__sensing__Hall="one\ntwo\n",
+        src__New="x\n",
+        extensions__safety__Stop="a\nb\nc\n",
+        docs__page="b\n",
+    )
+    return tmp_path, base
+
+
+def test_edits_of_existing_modules_are_counted_and_new_files_listed(
+    project: tuple[Path, str],
+) -> None:
+    root, base = project
+    cost = read_cost(root, SafetyCase(base=base))
+    assert cost is not None
+    assert cost.files_added == ["extensions/safety/Stop"]
+    assert cost.lines_added == 3
+    assert [(one.file, one.added, one.removed) for one in cost.touched] == [
+        ("src/Mode", 2, 1),
+        ("src/sensing/Hall", 1, 0),
+    ]
+    assert cost.for_safety == 4
+
+
+def test_corrections_are_listed_apart(project: tuple[Path, str]) -> None:
+    root, base = project
+    case = SafetyCase(base=base, corrections=[Correction(["src/sensing/"], "A bug.", WHERE)])
+    cost = read_cost(root, case)
+    assert cost is not None
+    assert [one.corrections for one in cost.touched] == ["", "A bug."]
+    assert cost.for_safety == 3
+
+
+def test_lines_for_safety_among_corrections_count(project: tuple[Path, str]) -> None:
+    root, base = project
+    corrections = [
+        Correction(["src/sensing/"], "A bug.", WHERE, for_safety=1),
+        Correction(["src/none/"], "Nothing was edited there.", WHERE, for_safety=100),
+    ]
+    cost = read_cost(root, SafetyCase(base=base, corrections=corrections))
+    assert cost is not None
+    assert cost.for_safety == 4
+
+
+def test_a_history_without_the_base_tells_nothing(project: tuple[Path, str]) -> None:
+    root, _ = project
+    assert read_cost(root, SafetyCase(base="0" * 40)) is None
+    assert read_cost(root, SafetyCase()) is None
+
+
+def test_a_shallow_clone_tells_nothing(project: tuple[Path, str], tmp_path: Path) -> None:
+    root, base = project
+    clone = tmp_path / "clone"
+    git(root, "clone", "-q", "--depth", "1", f"file://{root}", str(clone))
+    assert read_cost(clone, SafetyCase(base=base)) is None
+
+
+def test_a_copy_without_history_tells_nothing(tmp_path: Path) -> None:
+    assert read_cost(tmp_path, SafetyCase(base="HEAD")) is None
+
+
+def test_a_binary_file_has_no_lines() -> None:
+    assert numstat("-\t-\tsrc/image.bin") == [TouchedFile("src/image.bin", 0, 0)]
+
+
+def test_the_longest_path_decides() -> None:
+    folder = Correction(["src/k64/"], "The board.", WHERE)
+    file = Correction(["src/k64/Uart.cpp"], "The port.", WHERE)
+    assert correction_of("src/k64/Uart.cpp", [folder, file]) is file
+    assert correction_of("src/k64/Adc.cpp", [folder, file]) is folder
+    assert correction_of("src/k64x/Adc.cpp", [folder, file]) is None

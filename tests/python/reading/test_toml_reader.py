@@ -1,0 +1,102 @@
+"""The entries of the design: what cannot be read is told, at its line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.python.model.small_tree import write_tree
+from traceability.checks import run_checks
+from traceability.model.build import build
+from traceability.reading.toml_reader import Entries
+from traceability.schema import Place
+
+SOUND = """\
+total = 2
+
+# The lamps.
+[[lamp]]
+name = "red"
+pins = ["PTA1"]  # green is another one
+
+[[lamp]]
+name = "green"
+pins = ["PTA2"]
+why = "It shows that all is well."
+"""
+
+
+def problems(root: Path, text: str) -> list[tuple[int, str]]:
+    path = root / "lamps.toml"
+    path.write_text(text, encoding="utf-8")
+    entries = Entries(root)
+    entries.value(path, "total", 0)
+    entries.tables(path, "lamp", {"name": str, "pins": list}, {"why": str}, own="name")
+    entries.others()
+    assert {problem.place.file for problem in entries.problems} <= {"lamps.toml"}
+    return [(problem.place.line, problem.text) for problem in entries.problems]
+
+
+def test_a_sound_file_has_no_problem(tmp_path: Path) -> None:
+    assert problems(tmp_path, SOUND) == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "text"),
+    [
+        ('"green"', '"green', 9, "lamps.toml is no TOML: "),
+        ('pins = ["PTA2"]\n', "", 8, "the entry has no pins, which is a list"),
+        ('pins = ["PTA2"]', 'pins = "PTA2"', 8, "the entry has no pins, which is a list"),
+        ("why =", "because =", 11, "the entry has a key because, which nothing reads"),
+        ('"green"', '"red"', 8, "name red has an entry in line 4 already"),
+        ("total =", "sum =", 1, "nothing reads what stands under sum"),
+        ("[[lamp]]\nname = ", "[[lamps]]\nname = ", 4, "nothing reads what stands under lamps"),
+        ("[[lamp]]\n", "[[ lamp ]]  # first\n", 0, ""),
+    ],
+)
+def test_a_fault_is_told_at_its_line(
+    old: str, new: str, line: int, text: str, tmp_path: Path
+) -> None:
+    assert old in SOUND
+    found = problems(tmp_path, SOUND.replace(old, new, 1))
+    if not line:
+        assert found == []
+        return
+    assert [number for number, _ in found] == [line]
+    assert found[0][1].startswith(text)
+
+
+def test_words_are_found_in_their_entry_only(tmp_path: Path) -> None:
+    (tmp_path / "lamps.toml").write_text(SOUND, encoding="utf-8")
+    entries = Entries(tmp_path)
+    assert entries.line_in(Place("lamps.toml", 4), "pins").line == 6
+    assert entries.line_in(Place("lamps.toml", 8), '"PTA2"').line == 10
+    assert entries.line_in(Place("lamps.toml", 4), "green").line == 4  # a remark, another entry
+
+
+def test_a_file_that_is_no_toml_hides_the_other_checks(tmp_path: Path) -> None:
+    root = write_tree(tmp_path)
+    (root / "design" / "stack.toml").write_text("faults = [\n", encoding="utf-8")
+    model = build(root)
+    assert {finding.check for finding in run_checks(model)} == {"design-entry"}
+
+
+def test_a_file_that_a_whole_design_lacks_is_told(tmp_path: Path) -> None:
+    root = write_tree(tmp_path)
+    lacks = "design/concordance.toml:1 there is no such file"
+    assert lacks not in told(root)
+    design = root / "design/modules.toml"
+    text = design.read_text(encoding="utf-8") if design.exists() else ""
+    design.write_text(f"total = 133\n{text}", encoding="utf-8")
+    assert lacks in told(root)
+
+
+def told(root: Path) -> list[str]:
+    found = [f for f in run_checks(build(root)) if f.check == "design-entry"]
+    return [f"{f.place.file}:{f.place.line} {f.text}" for f in found]
+
+
+def test_a_text_of_blanks_says_nothing(tmp_path: Path) -> None:
+    text = SOUND.replace("It shows that all is well.", " ")
+    assert problems(tmp_path, text) == [(11, "why says nothing")]

@@ -1,0 +1,113 @@
+"""Measuring the two designs: what is counted from runs, images and sources."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from tools import baseline
+from tools.sizes import Size
+from tools.steps import FailureError
+from traceability.reading.baseline_record import DESIGNS, changes_of, patch_of
+
+SIZES = {
+    "usual": {"Crc16": Size(10, 1), "UsualDesign": Size(100, 4), "main": Size(5, 50)},
+    "patterns": {"Crc16": Size(10, 1), "PC": Size(70, 0), "main": Size(6, 60), "stack": Size(0, 9)},
+}
+
+
+def test_a_run_gives_instructions_and_stack() -> None:
+    measured = {"report_instructions": [10, 14], "instructions": [100, 120], "stack_bytes": 300}
+    assert baseline.run_figures(measured) == {
+        "report_avg": 12,
+        "report_max": 14,
+        "cycle_avg": 110,
+        "cycle_max": 120,
+        "stack": 300,
+    }
+
+
+def test_instructions_are_those_of_the_function_that_holds_the_address() -> None:
+    symbols = "00000101 T wr::PC::read(wr::MainController&)\n00000120 t helper\n00000300 B data\n"
+    measured = {"profile": {"256": [1, 3], "262": [0, 2], "288": [4, 0]}, "instructions": [5, 5]}
+    assert baseline.instructions_by_function(measured, symbols) == {
+        "wr::PC::read(wr::MainController&)": 3.0,
+        "helper": 2.0,
+    }
+
+
+def test_what_both_have_is_not_the_own_of_one() -> None:
+    assert baseline.own_parts(SIZES, "usual") == {"UsualDesign", "main"}
+    own = baseline.own_parts(SIZES, "patterns") - {"stack"}
+    assert baseline.size_figures(SIZES["patterns"], own) == {
+        "flash": 86,
+        "ram": 61,
+        "own_flash": 76,
+        "own_ram": 60,
+    }
+
+
+def test_sources_of_one_design_are_those_that_the_other_does_not_include(tmp_path: Path) -> None:
+    files = {
+        "src/Crc16.hpp": "",
+        "src/Crc16.cpp": '#include "Crc16.hpp"\n',
+        "src/PC.cpp": '#include "Mode.hpp"\n#include <array>\n',
+        "src/Mode.hpp": '#include "Crc16.hpp"\n',
+        "tests/usual_design/usual/UsualDesign.cpp": '#include "Crc16.hpp"\n',
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    own = baseline.own_sources(tmp_path, SIZES, "patterns")
+    assert [path.name for path in own] == ["Mode.hpp", "PC.cpp"]
+
+
+def test_complexity_and_lines_are_counted(tmp_path: Path) -> None:
+    source = tmp_path / "a.cpp"
+    source.write_text("// why\nint f(int a) {\n  if (a) {\n    return 1;\n  }\n  return 2;\n}\n\n")
+    figures = baseline.source_figures([source])
+    assert figures == {
+        "files": 1,
+        "lines": 6,
+        "functions": 1,
+        "complexity_max": 2,
+        "complexity_mean": 2,
+        "complexity_sum": 2,
+    }
+
+
+def test_tests_are_counted_for_each_design() -> None:
+    suites = [{"name": "Mode/Usual", "tests": 2}, {"name": "Mode/Patterns", "tests": 3}]
+    assert baseline.tests_by_design({"testsuites": suites}) == {"usual": 2, "patterns": 3}
+
+
+def test_the_copy_is_renewed_and_patched(tmp_path: Path) -> None:
+    root, tree = tmp_path / "project", tmp_path / "project/build/tree"
+    (root / "src").mkdir(parents=True)
+    (root / "src/a.cpp").write_text("one\n")
+    baseline.renew_copy(root, tree)
+    unchanged = (tree / "src/a.cpp").stat().st_mtime_ns
+    patch = root / "a.patch"
+    patch.write_text(
+        "--- a/src/a.cpp\n+++ b/src/a.cpp\n@@ -1 +1,2 @@\n one\n+two\n"
+        "--- /dev/null\n+++ b/src/b.cpp\n@@ -0,0 +1 @@\n+new\n"
+    )
+    baseline.renew_copy(root, tree)
+    assert (tree / "src/a.cpp").stat().st_mtime_ns == unchanged
+    baseline.apply(sys.stdout, tree, patch)
+    assert (tree / "src/a.cpp").read_text() == "one\ntwo\n"
+    assert (tree / "src/b.cpp").read_text() == "new\n"
+    with pytest.raises(FailureError, match="does not apply"):
+        baseline.apply(sys.stdout, tree, patch)
+    baseline.renew_copy(root, tree)
+    assert (tree / "src/a.cpp").read_text() == "one\n"
+    assert not (tree / "src/b.cpp").exists()
+
+
+def test_the_patches_of_each_change_apply_to_the_present_sources(tmp_path: Path) -> None:
+    root = Path(__file__).parents[3]
+    tree = tmp_path / "tree"
+    for change in changes_of(root):
+        baseline.renew_copy(root, tree)
+        for design in DESIGNS:
+            baseline.apply(sys.stdout, tree, root / patch_of(change, design))

@@ -1,0 +1,191 @@
+"""The command line: help, wrong usage, and the shell script that installs."""
+
+import argparse
+import os
+import re
+import socket
+import subprocess
+import time
+import urllib.request
+from pathlib import Path
+from threading import Thread
+
+import pytest
+
+from tools import cli, lint, serve
+from tools.steps import FailureError
+
+ROOT = Path(__file__).parents[3]
+USAGE = (ROOT / "wr").read_text(encoding="utf-8").partition("\nTEXT\n")[0]
+COMMANDS = re.findall(r"^  ([a-z-]+) ", USAGE, re.MULTILINE)
+
+
+def wr(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [ROOT / "wr", *arguments],
+        env={**os.environ, **environment},
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+
+
+def test_every_command_of_the_help_is_one_of_the_parser_and_no_other_is() -> None:
+    (choices,) = (one.choices for one in cli.parser()._actions if one.dest == "command")
+    assert choices is not None
+    assert sorted(choices) == sorted(COMMANDS)
+    assert wr("--help").stdout == USAGE.partition("TEXT'\n")[2] + "\n"
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_each_command_explains_itself(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as ended:
+        cli.main([command, "--help"])
+    assert ended.value.code == 0
+    assert f"./wr {command}" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("arguments", [(), ("fly",)])
+def test_no_command_and_unknown_command_are_wrong_usage(arguments: tuple[str, ...]) -> None:
+    assert wr(*arguments).returncode == 2
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("serve", "--port", "0"),
+        ("serve", "--port", "x"),
+        ("sim", "--cycles", "0"),
+        ("sim", "--trace", "file"),
+        ("sim", "--board", "--fast"),
+        ("sim", "--reports", "file"),
+        ("flash", "--with", "wire"),
+        ("monitor", "--reports", "0"),
+        ("check", "--fast"),
+    ],
+)
+def test_wrong_options_are_wrong_usage(
+    arguments: tuple[str, ...], capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        cli.main(list(arguments))
+    assert ended.value.code == 2
+    assert arguments[-1] in capsys.readouterr().err
+
+
+def test_set_up_does_nothing_quickly_when_nothing_is_missing() -> None:
+    wr("setup")
+    start = time.monotonic()
+    result = wr("setup")
+    assert time.monotonic() - start < 2
+    assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
+
+
+def tools_without(tmp_path: Path, *missing: str, **scripts: str) -> str:
+    """A search path with the tools that wr calls, but without some, or with others instead."""
+    for tool in ("sh", "dirname", "cat", "sed", "tr", "grep", "id", "env", "sha256sum"):
+        if tool not in missing:
+            (tmp_path / tool).symlink_to(f"/usr/bin/{tool}")
+    for name, text in scripts.items():
+        path = tmp_path / name.replace("_", "-")
+        path.write_text(f"#!/bin/sh\n{text}\n")
+        path.chmod(0o755)
+    return str(tmp_path)
+
+
+def test_a_machine_without_apt_is_told_what_to_install(tmp_path: Path) -> None:
+    result = wr("setup", PATH=tools_without(tmp_path))
+    assert result.returncode == 3
+    assert "cmake " in result.stderr
+    assert "# runs the builds" in result.stderr
+
+
+def test_a_user_who_may_not_install_is_told_the_command(tmp_path: Path) -> None:
+    path = tools_without(tmp_path, "id", id="echo 1000", dpkg_query="true", apt_get="exit 9")
+    result = wr("setup", PATH=path)
+    assert result.returncode == 3
+    command = result.stderr.splitlines()[-1].split()
+    assert command[:3] == ["apt-get", "install", "--no-install-recommends"]
+    assert {"python3", "g++", "chromium"} < set(command)
+
+
+def test_only_missing_packages_are_installed_and_named_before(tmp_path: Path) -> None:
+    names = [
+        line.split("#")[0].strip() for line in (ROOT / "setup/debian.txt").read_text().splitlines()
+    ]
+    present = "\n".join(f"{name} installed" for name in names if name and name != "ninja-build")
+    path = tools_without(
+        tmp_path,
+        "id",
+        id="echo 0",
+        dpkg_query=f"cat <<'END'\n{present}\nninja-build not-installed\nEND",
+        apt_get='echo "apt-get $*"; case "$*" in *install*) exit 7 ;; esac',
+    )
+    result = wr("setup", PATH=path)
+    lines = result.stdout.splitlines()
+    assert lines[0] == "wr: installs these packages with apt-get:"
+    assert lines[1].split() == ["ninja-build", "#", "runs", "the", "builds"]
+    assert lines[-1].split()[-1] == "ninja-build"
+    assert result.returncode == 7
+
+
+def test_serve_needs_a_portal(tmp_path: Path) -> None:
+    with pytest.raises(FailureError, match=r"\./wr portal"):
+        serve.make_server(tmp_path, 8000)
+
+
+def test_serve_says_when_the_port_is_taken(tmp_path: Path) -> None:
+    (tmp_path / "index.html").write_text("portal")
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        with pytest.raises(FailureError, match=f"port {port} is in use"):
+            serve.make_server(tmp_path, port)
+
+
+def test_serve_serves_the_portal_to_this_machine_only(tmp_path: Path) -> None:
+    (tmp_path / "index.html").write_text("portal")
+    with serve.make_server(tmp_path, 0) as server:
+        host, port = server.server_address[:2]
+        assert host == "127.0.0.1"
+        Thread(target=server.serve_forever, daemon=True).start()
+        with urllib.request.urlopen(f"http://127.0.0.1:{port}/") as page:
+            assert page.read() == b"portal"
+        server.shutdown()
+
+
+def test_an_interrupt_ends_with_130(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupted(_root: Path, _options: argparse.Namespace) -> int:
+        raise KeyboardInterrupt
+
+    options = argparse.Namespace(command="check", run=interrupted)
+    monkeypatch.setattr(argparse.ArgumentParser, "parse_args", lambda *_arguments: options)
+    assert cli.main([]) == 130
+    assert "interrupted" in capsys.readouterr().err
+
+
+def test_only_files_whose_content_or_includes_changed_are_checked_again(tmp_path: Path) -> None:
+    (tmp_path / "src").mkdir()
+    (tmp_path / ".clang-tidy").touch()
+    (tmp_path / "src/a.hpp").write_text("int a;\n")
+    (tmp_path / "src/b.cpp").write_text('#include "a.hpp"\n')
+    (tmp_path / "src/c.cpp").write_text("int c;\n")
+    paths = [tmp_path / "src/b.cpp", tmp_path / "src/c.cpp"]
+
+    def check(command: str = "true") -> str:
+        lint.direct.cache_clear()
+        with (tmp_path / "log").open("a") as log:
+            return lint.check_changed(
+                tmp_path, "test", paths, lambda path: [command, str(path)], log
+            )
+
+    assert check() == "2 files, 2 of them changed"
+    assert check() == "2 files, 0 of them changed"
+    (tmp_path / "src/a.hpp").write_text("int b;\n")
+    assert check() == "2 files, 1 of them changed"
+    with pytest.raises(FailureError, match="2 of 2"):
+        check("false")
+    assert check() == "2 files, 2 of them changed"

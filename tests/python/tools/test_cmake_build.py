@@ -1,0 +1,185 @@
+"""Runs of tests: when they are repeated, and how they are counted."""
+
+import io
+import json
+import os
+import stat
+import time
+from pathlib import Path
+
+import pytest
+
+from tools import cmake_build
+from tools.cmake_build import Counts
+from tools.steps import FailureError
+
+PASSED = {"status": "RUN", "result": "COMPLETED"}
+FAILED = {**PASSED, "failures": [{"failure": "x"}]}
+SKIPPED = {"status": "RUN", "result": "SKIPPED"}
+DISABLED = {"status": "NOTRUN", "result": "SUPPRESSED"}
+
+
+def gtest_json(*tests: dict[str, object]) -> str:
+    named = [{"name": "Falls", **test} for test in tests]
+    return json.dumps({"testsuites": [{"name": "Wheel", "testsuite": named}]})
+
+
+@pytest.fixture
+def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A tree whose tests are a script that counts its runs and copies results.json."""
+    monkeypatch.setattr(cmake_build, "jobs", lambda: "2")
+    tests = tmp_path / "build/trace/tests/firmware_tests"
+    tests.parent.mkdir(parents=True)
+    write_program(tests, "exit 0")
+    (tmp_path / "src").mkdir()
+    (tmp_path / "src/RC.cpp").write_text("int a;\n")
+    (tmp_path / "results.json").write_text(gtest_json(PASSED, PASSED))
+    return tmp_path
+
+
+def write_program(path: Path, end: str) -> None:
+    base = path.parents[3]
+    path.write_text(
+        f"#!/bin/sh\necho run >>{base}/runs\n"
+        f'echo "$GTEST_SHARD_INDEX/$GTEST_TOTAL_SHARDS" >>{base}/shards\n'
+        f"cp {base}/results.json ${{1#--gtest_output=json:}}\n{end}\n"
+    )
+    path.chmod(path.stat().st_mode | stat.S_IXUSR)
+
+
+def run_tests(root: Path, name: str = "trace") -> Counts:
+    with (root / "log").open("a") as log:
+        return cmake_build.run_tests(root, name, log)
+
+
+def runs(root: Path) -> int:
+    return len((root / "runs").read_text().splitlines())
+
+
+def test_each_processor_runs_a_part_of_the_tests(root: Path) -> None:
+    assert run_tests(root) == Counts(4, 0, 0)
+    assert runs(root) == 2
+    assert sorted((root / "shards").read_text().split()) == ["0/2", "1/2"]
+    results = json.loads(cmake_build.results_of(root, "trace").read_text())
+    assert len(results["testsuites"]) == 2
+
+
+def test_failed_tests_have_results(root: Path) -> None:
+    (root / "results.json").write_text(gtest_json(PASSED, FAILED))
+    write_program(root / "build/trace/tests/firmware_tests", "exit 1")
+    assert run_tests(root) == Counts(2, 2, 0)
+
+
+def test_a_program_that_fails_after_passing_tests_is_a_failure(root: Path) -> None:
+    write_program(root / "build/trace/tests/firmware_tests", "exit 9")
+    with pytest.raises(FailureError, match="exit code 9"):
+        run_tests(root)
+
+
+def test_a_crash_before_the_results_is_a_failure(root: Path) -> None:
+    run_tests(root)
+    program = root / "build/trace/tests/firmware_tests"
+    program.write_text("#!/bin/sh\nkill -SEGV $$\n")
+    with pytest.raises(FailureError, match="exit code -11"):
+        run_tests(root)
+
+
+def test_traces_of_the_run_before_are_removed(root: Path) -> None:
+    old = root / "build/trace/traces/Old.Test.bin"
+    old.parent.mkdir()
+    old.touch()
+    run_tests(root)
+    assert not old.exists()
+
+
+def test_counters_of_the_run_before_are_removed(root: Path) -> None:
+    old = root / "build/trace/src/RC.cpp.gcda"
+    old.parent.mkdir()
+    old.touch()
+    run_tests(root)
+    assert not old.exists()
+
+
+def test_counts_of_googletest(tmp_path: Path) -> None:
+    results = tmp_path / "results.json"
+    results.write_text(gtest_json(PASSED, FAILED, SKIPPED, DISABLED))
+    assert cmake_build.gtest_counts(results) == Counts(1, 1, 2)
+
+
+def test_failures_of_googletest_are_told_with_their_seed(tmp_path: Path) -> None:
+    results, log = tmp_path / "results.json", io.StringIO()
+    results.write_text(gtest_json(PASSED, {**FAILED, "seed": "42"}))
+    cmake_build.write_failures(results, log)
+    assert log.getvalue() == "\nFAILED Wheel.Falls, WR_SEED=42\nx\n"
+
+
+def test_counts_of_pytest(tmp_path: Path) -> None:
+    results = tmp_path / "results.xml"
+    results.write_text(
+        "<testsuites><testsuite><testcase/><testcase><failure/></testcase>"
+        "<testcase><error/></testcase><testcase><skipped/></testcase></testsuite></testsuites>"
+    )
+    assert cmake_build.junit_counts(results) == Counts(1, 2, 1)
+
+
+def test_the_line_of_counts() -> None:
+    assert str(Counts(3, 0, 0)) == "3 passed, 0 failed"
+    assert str(Counts(3, 1, 2) + Counts(1, 0, 0)) == "4 passed, 1 failed, 2 skipped"
+
+
+def test_failed_tests_and_no_tests_are_bad() -> None:
+    good = cmake_build.outcome_of(Counts(2, 0, 0))
+    assert (good.note, good.failed) == ("2 passed, 0 failed", False)
+    for counts in (Counts(2, 1, 0), Counts(0, 0, 3)):
+        assert cmake_build.outcome_of(counts).failed
+
+
+def test_results_of_the_board_and_of_this_machine_are_kept_apart(root: Path) -> None:
+    tests = root / "build/host/tests/board_tests"
+    tests.parent.mkdir(parents=True)
+    write_program(tests, "exit 0")
+    kept = root / "build/trace/traces/New.Test.bin"
+    kept.parent.mkdir()
+    kept.touch()
+    assert run_tests(root, cmake_build.BOARD) == Counts(4, 0, 0)
+    assert kept.exists()
+    assert (root / "build/results/board.json").exists()
+    assert not (root / "build/results/trace.json").exists()
+
+
+@pytest.mark.parametrize("changed", cmake_build.SETTINGS)
+def test_a_build_is_configured_anew_when_its_settings_changed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, changed: str
+) -> None:
+    called: list[str] = []
+    made = tmp_path / "build/k64/build.ninja"
+    stale = tmp_path / "build/k64/Gone.cpp.ci"
+
+    def run(_log: object, words: list[object]) -> None:
+        called.append(" ".join(str(word) for word in words))
+        made.parent.mkdir(parents=True, exist_ok=True)
+
+    monkeypatch.setattr(cmake_build, "run", run)
+    (tmp_path / "setup").mkdir()
+    for name in cmake_build.SETTINGS:
+        (tmp_path / name).touch()
+
+    def configured() -> bool:
+        called.clear()
+        with (tmp_path / "log").open("w") as log:
+            cmake_build.build(tmp_path, "k64", log, "weeding_robot")
+        assert called[-1].endswith("--target weeding_robot")
+        made.touch()
+        return len(called) == 2 and "--fresh" in called[0]
+
+    assert configured()
+    assert not configured()
+    later = time.time() + 10
+    os.utime(tmp_path / changed, (later, later))
+    stale.touch()
+    assert configured()
+    assert not stale.exists()
+    os.utime(made, (later, later))
+    assert not configured()
+    made.unlink()
+    assert configured()

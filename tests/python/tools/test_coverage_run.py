@@ -1,0 +1,113 @@
+"""Totals by gcovr: they are those of the last run of the tests, or missing."""
+
+import json
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from tests.python.reading.task_records import record_task
+from tools.coverage_run import count_coverage, remove_stale_notes
+from tools.steps import FailureError
+from traceability.model.metrics import coverage
+from traceability.reading.results import COVERAGE_LINES
+from traceability.reading.task_record import COVERAGE
+
+CHOOSE = """\
+int choose(int value) {
+  if (value > 0) {
+    return 1;
+  }
+  return 2;
+}
+template <int kNumber>
+int twice() {
+  return 2 * kNumber;
+}
+int main() { return choose(1) - 1 + twice<0>() + (choose(1) < 0 ? twice<1>() : 0); }
+"""
+RUN = "build/results/trace.json"
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    """A project of one file, whose program ran: 6 of 7 lines, 2 of 4 branches."""
+    for name in ("src", "build/results", "build/trace"):
+        (tmp_path / name).mkdir(parents=True)
+    (tmp_path / "src/choose.cpp").write_text(CHOOSE)
+    (tmp_path / RUN).write_text("{}")
+    run_program(tmp_path)
+    return tmp_path
+
+
+def run_program(root: Path, source: str = "src/choose.cpp", folder: str = "build/trace") -> None:
+    build = root / folder
+    words = ["g++", "--coverage", "-fprofile-abs-path", root / source, "-o", "program"]
+    subprocess.run(words, cwd=build, check=True)
+    subprocess.run([build / "program"], check=True)
+
+
+def count(root: Path) -> str:
+    with (root / "log").open("a") as log:
+        text = count_coverage(root, log)
+    record_task(root, COVERAGE, RUN)
+    return text
+
+
+def test_a_line_of_several_functions_counts_once(root: Path) -> None:
+    assert count(root) == "85.7 % of the lines, 50.0 % of the branches"
+    assert coverage(root) == {"coverage.line": 85.7, "coverage.branch": 50.0}
+
+
+def test_the_lines_of_each_file_are_left_with_the_totals(root: Path) -> None:
+    count(root)
+    (file,) = json.loads((root / COVERAGE_LINES).read_text())["files"]
+    assert file["file"] == "src/choose.cpp"
+    assert {line["line_number"] for line in file["lines"] if not line["count"]} >= {5}
+
+
+def test_another_program_of_the_same_folder_does_not_count(root: Path) -> None:
+    """It may lie there or not: the figures are those of the tests' own program."""
+    (root / "src/other.cpp").write_text("int main() { return 0; }")
+    folder = "build/trace/tests/CMakeFiles/usual_design_tests.dir"
+    (root / folder).mkdir(parents=True)
+    run_program(root, "src/other.cpp", folder)
+    count(root)
+    (file,) = json.loads((root / COVERAGE_LINES).read_text())["files"]
+    assert file["file"] == "src/choose.cpp"
+
+
+def test_the_totals_of_another_run_are_none(root: Path) -> None:
+    count(root)
+    assert coverage(root) != {}
+    (root / RUN).write_text("{ }")
+    assert coverage(root) == {}
+
+
+def test_what_was_not_counted_has_no_totals(root: Path) -> None:
+    assert coverage(root) == {}
+
+
+def test_a_run_without_a_line_of_the_design_is_a_failure(root: Path) -> None:
+    (root / "src").rename(root / "other")
+    for path in (root / "build/trace").iterdir():
+        path.unlink()
+    run_program(root, "other/choose.cpp")
+    with pytest.raises(FailureError, match="no line of the design"):
+        count(root)
+    assert coverage(root) == {}
+
+
+def test_notes_of_a_deleted_source_are_removed(root: Path) -> None:
+    objects = root / "build/trace/src/CMakeFiles/firmware.dir"
+    kept = [objects / "choose.cpp.gcno", objects / "__/generated/Identity.cpp.gcno"]
+    stale = [objects / "gone.cpp.gcno", objects / "gone.cpp.gcda"]
+    generated = root / "build/trace/generated/Identity.cpp"
+    for file in [*kept, *stale, generated]:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(b"")
+    with (root / "log").open("w") as log:
+        remove_stale_notes(root, root / "build/trace", log)
+    assert [file.exists() for file in kept] == [True, True]
+    assert [file.exists() for file in stale] == [False, False]
+    assert "gone.cpp.gcno" in (root / "log").read_text()

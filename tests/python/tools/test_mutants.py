@@ -1,0 +1,270 @@
+"""Mutants of a small class: where they are, that the copy compiles, which tests find them."""
+
+from __future__ import annotations
+
+import itertools
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from tools.mutation.points import Mutant, Point, find_points
+from tools.mutation.runs import Outcome, note, run_tests
+from tools.mutation.score import Plan, Tried, order, record, try_all, try_mutant
+from tools.mutation.switched import SWITCH, compiling, copy, switched
+from traceability.reading.translation_units import prepare_standard
+
+HEADER = """\
+#pragma once
+#include <cstdint>
+namespace wr {
+class Limiter {
+ public:
+  int limited(int value);
+  constexpr int twice(int value) const { return value * 2; }
+  int other(int value) { return value + 1; }
+ private:
+  void count();
+  int counted_ = 0;
+};
+}  // namespace wr
+"""
+SOURCE = """\
+#include "Limiter.hpp"
+namespace wr {
+int Limiter::limited(int value) {
+  constexpr int kMost = 5 + 4;
+  const std::uint8_t narrow{3 + 4};
+  count();
+  if (value < kMost && value != narrow) {
+    return value + 1;
+  }
+  return kMost;
+}
+void Limiter::count() {
+  ++counted_;
+}
+}  // namespace wr
+"""
+
+
+@pytest.fixture
+def tree(tmp_path: Path) -> Path:
+    (tmp_path / "src").mkdir()
+    (tmp_path / "src/Limiter.hpp").write_text(HEADER, encoding="utf-8")
+    (tmp_path / "src/Limiter.cpp").write_text(SOURCE, encoding="utf-8")
+    cache = tmp_path / "build/model/cache"
+    cache.mkdir(parents=True)
+    prepare_standard(tmp_path, cache, board=False)
+    return tmp_path
+
+
+FILES = ["src/Limiter.cpp", "src/Limiter.hpp"]
+
+
+def points(tree: Path, *wanted: str) -> list[Point]:
+    found = find_points(tree, FILES[0], FILES, set(wanted))
+    return [point for held in found.values() for point in held]
+
+
+def changes(tree: Path, *wanted: str) -> list[tuple[str, str]]:
+    return [(one.kind, one.change) for point in points(tree, *wanted) for one in point.mutants]
+
+
+def test_each_kind_of_mutant_is_found_in_the_wanted_method(tree: Path) -> None:
+    assert changes(tree, "Limiter::limited") == [
+        ("return", "return {} at once"),
+        ("arithmetic", "- for + in 3 + 4"),
+        ("constant", "3 + 1"),
+        ("constant", "3 - 1"),
+        ("constant", "4 + 1"),
+        ("constant", "4 - 1"),
+        ("statement", "without count()"),
+        ("condition", "not value < kMost && value != narrow"),
+        ("relation", "<= for < in value < kMost"),
+        ("relation", ">= for < in value < kMost"),
+        ("relation", "== for != in value != narrow"),
+        ("arithmetic", "- for + in value + 1"),
+        ("constant", "1 + 1"),
+        ("constant", "1 - 1"),
+    ]
+    assert points(tree, "Limiter::limited")[0].mutants[0].line == 3
+
+
+def test_what_is_computed_by_the_compiler_has_no_mutants(tree: Path) -> None:
+    assert changes(tree, "Limiter::twice") == []
+
+
+def test_a_mutant_that_does_not_compile_is_left_out(tree: Path, tmp_path: Path) -> None:
+    found = find_points(tree, FILES[0], FILES, {"Limiter::limited"})
+    with (tmp_path / "log").open("w") as log:
+        _, held = compiling(tree, FILES[0], found, 1, log)
+    assert not any("3" in one.change or "4" in one.change for one in held), "a narrow constant"
+    assert [one.change for one in held if one.kind == "constant"] == ["1 + 1", "1 - 1"]
+    assert "Limiter.cpp:5" in (tmp_path / "log").read_text()
+
+
+MAIN = """\
+#include <cstdio>
+#include "Limiter.hpp"
+int main() {
+  wr::Limiter limiter;
+  std::printf("%d %d %d\\n", limiter.limited(2), limiter.limited(7), limiter.limited(9));
+}
+"""
+
+
+def test_each_number_switches_its_own_mutant_on(tree: Path) -> None:
+    found = find_points(tree, FILES[0], FILES, {"Limiter::limited"})
+    with (tree / "log").open("w") as log:
+        texts, held = compiling(tree, FILES[0], found, 1, log)
+    folder = tree / "changed"
+    folder.mkdir()
+    for file in FILES:
+        text = texts.get(file) or (tree / file).read_text(encoding="utf-8")
+        (folder / Path(file).name).write_text(text, encoding="utf-8")
+    (folder / "main.cpp").write_text(MAIN, encoding="utf-8")
+    words = ["g++", "-std=c++20", "-w", "-include", str(SWITCH), "main.cpp", "Limiter.cpp"]
+    subprocess.run([*words, "-o", "program"], cwd=folder, check=True, timeout=120)
+
+    def said(number: int) -> str:
+        environment = {**os.environ, "WR_MUTANT": str(number)}
+        done = subprocess.run(
+            [folder / "program"], env=environment, capture_output=True, text=True, check=True
+        )
+        return done.stdout.strip()
+
+    printed = {one.change: said(number) for number, one in enumerate(held, 1)}
+    assert said(0) == "3 9 9"
+    assert printed["return {} at once"] == "0 0 0"
+    assert printed["without count()"] == "3 9 9", "nothing that is printed depends on it"
+    assert printed["not value < kMost && value != narrow"] == "9 8 10"
+    assert printed["<= for < in value < kMost"] == "3 9 10"
+    assert printed[">= for < in value < kMost"] == "9 9 10"
+    assert printed["- for + in value + 1"] == "1 9 9"
+    assert printed["1 + 1"] == "4 9 9"
+
+
+def test_wrapped_points_nest(tmp_path: Path) -> None:
+    path = tmp_path / "a.cpp"
+    path.write_text("f(a + b);", encoding="utf-8")
+    one = Mutant("a.cpp", 1, "A::f", "kind", "change")
+    held = [
+        Point(0, 8, "out(#, ", ")", (one, one)),
+        Point(2, 7, "sum(#, ", ")", (one,), (4, 5), ","),
+        Point(6, 7, "in(#, ", ")", (one,)),
+    ]
+    assert switched(path, held, itertools.count(7)) == "out(7, f(sum(9, a , in(10, b))));"
+
+
+def test_the_copy_is_written_only_where_it_changed(tree: Path) -> None:
+    copy(tree, {"src/Limiter.cpp": "changed"})
+    there = tree / "build/mutation/source/src"
+    assert (there / "Limiter.cpp").read_text(encoding="utf-8") == "changed"
+    before = (there / "Limiter.hpp").stat().st_mtime_ns
+    (there / "old.hpp").write_text("", encoding="utf-8")
+    copy(tree, {"src/Limiter.cpp": "changed"})
+    assert (there / "Limiter.hpp").stat().st_mtime_ns == before
+    assert not (there / "old.hpp").exists()
+
+
+def test_results_are_read_from_what_the_program_prints() -> None:
+    outcome = Outcome()
+    text = b"""\
+[ RUN      ] A.One
+[       OK ] A.One (0 ms)
+[ RUN      ] P/B.Two/0
+[  FAILED  ] P/B.Two/0, where GetParam() = 1 (0 ms)
+[ RUN      ] P/B.Two/1
+[       OK ] P/B.Two/1 (0 ms)
+[ RUN      ] A.Three
+"""
+    assert note(text, outcome) == "A.Three"
+    assert outcome.failed == {"B.Two"}
+    assert outcome.passed == {"A.One", "B.Two"}
+
+
+# One fails with mutant 1, Two ends the program with mutant 2, Three hangs with mutant 3.
+PROGRAM = """\
+#!/bin/sh
+for name in One Two Three; do
+    case "$1" in *"A.$name"*) ;; *) continue ;; esac
+    echo "[ RUN      ] A.$name"
+    case "$WR_MUTANT$name" in
+        1One) echo "[  FAILED  ] A.One (0 ms)"; code=1; continue ;;
+        2Two) exit 134 ;;
+        3Three) exec sleep 60 ;;
+    esac
+    echo "[       OK ] A.$name (0 ms)"
+done
+exit ${code:-0}
+"""
+ALL = {"A.One": 0.0, "A.Two": 0.0, "A.Three": 0.0}
+
+
+@pytest.fixture
+def program(tmp_path: Path) -> Path:
+    path = tmp_path / "program"
+    path.write_text(PROGRAM, encoding="utf-8")
+    path.chmod(0o755)
+    return path
+
+
+@pytest.mark.parametrize(
+    ("mutant", "failed"),
+    [(0, set()), (1, {"A.One"}), (2, {"A.Two"}), (3, {"A.Three"})],
+)
+def test_a_failure_an_end_and_a_hang_each_find_a_mutant(
+    program: Path, mutant: int, failed: set[str]
+) -> None:
+    outcome = run_tests(program, mutant, ALL)
+    assert outcome.failed == failed
+    assert outcome.passed == set(ALL) - failed
+
+
+def mutant_of(method: str) -> Mutant:
+    return Mutant("a.cpp", 1, method, "constant", "1 + 1")
+
+
+def plan() -> Plan:
+    return Plan(
+        methods={"M::a": ["FR-1", "FR-2"], "M::b": ["FR-2"]},
+        verifying={"FR-1": {"A.One"}, "FR-2": {"A.Two"}},
+        executing={"M::a": {"A.One", "A.Two", "A.Three"}, "M::b": {"A.Two", "A.Three"}},
+        seconds=ALL,
+    )
+
+
+def test_a_mutant_counts_for_the_requirement_whose_own_test_finds_it(program: Path) -> None:
+    tried = try_mutant(program, 1, mutant_of("M::a"), plan())
+    assert tried.killed_by == ["A.One"]
+    assert tried.own == {"FR-1": True, "FR-2": False}
+
+
+def test_where_no_own_test_finds_it_the_others_are_asked(program: Path) -> None:
+    tried = try_mutant(program, 3, mutant_of("M::b"), plan())
+    assert tried.killed_by == ["A.Three"]
+    assert tried.own == {"FR-2": False}
+
+
+def test_the_order_depends_on_the_seed_and_gives_each_requirement_its_turn() -> None:
+    mutants = [mutant_of("M::a")] * 20 + [mutant_of("M::b")] * 20
+    chosen = order(mutants, plan(), 7)
+    assert sorted(chosen) == list(range(1, 41))
+    assert chosen == order(mutants, plan(), 7) != order(mutants, plan(), 8)
+    assert any(number <= 20 for number in chosen[:2])
+
+
+def test_mutants_are_tried_until_the_caller_says_no(program: Path) -> None:
+    mutants = [mutant_of("M::a")] * 9
+    tried = try_all(program, mutants, iter(range(1, 10)), plan(), lambda done: len(done) < 2)
+    assert 2 <= len(tried) <= 1 + (os.cpu_count() or 1)
+
+
+def test_the_record_tells_all_that_a_score_needs() -> None:
+    tried = [Tried(mutant_of("M::a"), ["A.One"], {"FR-1": True})]
+    written = record(tried, "hash", 7, 40, 1.25)
+    assert (written["seed"], written["total"]) == (7, 40)
+    assert written["tried"][0]["own"] == {"FR-1": True}
+    assert written["tried"][0]["killed_by"] == ["A.One"]

@@ -1,0 +1,119 @@
+"""./wr mutate: its steps, what it prints, and what it leaves."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TextIO
+
+import pytest
+
+from tools import mutate
+from tools.cli import parser
+from tools.mutation import score, switched
+from tools.mutation.points import Mutant
+from tools.mutation.score import Plan, Tried
+from tools.task_graph import Graph, Outcome, Task
+from traceability.model import build
+from traceability.model.design_model import Model
+from traceability.reading import traces
+from traceability.reading.task_record import TESTS_TRACE
+from traceability.schema import HOST
+
+MUTANTS = [
+    Mutant("src/a.cpp", 4, "A::f", "constant", "1 + 1"),
+    Mutant("src/a.cpp", 9, "A::f", "constant", "2 + 1"),
+]
+
+
+@pytest.fixture
+def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A project in which building and testing are replaced: the first mutant is found."""
+    (tmp_path / "build/results").mkdir(parents=True)
+    replace_tests(monkeypatch, tmp_path, lambda _log: None)
+    monkeypatch.setattr(build, "build", lambda _root: Model("", "", "sources", {}))
+    monkeypatch.setattr(traces, "read_traces", lambda _root, _cache: {HOST: None})
+    plan = Plan({"A::f": ["FR-1"]}, {"FR-1": {"T.A"}}, {"A::f": {"T.A"}})
+    monkeypatch.setattr(score, "make_plan", lambda _model, _traces: plan)
+    monkeypatch.setattr(switched, "write_switched", lambda _root, _wanted, _log: MUTANTS)
+    monkeypatch.setattr(switched, "build_switched", lambda _root, _log: None)
+
+    def measure(_program: Path, plan: Plan, _known: dict[str, float]) -> list[str]:
+        plan.seconds = {"T.A": 0.1}
+        return []
+
+    def try_all(
+        _program: Path,
+        mutants: list[Mutant],
+        numbers: Iterator[int],
+        _plan: Plan,
+        goes_on: Callable[[list[Tried]], bool],
+    ) -> list[Tried]:
+        tried: list[Tried] = []
+        for number in sorted(numbers):
+            if goes_on(tried):
+                found = ["T.A"] if number == 1 else []
+                tried.append(Tried(mutants[number - 1], found, {"FR-1": bool(found)}))
+        goes_on(tried)
+        return tried
+
+    monkeypatch.setattr(score, "measure", measure)
+    monkeypatch.setattr(score, "try_all", try_all)
+    monkeypatch.setattr(mutate, "SHOWN_EVERY", 0.0)
+    return tmp_path
+
+
+def replace_tests(
+    monkeypatch: pytest.MonkeyPatch, root: Path, action: Callable[[TextIO], Outcome | None]
+) -> None:
+    tests = Graph(root, [Task(TESTS_TRACE, action, always=True)])
+    monkeypatch.setattr(mutate, "graph", lambda _root: tests)
+
+
+def run(root: Path, *words: str) -> int:
+    options = parser().parse_args(["mutate", *words])
+    return mutate.mutate(root, options)
+
+
+def test_it_shows_seed_progress_and_what_no_test_finds(
+    root: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(root, "--seed", "7") == 0
+    printed = capsys.readouterr().out
+    assert printed.startswith("seed 7\n")
+    assert "0:00 1 of 2 tried, 1 found" in printed
+    assert "src/a.cpp:9: no test finds: 2 + 1" in printed
+    assert "src/a.cpp:4: no test finds" not in printed
+    assert "1 of 2 mutants were found; seed 7" in printed
+    left = json.loads((root / "build/results/mutation.json").read_text(encoding="utf-8"))
+    assert (left["sources"], left["seed"], left["total"], len(left["tried"])) == (
+        "sources",
+        7,
+        2,
+        2,
+    )
+
+
+def test_without_tests_that_pass_nothing_is_measured(
+    root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(score, "measure", lambda *_words: ["T.A"])
+    assert run(root) == 1
+    assert "no test passes in the mutated build" in capsys.readouterr().out
+    assert not (root / "build/results/mutation.json").exists()
+
+
+def test_a_failed_step_leaves_out_those_that_need_it(
+    root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    replace_tests(monkeypatch, root, lambda _log: Outcome("1 failed", failed=True))
+    assert run(root) == 1
+    assert capsys.readouterr().out.count("not run") == 4
+
+
+@pytest.mark.parametrize("minutes", ["0", "46", "-1", "x"])
+def test_it_never_runs_longer_than_45_minutes(root: Path, minutes: str) -> None:
+    with pytest.raises(SystemExit) as ended:
+        run(root, f"--minutes={minutes}")
+    assert ended.value.code == 2

@@ -1,0 +1,78 @@
+"""The seeded faults: each check has one, each can be seeded; the record tells of this state only.
+
+Whether the checks find them is tried by ``./wr check --drift``, which ``./wr test`` runs.
+"""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tests.python.reading.task_records import record_task
+from traceability.checks.registry import KNOWN
+from traceability.reading.seeded_fault_record import SOURCES, Outcome, read_record, write_record
+from traceability.reading.seeded_faults import COMPILER, STAGES, Edit, Fault, read_faults
+from traceability.reading.task_record import SEEDED_FAULTS
+
+ROOT = Path(__file__).parents[3]
+FAULTS = read_faults(ROOT)
+
+
+def test_every_check_has_a_seeded_fault() -> None:
+    missing = set(KNOWN) - {fault.check for fault in FAULTS}
+    assert not missing, f"write a fault in tests/drift for: {', '.join(sorted(missing))}"
+
+
+def test_every_fault_names_a_check_and_says_what_it_is() -> None:
+    for fault in FAULTS:
+        assert fault.check in KNOWN, fault.name
+        assert fault.says.endswith("."), fault.name
+        assert fault.stage in STAGES, fault.name
+        assert fault.edits, fault.name
+    assert len({(fault.check, fault.says) for fault in FAULTS}) == len(FAULTS)
+    assert any(fault.check == COMPILER for fault in FAULTS)
+
+
+@pytest.fixture(scope="module")
+def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    root = tmp_path_factory.mktemp("copy")
+    for name in SOURCES:
+        if (ROOT / name).is_dir():
+            shutil.copytree(ROOT / name, root / name, ignore=shutil.ignore_patterns("python"))
+        else:
+            (root / name).parent.mkdir(exist_ok=True)
+            shutil.copy(ROOT / name, root / name)
+    return root
+
+
+@pytest.mark.parametrize(
+    "fault", [one for one in FAULTS if one.stage == "sources"], ids=lambda one: one.name
+)
+def test_fault_can_be_seeded_and_its_place_exists(fault: Fault, copy: Path) -> None:
+    kept = {e.file: (copy / e.file).read_bytes() for e in fault.edits if (copy / e.file).exists()}
+    lines = [edit.apply(copy) for edit in fault.edits]
+    assert fault.expected_line(copy, lines[0]) >= 1
+    for file, content in kept.items():
+        (copy / file).write_bytes(content)
+
+
+def test_edit_that_matches_nothing_is_an_error(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("one\ntwo\n", encoding="utf-8")
+    with pytest.raises(ValueError, match="three"):
+        Edit("file", "three", "").apply(tmp_path)
+    assert Edit("file", "^two", "2").apply(tmp_path) == 2
+    assert (tmp_path / "file").read_text(encoding="utf-8") == "one\n2\n"
+
+
+def test_record_counts_for_the_state_it_was_made_in_only(tmp_path: Path) -> None:
+    source = tmp_path / "src" / "a.hpp"
+    source.parent.mkdir()
+    source.write_text("one", encoding="utf-8")
+    outcome = Outcome("a-1", "module-secret", "Says.", "src/a.hpp", 1, True, True, ["found"])
+    write_record(tmp_path, [outcome], 0)
+    record_task(tmp_path, SEEDED_FAULTS, "src")
+    assert read_record(tmp_path) == [outcome]
+    source.write_text("two", encoding="utf-8")
+    assert read_record(tmp_path) is None

@@ -1,0 +1,392 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sim/emulator/Guest.hpp"
+#include "sim/emulator/VirtualBoard.hpp"
+
+namespace wr::test {
+namespace {
+
+using namespace std::chrono_literals;
+using emulator::Event;
+using emulator::VirtualBoard;
+using std::chrono::nanoseconds;
+using testing::ElementsAre;
+
+using Bytes = std::vector<std::uint8_t>;
+
+// A bus clock of 32768 Hz * 640 after reset.
+constexpr double kBusClock = 1e9 / 20'971'520;
+
+struct Pulse {
+  nanoseconds at;
+  std::uint32_t number;
+  std::uint32_t share;
+};
+
+std::vector<Pulse> pulsesOf(VirtualBoard& board, nanoseconds until) {
+  std::vector<Pulse> pulses;
+  board.onEvent([&pulses](const Event& event) {
+    if (event.kind == Event::Kind::PwmChanged) {
+      pulses.push_back({event.at, event.number, event.value});
+    }
+  });
+  EXPECT_TRUE(board.runUntil(until));
+  board.onEvent({});
+  return pulses;
+}
+
+double clocksBetween(nanoseconds from, nanoseconds to) {
+  return static_cast<double>((to - from).count()) / kBusClock;
+}
+
+/// @brief A pin is high for the share of the period that its channel's value is, and the event
+/// tells it; a channel without pin is not high.
+TEST(PulsesOfBoard, PinIsHighForTheShareOfItsValue) {
+  VirtualBoard board(Guest("pulses").image());
+  EXPECT_EQ(board.pwmDuty(0, 0), 0.0);
+  const auto pulses = pulsesOf(board, 1ms);
+  EXPECT_EQ(board.pwmDuty(0, 0), 0.25);
+  EXPECT_EQ(board.pwmDuty(0, 1), 0.0);
+  EXPECT_EQ(board.pwmDuty(3, 0), 0.0);
+  ASSERT_EQ(pulses.size(), 1U);
+  EXPECT_EQ(pulses[0].number, 0U);
+  EXPECT_EQ(pulses[0].share, 250'000U);
+}
+
+/// @brief Pulses of low truth are low for that share.
+TEST(PulsesOfBoard, LowTruthTurnsTheShareRound) {
+  VirtualBoard board(Guest("pulsesWithLowTruth").image());
+  ASSERT_TRUE(board.runUntil(1ms));
+  EXPECT_EQ(board.pwmDuty(0, 0), 0.75);
+}
+
+/// @brief A value of MOD + 1 keeps the pin high.
+TEST(PulsesOfBoard, ValueOfThePeriodKeepsThePinHigh) {
+  VirtualBoard board(Guest("pulsesWithoutEnd").image());
+  ASSERT_TRUE(board.runUntil(1ms));
+  EXPECT_EQ(board.pwmDuty(0, 0), 1.0);
+}
+
+/// @brief A new value waits for the end of the period, so that no pulse is of another width than
+/// one of the two.
+TEST(PulsesOfBoard, NewValueWaitsForTheEndOfThePeriod) {
+  VirtualBoard board(Guest("changesWidthInThePeriod").image());
+  const auto pulses = pulsesOf(board, 1ms);
+  EXPECT_EQ(told(board, 0), 250U);
+  EXPECT_EQ(told(board, 1), 500U);
+  ASSERT_EQ(pulses.size(), 2U);
+  EXPECT_EQ(pulses[1].share, 500'000U);
+  EXPECT_NEAR(clocksBetween(pulses[0].at, pulses[1].at), 1000, 3);
+}
+
+/// @brief A new period and a new value that are written together take effect together.
+TEST(PulsesOfBoard, PeriodAndValueChangeTogether) {
+  VirtualBoard board(Guest("changesPeriodWithWidth").image());
+  const auto pulses = pulsesOf(board, 1ms);
+  EXPECT_EQ(told(board, 0), 999U);
+  EXPECT_EQ(told(board, 1), 100U);
+  ASSERT_EQ(pulses.size(), 2U);
+  EXPECT_EQ(pulses[1].share, 200'000U);
+  EXPECT_EQ(board.pwmDuty(0, 0), 0.2);
+}
+
+/// @brief A counter without clock stands, and there are no pulses.
+TEST(PulsesOfBoard, StandingCounterGivesNone) {
+  VirtualBoard board(Guest("stopsPulses").image());
+  const auto pulses = pulsesOf(board, 1ms);
+  EXPECT_EQ(board.pwmDuty(0, 0), 0.0);
+  EXPECT_GT(told(board, 0), 0U);
+  EXPECT_EQ(told(board, 0), told(board, 1));
+  ASSERT_EQ(pulses.size(), 2U);
+  EXPECT_EQ(pulses[1].share, 0U);
+}
+
+/// @brief A pin that is taken from the timer gets no pulses, and the event tells it.
+TEST(PulsesOfBoard, PinOfAnotherFunctionGetsNone) {
+  VirtualBoard board(Guest("takesPinFromTimer").image());
+  const auto pulses = pulsesOf(board, 1ms);
+  EXPECT_EQ(board.pwmDuty(0, 0), 0.0);
+  ASSERT_EQ(pulses.size(), 2U);
+  EXPECT_EQ(pulses[1].share, 0U);
+}
+
+/// @brief A reset ends the pulses.
+TEST(PulsesOfBoard, ResetEndsThem) {
+  VirtualBoard board(Guest("pulses").image());
+  ASSERT_TRUE(board.runUntil(1ms));
+  board.reset(emulator::Reset::Pin);
+  EXPECT_EQ(board.pwmDuty(0, 0), 0.0);
+}
+
+/// @brief The counter counts prescaled clocks, its overflow is flagged until it was read and
+/// cleared, and any write makes the counter 0.
+TEST(PulsesOfBoard, CounterAndItsFlagCanBeRead) {
+  VirtualBoard board(Guest("countsPeriods").image());
+  ASSERT_TRUE(board.runUntil(1ms));
+  EXPECT_EQ(told(board, 0), 0x0AU);
+  EXPECT_LT(told(board, 1), 5U);
+  EXPECT_EQ(told(board, 2), 0x0AU);
+  EXPECT_LT(told(board, 3), 5U);
+  EXPECT_NEAR(told(board, 4) - told(board, 3), 75, 25);
+  EXPECT_LT(told(board, 5), 3U);
+  EXPECT_EQ(told(board, 6), 0xC0U);
+}
+
+/// @brief The write protection is taken away by a one in WPDIS, after it was read.
+TEST(PulsesOfBoard, ProtectionIsTakenAwayAfterItWasRead) {
+  VirtualBoard board(Guest("unprotectsTimer").image());
+  ASSERT_TRUE(board.runUntil(1ms));
+  EXPECT_EQ(told(board, 0), 0U);
+  EXPECT_EQ(told(board, 1), 0x40U);
+  EXPECT_EQ(told(board, 2), 4U);
+  EXPECT_EQ(told(board, 3), 0x28U);
+}
+
+/// @brief The result is the nearest step of the reference, in each width.
+TEST(ConverterOfBoard, ResultIsTheVoltageInSteps) {
+  VirtualBoard board(Guest("convertsInputs").image());
+  board.setAnalog(0, 12, 1.2345);
+  board.setAnalog(0, 4, 5.0);
+  board.setAnalog(1, 12, 3.0);
+  ASSERT_TRUE(board.runUntil(100ms));
+  EXPECT_EQ(told(board, 0), 1U);
+  EXPECT_EQ(told(board, 1), 1532U);
+  EXPECT_EQ(told(board, 2), 4095U);
+  EXPECT_EQ(told(board, 3), 0U);
+  EXPECT_EQ(told(board, 4), 96U);
+  EXPECT_EQ(told(board, 5), 383U);
+  EXPECT_EQ(told(board, 6), 24516U);
+  EXPECT_EQ(told(board, 7), 65535U);
+}
+
+/// @brief The calibration takes 14000 clocks of the converter and 100 of the bus.
+TEST(ConverterOfBoard, CalibrationTakesItsTime) {
+  Guest guest("convertsOnce");
+  guest.handleLine(39, "notesConversion").handleLine(40, "handlerThatAcknowledgesNothing");
+  VirtualBoard board(guest.image());
+  ASSERT_TRUE(board.runToSleep(100ms));
+  EXPECT_NEAR(clocksBetween(0ns, board.now()), 14'000 * 8 + 100, 1'000);
+}
+
+/// @brief A calibration that fails is told.
+TEST(ConverterOfBoard, FailedCalibrationIsFlagged) {
+  VirtualBoard board(Guest("convertsInputs").image(), {.calibrates = {false, false}});
+  EXPECT_FALSE(board.runUntil(100ms));
+  EXPECT_EQ(told(board, 0), 2U);
+  ASSERT_TRUE(board.finding());
+  EXPECT_NE(board.finding()->what.find("without the gains"), std::string::npos);
+}
+
+/// @brief A conversion takes the clocks of its kind and then interrupts; reading the result takes
+/// the flag away.
+TEST(ConverterOfBoard, ConversionTakesItsTimeAndInterrupts) {
+  struct Kind {
+    const char* program;
+    double clocks;
+  };
+  // 5 bus clocks; then clocks of the converter, each of 8 bus clocks.
+  for (const Kind& kind : {Kind{"convertsOnce", 5 + 8.0 * (5 + 20)},
+                           Kind{"convertsWithLongSample", 5 + 8.0 * (3 + 20 + 20 + 2)},
+                           Kind{"convertsFourTimes", 5 + 8.0 * (5 + 4 * 20)}}) {
+    SCOPED_TRACE(kind.program);
+    Guest guest(kind.program);
+    guest.handleLine(39, "notesConversion").handleLine(40, "handlerThatAcknowledgesNothing");
+    VirtualBoard board(guest.image());
+    board.setAnalog(0, 12, 1.65);
+    ASSERT_TRUE(board.runToInterrupt(40, 100ms));
+    const nanoseconds start = board.now();
+    ASSERT_TRUE(board.runToInterrupt(39, 100ms));
+    EXPECT_NEAR(clocksBetween(start, board.now()), kind.clocks + 30, 20);
+    ASSERT_TRUE(board.runUntil(board.now() + 1ms));
+    EXPECT_EQ(told(board, 1), 2048U);
+    EXPECT_EQ(told(board, 2), 0x40U | 12U);
+    EXPECT_EQ(told(board, 3), 1U);
+    EXPECT_EQ(told(board, 4), 0x80U);
+  }
+}
+
+/// @brief A conversion that is started before the last one ended takes its place.
+TEST(ConverterOfBoard, NewConversionTakesThePlaceOfTheLast) {
+  Guest guest("convertsAnew");
+  guest.handleLine(39, "notesConversion");
+  VirtualBoard board(guest.image());
+  board.setAnalog(0, 12, 1.65);
+  board.setAnalog(0, 13, 0.5);
+  ASSERT_TRUE(board.runUntil(100ms));
+  EXPECT_EQ(told(board, 1), 2048U);
+  EXPECT_EQ(told(board, 3), 1U);
+}
+
+/// @brief The second serial port has a line of its own, a bus clock, and no FIFO.
+TEST(SecondSerialPortOfBoard, HasALineOfItsOwn) {
+  Guest guest("echoesAtSecondUart");
+  guest.handleLine(66, "echoesByteOfSecondUart");
+  VirtualBoard board(guest.image());
+  std::vector<std::uint32_t> ports;
+  board.onEvent([&ports](const Event& event) {
+    if (event.kind == Event::Kind::ByteSent) {
+      ports.push_back(event.number);
+    }
+  });
+  ASSERT_TRUE(board.runUntil(1ms));
+  board.receive(Bytes{9});
+  board.receiveOn(4, Bytes{1, 2});
+  ASSERT_TRUE(board.runUntil(2ms));
+  EXPECT_THAT(board.takeSentOn(4), ElementsAre(2, 3));
+  EXPECT_TRUE(board.takeSent().empty());
+  EXPECT_THAT(ports, ElementsAre(4, 4));
+  EXPECT_EQ(told(board, 1), 0x88U);
+  EXPECT_THROW(board.receiveOn(2, Bytes{1}), std::invalid_argument);
+}
+
+/// @brief The line of the second serial port has a speed of its own.
+TEST(SecondSerialPortOfBoard, IsHeldAgainstItsOwnLine) {
+  Guest guest("echoesAtSecondUart");
+  guest.handleLine(66, "echoesByteOfSecondUart");
+  VirtualBoard board(guest.image());
+  board.setLineBaudOn(4, 9'600);
+  ASSERT_TRUE(board.runUntil(1ms));
+  board.receiveOn(4, Bytes{1});
+  EXPECT_FALSE(board.runUntil(10ms));
+  ASSERT_TRUE(board.finding());
+  EXPECT_EQ(board.finding()->id, "uart-baud");
+  EXPECT_NE(board.finding()->what.find("UART4"), std::string::npos);
+}
+
+/// @brief The program sees a level at the time for which it was given, whatever the order in which
+/// the levels were given.
+TEST(WorldOfBoard, LevelsComeAtTheirTimes) {
+  Guest guest("watchesEdges");
+  guest.handleLine(62, "notesEdge");
+  VirtualBoard board(guest.image());
+  std::vector<nanoseconds> entered;
+  board.onEvent([&entered](const Event& event) {
+    if (event.kind == Event::Kind::ExceptionEntered) {
+      entered.push_back(event.at);
+    }
+  });
+  board.driveAt(3ms, 'D', 0, false);
+  board.driveAt(2ms, 'D', 0, true);
+  ASSERT_TRUE(board.runUntil(1ms));
+  EXPECT_FALSE(board.pin('D', 0));
+  ASSERT_TRUE(board.runUntil(10ms));
+  EXPECT_THAT(notes(board), ElementsAre(0x10001, 0x00001));
+  ASSERT_EQ(entered.size(), 2U);
+  EXPECT_NEAR(static_cast<double>((entered[0] - 2ms).count()), 12 * kBusClock, 100);
+  EXPECT_NEAR(static_cast<double>((entered[1] - 3ms).count()), 12 * kBusClock, 100);
+}
+
+/// @brief Of two levels for the same time the later one stays, and a level for the past comes now.
+TEST(WorldOfBoard, LevelsOfOneTimeComeInTheirOrder) {
+  Guest guest("watchesEdges");
+  guest.handleLine(62, "notesEdge");
+  VirtualBoard board(guest.image());
+  ASSERT_TRUE(board.runUntil(1ms));
+  board.driveAt(2ms, 'D', 5, true);
+  board.driveAt(2ms, 'D', 5, false);
+  board.driveAt(500us, 'D', 6, true);
+  ASSERT_TRUE(board.runUntil(3ms));
+  EXPECT_FALSE(board.pin('D', 5));
+  EXPECT_TRUE(board.pin('D', 6));
+}
+
+/// @brief Each pin interrupts at the edges that it was told; one without digital function never, and
+/// that a pin becomes digital is no edge.
+TEST(WorldOfBoard, PinsInterruptAtTheirEdges) {
+  Guest guest("watchesEdges");
+  guest.handleLine(62, "notesEdge");
+  VirtualBoard board(guest.image());
+  for (int pin = 0; pin < 4; ++pin) {
+    board.drive('D', pin, true);
+  }
+  for (int pin = 0; pin < 4; ++pin) {
+    board.driveAt(1ms * (2 + pin), 'D', pin, false);
+    board.driveAt(1ms * (12 + pin), 'D', pin, true);
+  }
+  ASSERT_TRUE(board.runUntil(30ms));
+  EXPECT_THAT(notes(board), ElementsAre(0x60001, 0x00004, 0x10001, 0x30002));
+}
+
+/// @brief An interrupt that a level raises comes again until the level goes.
+TEST(WorldOfBoard, LevelInterruptsUntilItGoes) {
+  Guest guest("watchesLevel");
+  guest.handleLine(62, "notesEdge");
+  VirtualBoard board(guest.image());
+  board.drive('D', 0, true);
+  board.driveAt(1ms, 'D', 0, false);
+  board.driveAt(1ms + 20us, 'D', 0, true);
+  ASSERT_TRUE(board.runUntil(2ms));
+  EXPECT_GT(notes(board).size(), 3U);
+  EXPECT_LT(notes(board).size(), 20U);
+}
+
+/// @brief What is called at times is called at each multiple of the period, before the instructions
+/// of that time, also while the program sleeps.
+TEST(WorldOfBoard, CallsComeAtMultiplesOfTheirPeriod) {
+  VirtualBoard board(Guest("emptyProgram").image());
+  ASSERT_TRUE(board.runUntil(2'500us));
+  std::vector<nanoseconds> times;
+  std::vector<std::string> order;
+  board.onTime(1ms, [&] {
+    times.push_back(board.now());
+    order.emplace_back("slow");
+  });
+  board.onTime(500us, [&order] { order.emplace_back("fast"); });
+  ASSERT_TRUE(board.runUntil(5ms));
+  ASSERT_EQ(times.size(), 3U);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    EXPECT_NEAR(static_cast<double>(times[i].count()), 3e6 + 1e6 * static_cast<double>(i), 50);
+  }
+  EXPECT_THAT(order, ElementsAre("slow", "fast", "fast", "slow", "fast", "fast", "slow", "fast"));
+  EXPECT_THROW(board.onTime(0ns, [] {}), std::invalid_argument);
+}
+
+/// @brief No interrupt of a robot with four wheels gets lost: each millisecond a timer, five
+/// conversions at two converters, and an edge of each wheel.
+TEST(WorldOfBoard, InterruptsOfFourWheelsAreAllTaken) {
+  Guest guest("drivesFourWheels");
+  guest.handleLine(48, "startsConversions").handleLine(62, "countsEdges");
+  guest.handleLine(39, "takesConversion0").handleLine(73, "takesConversion1");
+  VirtualBoard board(guest.image());
+  ASSERT_TRUE(board.runUntil(100ms));
+  const std::array before{told(board, 0), told(board, 1), told(board, 2)};
+  bool level = true;
+  board.onTime(1ms, [&] {
+    for (int wheel = 0; wheel < 4; ++wheel) {
+      board.driveAt(board.now() + 200us * (wheel + 1), 'D', 2 * wheel, level);
+    }
+    level = !level;
+  });
+  ASSERT_TRUE(board.runUntil(1'100'950us));
+  EXPECT_NEAR(told(board, 0) - before[0], 1000, 1);
+  EXPECT_NEAR(told(board, 1) - before[1], 5000, 10);
+  EXPECT_EQ(told(board, 2) - before[2], 4000U);
+}
+
+/// @brief A call can give levels and voltages, and add a call.
+TEST(WorldOfBoard, CallsMayUseTheBoard) {
+  Guest guest("watchesEdges");
+  guest.handleLine(62, "notesEdge");
+  VirtualBoard board(guest.image());
+  int added = 0;
+  board.onTime(1ms, [&] {
+    board.driveAt(board.now() + 300us, 'D', 0, !board.pin('D', 0));
+    if (board.now() < 2ms) {
+      board.onTime(1ms, [&added] { ++added; });
+    }
+  });
+  ASSERT_TRUE(board.runUntil(4'500us));
+  EXPECT_EQ(notes(board).size(), 4U);
+  EXPECT_EQ(added, 3);
+}
+
+}  // namespace
+}  // namespace wr::test

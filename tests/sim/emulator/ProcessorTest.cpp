@@ -1,0 +1,198 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <vector>
+
+#include "sim/emulator/CallRecorder.hpp"
+#include "sim/emulator/Guest.hpp"
+#include "sim/emulator/VirtualBoard.hpp"
+
+namespace wr::test {
+namespace {
+
+using namespace std::chrono_literals;
+using emulator::Event;
+using emulator::VirtualBoard;
+using testing::ElementsAre;
+
+// A core clock of 32768 Hz * 640 after reset.
+constexpr std::uint32_t kStartHz = 20'971'520;
+
+/// @brief An interrupt of higher priority runs inside the handler of a lower one.
+TEST(ProcessorOfBoard, HigherPriorityPreempts) {
+  Guest guest("pendsHigherPriority");
+  guest.handleLine(1, "pendsTwoInside").handleLine(2, "notesTwo");
+  VirtualBoard board(guest.image());
+  ASSERT_TRUE(board.runUntil(1ms));
+  EXPECT_THAT(notes(board), ElementsAre(10, 2, 11, 20));
+}
+
+/// @brief An interrupt of equal priority follows the handler without a return between them.
+TEST(ProcessorOfBoard, EqualPriorityFollowsByTailChaining) {
+  Guest guest("pendsEqualPriority");
+  guest.handleLine(1, "pendsTwoInside").handleLine(2, "notesTwo");
+  VirtualBoard board(guest.image());
+  std::vector<Event> events;
+  board.onEvent([&events](const Event& event) { events.push_back(event); });
+  ASSERT_TRUE(board.runUntil(1ms));
+  EXPECT_THAT(notes(board), ElementsAre(10, 11, 2, 20));
+  ASSERT_EQ(events.size(), 4U);
+  EXPECT_EQ(events[1].kind, Event::Kind::ExceptionLeft);
+  EXPECT_EQ(events[2].kind, Event::Kind::ExceptionEntered);
+  // 6 cycles from one to the next, not the 22 of a return and an entry.
+  EXPECT_LE(events[2].at - events[1].at, 6 * 48ns);
+}
+
+/// @brief Masked interrupts wait, and come in the order of their priorities and numbers; an
+/// interrupt behind PRIMASK ends the sleep and comes when the mask is taken away.
+TEST(ProcessorOfBoard, MasksKeepInterruptsWaiting) {
+  Guest guest("pendsTwoBehindMask");
+  guest.handleLine(1, "notesOne").handleLine(2, "notesTwo").handleLine(3, "notesThree");
+  VirtualBoard board(guest.image());
+  ASSERT_TRUE(board.runUntil(1ms));
+  EXPECT_THAT(notes(board), ElementsAre(2, 20, 1, 3, 21, 22, 23, 1, 24));
+}
+
+/// @brief The floating-point registers of the interrupted program come back.
+TEST(ProcessorOfBoard, FloatingPointRegistersAreKept) {
+  Guest guest("keepsFpuRegisters");
+  guest.handleLine(1, "spoilsFpuRegisters");
+  VirtualBoard board(guest.image());
+  ASSERT_TRUE(board.runUntil(1ms));
+  EXPECT_EQ(told(board, 0), 0x11111111U);
+  EXPECT_EQ(told(board, 1), 0x22222222U);
+  EXPECT_EQ(told(board, 2), 0x10000000U);
+  EXPECT_EQ(told(board, 3), 0U);
+}
+
+/// @brief A program on the process stack gets its frame there, and its handler the main stack.
+TEST(ProcessorOfBoard, ProcessStackHoldsTheFrame) {
+  Guest guest("usesProcessStack");
+  guest.handleLine(1, "tellsFrame");
+  VirtualBoard board(guest.image());
+  ASSERT_TRUE(board.runUntil(1ms));
+  EXPECT_EQ(told(board, 0), 0xFFFFFFFDU);
+  EXPECT_GT(told(board, 1), 0x20007000U);
+  EXPECT_EQ(told(board, 2), 0x20001000U - 0x20);
+  EXPECT_EQ(told(board, 3), 0x20001000U);
+  EXPECT_EQ(told(board, 4), 2U);
+}
+
+/// @brief A bus fault is delivered with its address when its handler is on.
+TEST(ProcessorOfBoard, BusFaultTellsTheAddress) {
+  Guest guest("faultsWithHandlerOn");
+  guest.handle(5, "tellsFault");
+  VirtualBoard board(guest.image(), {.faultsAreFindings = false});
+  ASSERT_TRUE(board.runUntil(1ms));
+  EXPECT_EQ(told(board, 0), 0x8200U);
+  EXPECT_EQ(told(board, 2), 0x30000000U);
+  EXPECT_EQ(told(board, 3), 5U);
+}
+
+/// @brief A fault whose handler is off becomes a HardFault.
+TEST(ProcessorOfBoard, FaultBecomesHardFault) {
+  Guest guest("faultsWithHandlerOff");
+  guest.handle(3, "tellsFault");
+  VirtualBoard board(guest.image(), {.faultsAreFindings = false});
+  ASSERT_TRUE(board.runUntil(1ms));
+  EXPECT_EQ(told(board, 1), 0x40000000U);
+  EXPECT_EQ(told(board, 3), 3U);
+}
+
+/// @brief A fault that the test raises reaches the program, also when faults are findings.
+TEST(ProcessorOfBoard, RaisedFaultIsDelivered) {
+  Guest guest("countsUp");
+  guest.handle(3, "tellsFault");
+  VirtualBoard board(guest.image());
+  ASSERT_TRUE(board.runUntil(1ms));
+  board.raise(3);
+  ASSERT_TRUE(board.runUntil(2ms));
+  EXPECT_EQ(told(board, 3), 3U);
+}
+
+/// @brief Each instruction takes one cycle, and the cycle counter tells so.
+TEST(ProcessorOfBoard, CycleCounterCountsInstructions) {
+  VirtualBoard board(Guest("measures100Instructions").image());
+  ASSERT_TRUE(board.runUntil(1ms));
+  EXPECT_GE(told(board, 0), 100U);
+  EXPECT_LE(told(board, 0), 104U);
+  EXPECT_EQ(board.clockHz(), kStartHz);
+}
+
+/// @brief SysTick counts core clocks; sleep in between costs no instruction.
+TEST(ProcessorOfBoard, SysTickEndsSleep) {
+  Guest guest("startsSysTick");
+  guest.handle(15, "countsTicks");
+  VirtualBoard board(guest.image());
+  ASSERT_TRUE(board.runUntil(1'000'500us));
+  EXPECT_EQ(told(board, 0), 1000U);
+  EXPECT_LT(board.instructions(), 20'000U);
+}
+
+/// @brief An interrupt may come inside an IT block: its handler is not conditional, and the rest of the
+/// block goes on after it.
+TEST(ProcessorOfBoard, InterruptsComeInsideConditionalBlocks) {
+  Guest guest("runsConditionalBlocks");
+  guest.handle(15, "countsTicksBetweenConditions");
+  VirtualBoard board(guest.image());
+  ASSERT_TRUE(board.runUntil(50ms));
+  EXPECT_GT(told(board, 2), 500U);
+  EXPECT_EQ(told(board, 0), 5'000U * (1 + 100'000));
+}
+
+/// @brief A run can stop at an interrupt and at the sleep after it.
+TEST(ProcessorOfBoard, RunsToInterruptAndToSleep) {
+  Guest guest("runsTimers");
+  guest.handleLine(48, "acknowledgesTimer");
+  VirtualBoard board(guest.image());
+  ASSERT_TRUE(board.runToSleep(1ms));
+  ASSERT_TRUE(board.runToInterrupt(48, 200ms));
+  const auto first = board.now();
+  ASSERT_TRUE(board.runToSleep(200ms));
+  EXPECT_GT(board.now(), first);
+  EXPECT_LT(board.now(), first + 10us);
+  EXPECT_FALSE(board.runToInterrupt(49, 300ms));
+  EXPECT_FALSE(board.finding());
+  EXPECT_EQ(board.now(), 300ms);
+}
+
+/// @brief Calls are recorded as they are entered and left, those of interrupts too.
+TEST(ProcessorOfBoard, CallsAreRecorded) {
+  Guest guest("callsFunctions");
+  guest.handleLine(1, "handlerThatAcknowledgesNothing");
+  VirtualBoard board(guest.image());
+  emulator::CallRecorder recorder(Guest::elf());
+  board.record(recorder);
+  ASSERT_TRUE(board.runUntil(1ms));
+  constexpr std::uint64_t kLeft = std::uint64_t{1} << 63U;
+  const std::uint64_t program = guest.addressOf("callsFunctions");
+  const std::uint64_t outer = guest.addressOf("outer");
+  const std::uint64_t inner = guest.addressOf("inner");
+  const std::uint64_t handler = guest.addressOf("handlerThatAcknowledgesNothing");
+  EXPECT_THAT(recorder.events(),
+              ElementsAre(program, outer, inner, inner | kLeft, inner, inner | kLeft, outer | kLeft,
+                          handler, handler | kLeft, inner, inner | kLeft));
+}
+
+/// @brief An interrupt that calls the same as before is recorded once, until the record is cleared.
+TEST(ProcessorOfBoard, CallsOfAnInterruptThatRepeatsAreRecordedOnce) {
+  Guest guest("callsFunctions");
+  guest.handleLine(1, "handlerThatAcknowledgesNothing");
+  VirtualBoard board(guest.image());
+  emulator::CallRecorder recorder(Guest::elf());
+  board.record(recorder);
+  ASSERT_TRUE(board.runUntil(1ms));
+  const std::vector<std::uint64_t> before = recorder.events();
+  const std::uint64_t handler = guest.addressOf("handlerThatAcknowledgesNothing");
+  board.raise(16 + 1);
+  ASSERT_TRUE(board.runUntil(2ms));
+  EXPECT_EQ(recorder.events(), before);
+  recorder.clear();
+  board.raise(16 + 1);
+  ASSERT_TRUE(board.runUntil(3ms));
+  EXPECT_THAT(recorder.events(), ElementsAre(handler, handler | std::uint64_t{1} << 63U));
+}
+
+}  // namespace
+}  // namespace wr::test

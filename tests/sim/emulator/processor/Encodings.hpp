@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace wr::emulator::reference {
+
+/// @brief The encodings of an instruction, as the manual draws them.
+///
+/// Each letter is a field with random bits: `d` `e` `n` `m` `a` core registers but the stack
+/// pointer and the program counter, `b` one that points to memory, `i` one with a small number; `x`
+/// any bits; `v` bits of a list of registers, two at least.
+struct Encoding {
+  std::string_view name;
+  std::string_view bits;
+  std::string_view differ = "";  ///< fields that must not be equal, two by two
+  bool toNearest = false;        ///< the engine rounds it as FPSCR says, which is wrong
+  bool qTooOften =
+      false;  ///< the engine sets Q when a part of the sum is too large, which is wrong
+};
+
+/// @brief All instructions of ARMv7E-M with FPv4-SP that go on with the next one.
+std::span<const Encoding> encodings();
+
+}  // namespace wr::emulator::reference

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+struct uc_struct;
+
+namespace wr::emulator::reference {
+
+/// @brief What an instruction reads and writes.
+struct State {
+  std::array<std::uint32_t, 15> core{};  ///< registers 0 to 14
+  std::uint32_t pc = 0;
+  std::uint32_t flags = 0;  ///< N, Z, C, V, Q and GE, as in APSR
+  std::array<std::uint32_t, 32> single{};
+  std::uint32_t fpscr = 0;
+
+  friend bool operator==(const State&, const State&) = default;
+};
+
+inline constexpr std::uint32_t kCode = 0x1000;
+inline constexpr std::uint32_t kCodeSize = 0x1000;
+inline constexpr std::uint32_t kRam = 0x20000000;
+inline constexpr std::uint32_t kRamSize = 0x2000;
+
+/// @brief The Cortex-M4 of the Unicorn engine, which is written by others: a second opinion on what
+/// instructions do. It is under the GPL, and linked to these tests only.
+class UnicornCore {
+ public:
+  UnicornCore();
+  ~UnicornCore();
+  UnicornCore(const UnicornCore&) = delete;
+  UnicornCore& operator=(const UnicornCore&) = delete;
+
+  /// @brief Executes what is given, from its start to its end.
+  /// @param code one instruction, or IT and one
+  /// @param state before, and after
+  /// @return false when it is undefined or faults
+  bool execute(std::span<const std::uint8_t> code, State& state);
+
+  /// @brief The memory that instructions read and write.
+  [[nodiscard]] std::span<std::uint8_t> ram() { return ram_; }
+
+ private:
+  uc_struct* engine_ = nullptr;
+  std::vector<std::uint8_t> ram_ = std::vector<std::uint8_t>(kRamSize);
+  bool faulted_ = false;
+};
+
+}  // namespace wr::emulator::reference

@@ -1,0 +1,188 @@
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <functional>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "services/Command.hpp"
+#include "sim/host/HostScheduler.hpp"
+#include "sim/host/HostSerialPort.hpp"
+#include "sim/host/HostThread.hpp"
+#include "sim/host/HostTimebase.hpp"
+#include "sim/host/HostTimer.hpp"
+#include "sim/scenario/PcFrames.hpp"
+
+namespace wr::test {
+namespace {
+
+class Body final : public Command {
+ public:
+  explicit Body(std::function<void()> action) : action_(std::move(action)) {}
+  void execute() override { action_(); }
+
+ private:
+  std::function<void()> action_;
+};
+
+class HostSchedulerTest : public testing::Test {
+ protected:
+  using Log = std::vector<std::string>;
+
+  Log log;
+  host::HostScheduler scheduler;
+  host::HostThread low{scheduler, 1};
+  host::HostThread high{scheduler, 2};
+  host::HostThread alsoHigh{scheduler, 2};
+};
+
+/// @brief A thread of higher priority runs before the post that pends it returns.
+TEST_F(HostSchedulerTest, HigherPriorityRunsAtOnce) {
+  Body highBody([&] { log.emplace_back("high"); });
+  Body lowBody([&] {
+    log.emplace_back("low begins");
+    high.post();
+    log.emplace_back("low ends");
+  });
+  high.start(highBody);
+  low.start(lowBody);
+  low.post();
+  EXPECT_EQ(log, (Log{"low begins", "high", "low ends"}));
+}
+
+/// @brief Threads of equal or lower priority run when the running one has ended, the higher first.
+TEST_F(HostSchedulerTest, OthersRunAfterTheRunningOne) {
+  Body lowBody([&] { log.emplace_back("low"); });
+  Body alsoHighBody([&] { log.emplace_back("also high"); });
+  Body highBody([&] {
+    low.post();
+    alsoHigh.post();
+    log.emplace_back("high ends");
+  });
+  low.start(lowBody);
+  high.start(highBody);
+  alsoHigh.start(alsoHighBody);
+  high.post();
+  EXPECT_EQ(log, (Log{"high ends", "also high", "low"}));
+}
+
+/// @brief A thread that an interrupt posts runs after the interrupt.
+TEST_F(HostSchedulerTest, ThreadRunsAfterTheInterrupt) {
+  Body highBody([&] { log.emplace_back("high"); });
+  high.start(highBody);
+  scheduler.interrupt([&] {
+    high.post();
+    log.emplace_back("interrupt ends");
+  });
+  EXPECT_EQ(log, (Log{"interrupt ends", "high"}));
+}
+
+/// @brief A thread that posts itself runs once more, not nested.
+TEST_F(HostSchedulerTest, ThreadThatPostsItselfRunsAgain) {
+  int runs = 0;
+  Body body([&] {
+    log.emplace_back("begin");
+    if (++runs == 1) {
+      low.post();
+    }
+    log.emplace_back("end");
+  });
+  low.start(body);
+  low.post();
+  EXPECT_EQ(log, (Log{"begin", "end", "begin", "end"}));
+  EXPECT_EQ(low.overruns(), 1);
+}
+
+/// @brief A timer that is stopped raises no interrupt; the flag of a raised one stays until acknowledged.
+TEST_F(HostSchedulerTest, TimerRaisesItsInterruptWhileItRuns) {
+  host::HostTimer timer(scheduler);
+  int pulses = 0;
+  timer.connect([&] { ++pulses; });
+  timer.periodPassed();
+  EXPECT_EQ(pulses, 0);
+  timer.start(milliseconds(100));
+  timer.periodPassed();
+  EXPECT_EQ(pulses, 1);
+  EXPECT_TRUE(timer.pending());
+  timer.acknowledge();
+  EXPECT_FALSE(timer.pending());
+  timer.stop();
+  timer.periodPassed();
+  EXPECT_EQ(pulses, 1);
+}
+
+/// @brief Stepped time passes only when it is advanced.
+TEST(HostTimebaseTest, SteppedTimePassesByHand) {
+  host::HostTimebase time;
+  EXPECT_EQ(time.now(), Instant(0));
+  time.advance(milliseconds(3));
+  EXPECT_EQ(time.now(), Instant(3000));
+}
+
+/// @brief Real time runs from its construction, and a sleep ends no earlier than its instant.
+TEST(HostTimebaseTest, RealTimeRuns) {
+  const host::RealTimebase time;
+  const Instant wake = time.now() + milliseconds(5);
+  EXPECT_LT(time.now(), Instant(5'000'000));
+  time.sleepUntil(wake);
+  EXPECT_GE(time.now(), wake);
+}
+
+scenario::Bytes counting(std::size_t count) {
+  scenario::Bytes bytes(count);
+  std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});
+  return bytes;
+}
+
+// All bytes that a port has received.
+scenario::Bytes readAll(SerialPort& port) {
+  scenario::Bytes all;
+  scenario::Bytes read(4096);
+  for (std::size_t count = port.read(read); count != 0; count = port.read(read)) {
+    all.insert(all.end(), read.begin(), read.begin() + static_cast<std::ptrdiff_t>(count));
+  }
+  return all;
+}
+
+/// @brief Received bytes are read in their order; what finds no room is counted as lost.
+TEST(HostSerialPortTest, ReceivesUpToItsCapacity) {
+  host::HostSerialPort port;
+  port.arrive(counting(host::HostSerialPort::kReceived + 3));
+  EXPECT_EQ(port.lostBytes(), 3);
+  EXPECT_EQ(readAll(port), counting(host::HostSerialPort::kReceived));
+}
+
+/// @brief A read ends with a zero byte, and the port says when that byte came.
+/// @verifies FR-20
+TEST(HostSerialPortTest, ReadEndsWithAZeroByte) {
+  host::HostTimebase time;
+  host::HostSerialPort port;
+  port.setClock(time);
+  time.advance(milliseconds(5));
+  port.arrive(scenario::Bytes{1, 2, 0, 3});
+  time.advance(milliseconds(2));
+  port.arrive(scenario::Bytes{0, 4});
+  scenario::Bytes read(8);
+  EXPECT_EQ(port.read(read), 3U);
+  EXPECT_EQ(port.receivedAt(), Instant(5000));
+  EXPECT_EQ(port.read(read), 2U);
+  EXPECT_EQ(port.receivedAt(), Instant(7000));
+  EXPECT_EQ(port.read(read), 1U);
+  EXPECT_EQ(port.read(read), 0U);
+}
+
+/// @brief A write is taken whole or not at all.
+TEST(HostSerialPortTest, WritesAllOrNothing) {
+  host::HostSerialPort port;
+  EXPECT_TRUE(port.write(counting(host::HostSerialPort::kSent - 2)));
+  EXPECT_EQ(port.free(), 2U);
+  EXPECT_FALSE(port.write(counting(3)));
+  EXPECT_EQ(port.takeSent(), counting(host::HostSerialPort::kSent - 2));
+  EXPECT_TRUE(port.write(counting(3)));
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "sim/host_robot/HostSession.hpp"
+#include "sim/scenario/Scenario.hpp"
+#include "sim/scenario/ScenarioPlayer.hpp"
+
+namespace wr::test {
+namespace {
+
+std::vector<std::string> examples() {
+  std::vector<std::string> names;
+  const auto folder = std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/examples";
+  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+    names.push_back(file.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+// All reports of a run, with the true values at their times.
+std::string reportsOf(const scenario::Scenario& scenario) {
+  host_robot::HostSession robot;
+  robot.start();
+  std::ostringstream reports;
+  static_cast<void>(scenario::ScenarioPlayer(scenario, robot, &reports).play());
+  return reports.str();
+}
+
+class Repeatability : public testing::TestWithParam<std::string> {};
+
+/// @brief An example that is played twice gives the same reports, and the robot moves in the same way.
+/// @verifies NFR-6
+TEST_P(Repeatability, NFR6_SameScenarioGivesTheSameRun) {
+  const scenario::Scenario scenario = scenario::Scenario::load(
+      std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/examples" / (GetParam() + ".scenario"));
+  const std::string first = reportsOf(scenario);
+  EXPECT_GT(std::ranges::count(first, '\n'), 50);
+  EXPECT_EQ(first, reportsOf(scenario));
+}
+
+INSTANTIATE_TEST_SUITE_P(Examples, Repeatability, testing::ValuesIn(examples()),
+                         [](const auto& example) { return example.param; });
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,258 @@
+"""Measures the usual design and that of the robot: the same tests, scenario, compiler and flags."""
+
+from __future__ import annotations
+
+import bisect
+import json
+import os
+import re
+import shutil
+import subprocess
+from collections import Counter, defaultdict
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any, TextIO
+
+import lizard
+
+from tools.cmake_build import BOARD_PROGRAM, jobs
+from tools.sizes import Size, image_sizes, output, total
+from tools.steps import FailureError, run
+from traceability.reading.baseline_record import (
+    DESIGNS,
+    FOLDER,
+    PATTERNS,
+    RESULT,
+    SCENARIO,
+    changes_of,
+    count_patch,
+    patch_of,
+)
+from traceability.sources import FRAMES, SRC, files_below
+
+TESTS = "usual_design_tests"
+WORK = Path("build/usual_design")
+COPIED = ("CMakeLists.txt", "src", "extensions", "sim", "tests", "design", *FRAMES)
+MAIN = "main"  # the composition: its objects are the design's own
+STACK = "stack"
+INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
+SYMBOL = re.compile(r"^([0-9a-f]+) [tTwW] (.+)$", re.MULTILINE)
+
+
+def compare(root: Path, log: TextIO) -> None:
+    """Writes build/results/usual_design.json."""
+    run(log, [root / "build/host/tests/usual_design" / TESTS])
+    runs = {design: measure_run(root, log, design) for design in DESIGNS}
+    sizes = {design: sizes_of(root, design) for design in DESIGNS}
+    figures = {
+        design: {
+            **run_figures(runs[design]),
+            **size_figures(sizes[design], own_parts(sizes, design)),
+            **source_figures(own_sources(root, sizes, design)),
+        }
+        for design in DESIGNS
+    }
+    functions = {
+        design: instructions_by_function(
+            runs[design], output("arm-none-eabi-nm", "--demangle", image_of(root, design, ".elf"))
+        )
+        for design in DESIGNS
+    }
+    result = {
+        "cycles": len(runs[PATTERNS]["instructions"]),
+        "figures": figures,
+        "functions": functions,
+        "changes": {change: try_change(root, log, change) for change in changes_of(root)},
+    }
+    path = root / RESULT
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+
+
+def image_name(design: str) -> str:
+    return f"one_wheel_{design}"
+
+
+def image_of(root: Path, design: str, suffix: str) -> Path:
+    return root / "build/k64" / f"{image_name(design)}{suffix}"
+
+
+# ---- instructions ------------------------------------------------------------
+
+
+def measure_run(root: Path, log: TextIO, design: str) -> dict[str, Any]:
+    """Plays the scenario with the image of a design on the virtual K64."""
+    found = root / WORK / f"{design}.json"
+    found.parent.mkdir(parents=True, exist_ok=True)
+    found.unlink(missing_ok=True)
+    run(
+        log,
+        [
+            root / "build/host/sim" / BOARD_PROGRAM,
+            *("--image", image_of(root, design, ".bin")),
+            *("--elf", image_of(root, design, ".elf")),
+            *("--scenario", root / SCENARIO, "--bench", found, "--profile"),
+        ],
+    )
+    measured: dict[str, Any] = json.loads(found.read_text(encoding="utf-8"))
+    return measured
+
+
+def run_figures(measured: dict[str, Any]) -> dict[str, float]:
+    reports, cycles = measured["report_instructions"], measured["instructions"]
+    return {
+        "report_avg": sum(reports) / len(reports),
+        "report_max": max(reports),
+        "cycle_avg": sum(cycles) / len(cycles),
+        "cycle_max": max(cycles),
+        "stack": measured["stack_bytes"],
+    }
+
+
+def instructions_by_function(measured: dict[str, Any], symbols: str) -> dict[str, float]:
+    """Function -> instructions in a cycle, on average; the largest first."""
+    starts = sorted({int(at, 16) & ~1: name for at, name in SYMBOL.findall(symbols)}.items())
+    addresses = [at for at, _ in starts]
+    counts: Counter[str] = Counter()
+    for address, times in measured["profile"].items():
+        place = bisect.bisect_right(addresses, int(address)) - 1
+        counts[starts[place][1] if place >= 0 else "?"] += sum(times)
+    cycles = len(measured["instructions"])
+    return {name: count / cycles for name, count in counts.most_common()}
+
+
+# ---- flash and RAM -----------------------------------------------------------
+
+
+def sizes_of(root: Path, design: str) -> dict[str, Size]:
+    return image_sizes(image_of(root, design, ".elf"), image_of(root, design, ".map"))
+
+
+def own_parts(sizes: dict[str, dict[str, Size]], design: str) -> set[str]:
+    """The parts that only this design has, and its composition."""
+    others = set().union(*(sizes[other] for other in sizes if other != design))
+    return {part for part in sizes[design] if part not in others or part == MAIN}
+
+
+def size_figures(sizes: dict[str, Size], own: Iterable[str]) -> dict[str, int]:
+    whole = total({part: size for part, size in sizes.items() if part != STACK})
+    alone = total({part: sizes[part] for part in own})
+    return {
+        "flash": whole.flash,
+        "ram": whole.ram,
+        "own_flash": alone.flash,
+        "own_ram": alone.ram,
+    }
+
+
+# ---- complexity and lines ----------------------------------------------------
+
+
+def own_sources(root: Path, sizes: dict[str, dict[str, Size]], design: str) -> list[Path]:
+    """What is written for one design only: its sources, and what they alone include."""
+    closures = {one: closure(root, sources_in(root, sizes, one)) for one in sizes}
+    others = set().union(*(closures[one] for one in sizes if one != design))
+    return sorted(closures[design] - others)
+
+
+def sources_in(root: Path, sizes: dict[str, dict[str, Size]], design: str) -> list[Path]:
+    """The sources of the parts that only this design has."""
+    own = own_parts(sizes, design)
+    paths = files_below(root, (SRC, str(FOLDER / design)), (".cpp",))
+    return [path for path in paths if path.stem in own - {MAIN}]
+
+
+def closure(root: Path, sources: Iterable[Path]) -> set[Path]:
+    """Sources, and all files of the project that they include."""
+    found: set[Path] = set()
+    waiting = list(sources)
+    while waiting:
+        path = waiting.pop()
+        if path in found:
+            continue
+        found.add(path)
+        for name in INCLUDE.findall(path.read_text(encoding="utf-8")):
+            waiting += [
+                root / base / name for base in (SRC, "tests") if (root / base / name).is_file()
+            ]
+    return found
+
+
+def source_figures(paths: list[Path]) -> dict[str, float]:
+    """Complexity and lines, as lizard counts them."""
+    files = [lizard.analyze_file(str(path)) for path in paths]
+    complexity = [one.cyclomatic_complexity for file in files for one in file.function_list]
+    return {
+        "files": len(files),
+        "lines": sum(file.nloc for file in files),
+        "functions": len(complexity),
+        "complexity_max": max(complexity),
+        "complexity_mean": sum(complexity) / len(complexity),
+        "complexity_sum": sum(complexity),
+    }
+
+
+# ---- likely changes ----------------------------------------------------------
+
+
+def try_change(root: Path, log: TextIO, change: str) -> dict[str, Any]:
+    """Applies the patches of a change to a copy, and runs its test there with both designs."""
+    tree = root / WORK / "tree"
+    renew_copy(root, tree)
+    counts = {}
+    for design in DESIGNS:
+        patch = root / patch_of(change, design)
+        apply(log, tree, patch)
+        counts[design] = count_patch(patch.read_text(encoding="utf-8")).as_json()
+    program = f"change_{change}_tests"
+    folder = tree.parent / "tree-build"
+    configure: list[str | Path] = ["cmake", "-G", "Ninja", "-S", tree, "-B", folder]
+    run(log, [*configure, "-DCMAKE_CXX_FLAGS=-O0", "-DCMAKE_CXX_COMPILER=g++"])
+    run(log, ["cmake", "--build", folder, "--parallel", jobs(), "--target", program])
+    results = tree.parent / f"{change}.json"
+    results.unlink(missing_ok=True)
+    run(log, [folder / "tests/usual_design" / program, f"--gtest_output=json:{results}"])
+    passed = tests_by_design(json.loads(results.read_text(encoding="utf-8")))
+    for design in DESIGNS:
+        if not passed[design]:
+            raise FailureError(f"no test of the change {change} ran with the {DESIGNS[design]}")
+        counts[design]["tests"] = passed[design]
+    return counts
+
+
+def tests_by_design(results: dict[str, Any]) -> dict[str, int]:
+    """Design -> number of tests; the suites are named Suite/Usual and Suite/Patterns."""
+    found: dict[str, int] = defaultdict(int)
+    for suite in results["testsuites"]:
+        found[suite["name"].rpartition("/")[2].lower()] += suite["tests"]
+    return {design: found[design] for design in DESIGNS}
+
+
+def apply(log: TextIO, tree: Path, patch: Path) -> None:
+    # The copy is no repository of its own, and not to be taken for a part of the one around it.
+    environment = {**os.environ, "GIT_CEILING_DIRECTORIES": str(tree.parent)}
+    words = ["git", "-C", str(tree), "apply", "--whitespace=nowarn", str(patch)]
+    log.write(f"$ {' '.join(words)}\n")
+    done = subprocess.run(words, env=environment, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise FailureError(
+            f"{patch.parent.name}/{patch.name} does not apply: {done.stderr.strip()}"
+        )
+
+
+def renew_copy(root: Path, tree: Path) -> None:
+    """Makes the copy the same as the sources; files that are the same keep their times."""
+    python = root / "tests/python"
+    wanted = {
+        path.relative_to(root): path
+        for path in files_below(root, COPIED)
+        if python not in path.parents
+    }
+    for path in files_below(tree, COPIED):
+        if path.relative_to(tree) not in wanted:
+            path.unlink()
+    for name, path in wanted.items():
+        copy = tree / name
+        if not copy.exists() or copy.read_bytes() != path.read_bytes():
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(path, copy)

@@ -1,0 +1,180 @@
+"""./wr bench: the paper's four scenarios, measured on the image that is flashed."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from tools.lock import only_one
+from tools.steps import FailureError
+from tools.tasks import graph
+from traceability.reading import task_record
+from traceability.reading.bench_record import (
+    BENCH,
+    FOLDER,
+    MANUAL,
+    PERIOD_MS,
+    SCENARIOS,
+    SLOW,
+    spread,
+)
+from weeding_robot_client.link import Link
+from weeding_robot_client.messages import Quantity, Report
+from weeding_robot_client.options import positive
+from weeding_robot_client.orders import Orders as Sender
+from weeding_robot_client.orders import arm, connect, not_connected
+from weeding_robot_client.script import Wish
+
+# What ./wr bench measures besides: the baseline design, and what the records of the tests cost.
+BESIDES = (task_record.BASELINE, task_record.TESTS_TRACE, task_record.TESTS_PLAIN)
+CORE_PER_MS = 120_000
+ORDER = re.compile(r"from (\d+) to (\d+) every (\d+) order velocity (-?\d+)(?: steering (-?\d+))?$")
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "bench",
+        description="Builds the image for the K64 and plays the paper's four scenarios with it on "
+        "the virtual K64 in the simulated robot, 1000 control cycles each: instructions, time from "
+        "the clock pulse to the report, load, latencies, and the speed of the simulator. Compares "
+        "the patterns with the usual design, and what it costs to record the calls of each test. "
+        "With --port, gives the same orders to a connected board and takes the cycles that its "
+        "reports tell. Lift the robot: its wheels will turn with up to 300 rpm. The orders are "
+        "those of a PC: no remote control is needed, it may be off.",
+    )
+    parser.add_argument("--port", type=Path, help="serial port of a board that has the image")
+    parser.add_argument(
+        "--seconds", type=positive, help="with --port: end each scenario after this time"
+    )
+    parser.set_defaults(run=lambda root, options: bench(root, options, parser))
+
+
+def bench(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+    if options.seconds and not options.port:
+        parser.error(f"--seconds {options.seconds} needs --port")
+    if options.port:
+        return on_board(root, options.port, options.seconds)
+    with only_one(root, "bench"):
+        ended = graph(root).run([task_record.BENCH, *BESIDES])
+    if not ended.failed:
+        print_bench(root)
+    return 1 if ended.failed else 0
+
+
+def print_bench(root: Path) -> None:
+    """A table: the times of each scenario."""
+    record: dict[str, Any] = json.loads((root / BENCH).read_text(encoding="utf-8"))
+    print(f"\n{'from clock pulse to report [ms]':44} {'mean':>8} {'most':>8}  slow flash")
+    for paper in SCENARIOS:
+        runs = record["scenarios"][paper.name]
+        normal, slow = runs[MANUAL]["report_ms"], runs[SLOW]["report_ms"]
+        print(
+            f"{paper.title:44} {normal['average']:8.3f} {normal['maximum']:8.3f}  "
+            f"{slow['average']:.3f} {slow['maximum']:.3f}"
+        )
+
+
+# ---- on a board --------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Orders:
+    """The same order every 100 ms in a stretch of time [s]."""
+
+    first: float
+    last: float
+    wish: Wish
+
+
+def orders_of(text: str) -> list[Orders]:
+    """The orders of a scenario of the bench."""
+    found = []
+    for line in text.splitlines():
+        if match := ORDER.match(line.strip()):
+            first, last, _, velocity, steering = match.groups(default="0")
+            wish = Wish.of(Quantity.VELOCITY, int(velocity) / 10, int(steering) / 100)
+            found.append(Orders(int(first) / 1000, int(last) / 1000, wish))
+    return found
+
+
+def wishes(orders: list[Orders], seconds: float | None) -> Iterator[Wish]:
+    """One wish for each cycle of 100 ms, to the end or so many seconds."""
+    end = orders[-1].last if seconds is None else min(orders[-1].last, orders[0].first + seconds)
+    for one in orders:
+        cycles = round((min(one.last, end) - one.first) * 1000 / PERIOD_MS) + 1
+        for _ in range(max(cycles, 0)):
+            yield one.wish
+
+
+def on_board(root: Path, port: Path, seconds: float | None) -> int:
+    """Gives the orders of the scenarios to a board, and adds what it measured to the record."""
+    path = root / BENCH
+    try:
+        record: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        record = {"scenarios": {}}
+    for paper in SCENARIOS:
+        text = (root / FOLDER / f"{paper.name}.scenario").read_text(encoding="utf-8")
+        print(f"{paper.title} ... ", end="", flush=True)
+        try:
+            found = costs(drive(port, wishes(orders_of(text), seconds)))
+        except FailureError as error:
+            print(f"FAILED: {error}")
+            return 1
+        record["scenarios"].setdefault(paper.name, {})["board"] = found
+        times = found["report_ms"]
+        print(f"{times['average']:.3f} ms, at most {times['maximum']:.3f}, load "
+              f"{found['load']['average']:.2f} %, {found['cycles']} cycles")  # fmt: skip
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+    return 0
+
+
+def drive(port: Path, wanted: Iterator[Wish]) -> list[Report]:
+    """Arms the robot and orders each wish for a cycle; returns the reports."""
+    try:
+        link = Link(port)
+    except OSError as error:
+        raise FailureError(str(error)) from error
+    with link:
+        sender = Sender(link)
+        if not connect(sender):
+            raise FailureError(not_connected(link))
+        if reason := arm(sender):
+            raise FailureError(f"the robot is not armed. {reason}")
+        reports = []
+        due = time.monotonic()
+        wish = Wish()
+        for wish in wanted:
+            sender.send(wish)
+            due += PERIOD_MS / 1000
+            while (left := due - time.monotonic()) > 0:
+                reports += link.service(left)
+            if not link.connected:
+                raise FailureError("the connection was lost")
+        sender.end(wish)
+    return reports
+
+
+def costs(reports: list[Report]) -> dict[str, Any]:
+    """The figures that a board tells of itself. The first cycles belong to what was before."""
+    told = [report for report in reports if report.order_read][2:]
+    if not told:
+        raise FailureError("no report of a cycle that read an order")
+    if not any(report.awake_cycles for report in told):
+        raise FailureError("what answers counts no processor cycles")
+    starts = [report.start_cycles for report in told]
+    return {
+        "cycles": len(told),
+        "report_ms": spread([report.report_cycles / CORE_PER_MS for report in told], 4),
+        "load": spread([100 * report.awake_cycles / CORE_PER_MS / PERIOD_MS for report in told], 3),
+        "start_us": spread([1000 * cycles / CORE_PER_MS for cycles in starts], 2),
+        "jitter_us": round(1000 * (max(starts) - min(starts)) / CORE_PER_MS, 2),
+        "times_us": [round(1000 * report.report_cycles / CORE_PER_MS) for report in told],
+    }

@@ -1,0 +1,96 @@
+"""Plays the scenarios of the paper on the virtual K64, and keeps what the runs cost."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any, TextIO
+
+from tools.cmake_build import BOARD_PROGRAM
+from tools.steps import FailureError, run
+from traceability.reading.bench_record import (
+    BENCH,
+    FOLDER,
+    MANUAL,
+    PAPER_BENCH,
+    SCENARIOS,
+    SLOW,
+    SPEED_LEAST,
+    TIMINGS,
+    Paper,
+    figures,
+    profile,
+)
+from traceability.reading.products import DEFAULT, PAPER, image_of
+
+SECONDS = 600  # for one run
+
+
+def measure_all(root: Path, log: TextIO) -> str:
+    """Plays the scenarios of the paper with the image, and with the paper's design alone."""
+    record: dict[str, Any] = {"scenarios": {}}
+    notes = [f"{paper.title}: {measure(root, paper, record, log)}" for paper in SCENARIOS]
+    keep(root, BENCH, record)
+    notes.append(f"the paper's design alone: {measure_paper(root, log)}")
+    log.write("\n".join(notes) + "\n")
+    return f"{len(SCENARIOS)} scenarios"
+
+
+def measure_paper(root: Path, log: TextIO) -> str:
+    """Plays the scenarios with the product without safety functions, for their cost."""
+    record: dict[str, Any] = {"scenarios": {}}
+    for paper in SCENARIOS:
+        raw, _ = play(root, log, paper.name, MANUAL, product=PAPER)
+        record["scenarios"][paper.name] = {MANUAL: figures(raw)}
+    keep(root, PAPER_BENCH, record)
+    most = max(runs[MANUAL]["report_ms"]["maximum"] for runs in record["scenarios"].values())
+    return f"at most {most:.3f} ms"
+
+
+def keep(root: Path, path: Path, record: dict[str, Any]) -> None:
+    (root / path).parent.mkdir(parents=True, exist_ok=True)
+    (root / path).write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+
+
+def measure(root: Path, paper: Paper, record: dict[str, Any], log: TextIO) -> str:
+    """Plays a scenario with each model of time, and once more to count each instruction."""
+    runs: dict[str, Any] = {}
+    for timing in TIMINGS:
+        raw, user = play(root, log, paper.name, timing)
+        runs[timing] = figures(raw)
+        runs[timing]["speed"] = round(raw["simulated_ns"] / 1e9 / user, 1)
+    counted, _ = play(root, log, paper.name, MANUAL, "--profile")
+    if figures(counted)["instructions"] != runs[MANUAL]["instructions"]:
+        raise FailureError("two runs of the same scenario executed not the same instructions")
+    runs["profile"] = profile(counted, root)
+    record["scenarios"][paper.name] = runs
+    manual, slow, speed = runs[MANUAL], runs[SLOW], runs[MANUAL]["speed"]
+    if speed < SPEED_LEAST:
+        raise FailureError(f"the simulator has {speed} times real time, not {SPEED_LEAST}")
+    return (
+        f"{manual['report_ms']['average']:.3f} ms, at most {manual['report_ms']['maximum']:.3f}; "
+        f"slow flash {slow['report_ms']['average']:.3f} and {slow['report_ms']['maximum']:.3f}; "
+        f"{speed} times real time"
+    )
+
+
+def play(
+    root: Path, log: TextIO, name: str, timing: str, *more: str, product: str = DEFAULT
+) -> tuple[dict[str, Any], float]:
+    """What the board program measured, and the seconds of one core that it took."""
+    output = root / "build" / "bench" / f"{product}-{name}-{timing}.json"
+    output.parent.mkdir(parents=True, exist_ok=True)
+    output.unlink(missing_ok=True)
+    program = root / "build" / "host" / "sim" / BOARD_PROGRAM
+    words = [
+        *(str(program), "--image", str(root / image_of(product, ".bin"))),
+        *("--elf", str(root / image_of(product, ".elf"))),
+        *("--scenario", str(root / FOLDER / f"{name}.scenario"), "--timing", timing),
+        *("--bench", str(output), *more),
+    ]
+    try:
+        user = run(log, ["timeout", str(SECONDS), *words])
+    except FailureError as error:
+        raise FailureError(f"{product} in {name}: {error}") from error
+    raw: dict[str, Any] = json.loads(output.read_text(encoding="utf-8"))
+    return raw, user

@@ -1,0 +1,27 @@
+"""The browser of this machine, for the tests of the pages."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+
+
+def find_browser() -> str | None:
+    return next((path for name in BROWSERS if (path := shutil.which(name))), None)
+
+
+def works(browser: str | None) -> bool:
+    """Whether the browser starts: where it is an empty package, its command only says so."""
+    if browser is None:
+        return False
+    try:
+        return (
+            subprocess.run(
+                [browser, "--version"], capture_output=True, timeout=60, check=False
+            ).returncode
+            == 0
+        )
+    except (OSError, subprocess.TimeoutExpired):
+        return False

@@ -1,0 +1,52 @@
+"""./wr check: the documents, checked against the code."""
+
+from __future__ import annotations
+
+import argparse
+import time
+from collections.abc import Iterable
+from pathlib import Path
+
+from tools.documents import counted, read_findings, write_time
+from tools.lock import only_one
+from tools.tasks import DOCUMENTS, graph, pages_graph
+from traceability.reading.task_record import SEEDED_FAULTS
+from traceability.schema import Finding
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "check",
+        description="Builds the model and the site, and checks both against the code. Prints each "
+        "finding as 'file:line: [check] what is wrong; what would mend it'.",
+    )
+    parser.add_argument(
+        "--drift",
+        action="store_true",
+        help="first seed each fault of tests/drift in a copy, and see whether the checks find it",
+    )
+    parser.set_defaults(run=lambda root, options: check(root, drift=options.drift))
+
+
+def check(root: Path, *, drift: bool = False) -> int:
+    start = time.monotonic()
+    with only_one(root, "check"):
+        failed = graph(root).run([SEEDED_FAULTS]).failed if drift else []
+        pages = pages_graph(root).run([DOCUMENTS])
+        if pages.changed_inputs.get(DOCUMENTS) == 1 and not drift:
+            write_time(root, "build.edit_s", time.monotonic() - start)
+        return report(read_findings(root), [*failed, *pages.failed])
+
+
+def report(findings: list[Finding], failed: Iterable[str]) -> int:
+    """Prints the findings and the failed tasks; returns the exit code."""
+    from traceability.checks import message, sort
+
+    first = ("syntax-error", "design-entry")  # what others may follow from
+    for finding in sorted(sort(findings), key=lambda one: one.check not in first):
+        print(message(finding))
+    names = list(failed)
+    if names:
+        print(f"failed: {', '.join(names)}")
+    print(counted(findings))
+    return 1 if findings or names else 0

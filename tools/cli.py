@@ -1,0 +1,80 @@
+"""Command line of ./wr."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import signal
+import sys
+from pathlib import Path
+
+from tools import (
+    bench,
+    check,
+    client_commands,
+    firmware,
+    flash,
+    lint,
+    make_portal,
+    mutate,
+    review,
+    run_tests,
+    serve,
+    show_impact,
+    sim,
+)
+from tools.lock import BUSY, BusyError
+from tools.steps import FailureError, MissingError
+
+ROOT = Path(__file__).resolve().parents[1]
+MISSING = 3
+INTERRUPTED = 130
+
+
+def parser() -> argparse.ArgumentParser:
+    top = argparse.ArgumentParser(prog="./wr")
+    commands = top.add_subparsers(dest="command", required=True, metavar="<command>")
+    for module in (
+        make_portal,
+        run_tests,
+        check,
+        bench,
+        review,
+        show_impact,
+        mutate,
+        lint,
+        firmware,
+        flash,
+        sim,
+        client_commands,
+        serve,
+    ):
+        module.add(commands)
+    setup = commands.add_parser(
+        "setup",
+        description="Installs the packages of setup/debian.txt with apt-get and those of "
+        "setup/python.lock into .venv. Does nothing when nothing is missing.",
+    )
+    setup.set_defaults(run=lambda _root, _options: 0)
+    return top
+
+
+def main(arguments: list[str]) -> int:
+    options = parser().parse_args(arguments)
+    # A shell that starts a command in the background has SIGINT ignored.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        code: int = options.run(ROOT, options)
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+    except BusyError as error:
+        print(f"wr {options.command}: {error}.", file=sys.stderr)
+        return BUSY
+    except FailureError as error:
+        print(f"wr {options.command}: {error}", file=sys.stderr)
+        return MISSING if isinstance(error, MissingError) else 1
+    return code

@@ -1,0 +1,209 @@
+"""Builds and runs the firmware and its tests with CMake. Each stage does only what changed."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import threading
+import xml.etree.ElementTree as ET
+from collections import defaultdict
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TextIO
+
+from tools.steps import FailureError, run
+from tools.task_graph import Outcome
+from traceability.reading.products import PAPER, image_of
+from traceability.reading.results import cost_of
+from traceability.sources import source_hash
+
+_building: dict[str, threading.Lock] = defaultdict(threading.Lock)
+# CMake keeps what it once read of them, so that a change needs a fresh configuration.
+SETTINGS = ("CMakePresets.json", "setup/k64-toolchain.cmake")
+IMAGE = str(image_of(PAPER, ".bin"))
+TESTS = "firmware_tests"
+# The tests on the virtual K64 are a run of their own, built with the preset of this machine.
+BOARD, BOARD_TESTS, BOARD_PRESET = "board", "board_tests", "host"
+BOARD_PROGRAM = "weeding_robot_board"
+
+
+@dataclass(frozen=True)
+class Counts:
+    """Results of a run of tests."""
+
+    passed: int = 0
+    failed: int = 0
+    skipped: int = 0
+
+    def __add__(self, other: Counts) -> Counts:
+        return Counts(
+            self.passed + other.passed, self.failed + other.failed, self.skipped + other.skipped
+        )
+
+    def __str__(self) -> str:
+        text = f"{self.passed} passed, {self.failed} failed"
+        return f"{text}, {self.skipped} skipped" if self.skipped else text
+
+
+def jobs() -> str:
+    return str(os.cpu_count() or 1)
+
+
+def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
+    """Configures where needed, then builds into build/<preset>; one build at a time in each."""
+    directory = root / "build" / preset
+    made = directory / "build.ninja"
+    wanted = ["--target", *targets] if targets else []
+    with _building[preset]:
+        newest = max((root / name).stat().st_mtime for name in SETTINGS)
+        if made.exists() and made.stat().st_mtime < newest:
+            shutil.rmtree(directory)  # notes of the compiler that belong to no object any more
+        if not made.exists():
+            run(log, ["cmake", "--fresh", "-S", root, "--preset", preset])
+        run(log, ["cmake", "--build", directory, "--parallel", jobs(), *wanted])
+
+
+def gtest_counts(results: Path) -> Counts:
+    """Counts of a result file of GoogleTest; a disabled or skipped test did not run."""
+    passed = failed = skipped = 0
+    for suite in json.loads(results.read_text())["testsuites"]:
+        for test in suite["testsuite"]:
+            if test["status"] != "RUN" or test["result"] == "SKIPPED":
+                skipped += 1
+            elif "failures" in test:
+                failed += 1
+            else:
+                passed += 1
+    return Counts(passed, failed, skipped)
+
+
+def write_failures(results: Path, log: TextIO) -> None:
+    """What failed in a result file of GoogleTest, with the seed that shows it again."""
+    for suite in json.loads(results.read_text())["testsuites"]:
+        for test in suite["testsuite"]:
+            if "failures" not in test:
+                continue
+            seed = f", WR_SEED={test['seed']}" if "seed" in test else ""
+            log.write(f"\nFAILED {suite['name']}.{test['name']}{seed}\n")
+            log.writelines(f"{one['failure']}\n" for one in test["failures"])
+
+
+def junit_counts(results: Path) -> Counts:
+    """Counts of a result file of pytest."""
+    passed = failed = skipped = 0
+    for case in ET.parse(results).iter("testcase"):
+        if case.find("failure") is not None or case.find("error") is not None:
+            failed += 1
+        elif case.find("skipped") is not None:
+            skipped += 1
+        else:
+            passed += 1
+    return Counts(passed, failed, skipped)
+
+
+def results_of(root: Path, run_name: str) -> Path:
+    """The result file of the tests."""
+    return root / "build" / "results" / f"{run_name}.json"
+
+
+def program_of(root: Path, run_name: str) -> Path:
+    """The program that holds the tests; what they leave lies beside it."""
+    if run_name == BOARD:
+        return root / "build" / BOARD_PRESET / "tests" / BOARD_TESTS
+    return root / "build" / run_name / "tests" / TESTS
+
+
+def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
+    """Runs the tests of a build, or those on the virtual K64: a part of them on each processor."""
+    on_board = run_name == BOARD
+    results = results_of(root, run_name)
+    results.parent.mkdir(parents=True, exist_ok=True)
+    binaries = root / "build" / (BOARD_PRESET if on_board else run_name)
+    shutil.rmtree(binaries / ("traces-board" if on_board else "traces"), ignore_errors=True)
+    for counters in binaries.rglob("*.gcda"):  # gcc would add those of this run
+        counters.unlink()
+    shards = [Shard(results, number, int(jobs())) for number in range(int(jobs()))]
+    with ThreadPoolExecutor(len(shards)) as pool:
+        ends = list(pool.map(lambda shard: shard.run(program_of(root, run_name)), shards))
+    for shard in shards:
+        log.write(shard.log.read_text(errors="replace"))
+    ended = next((end for end, _ in ends if end), "")
+    if not all(shard.results.exists() for shard in shards):
+        raise FailureError(ended or "the tests wrote no results")
+    parts = [json.loads(shard.results.read_text()) for shard in shards]
+    merged = {"testsuites": [suite for part in parts for suite in part["testsuites"]]}
+    results.write_text(json.dumps(merged) + "\n")
+    cost = {"sources": source_hash(root), "seconds": sum(seconds for _, seconds in ends)}
+    cost_of(root, run_name).write_text(json.dumps(cost) + "\n")
+    write_failures(results, log)
+    counts = gtest_counts(results)
+    if ended and not counts.failed:
+        raise FailureError(ended)
+    return counts
+
+
+@dataclass(frozen=True)
+class Shard:
+    """A part of the tests of a program, in a process of its own."""
+
+    whole: Path
+    number: int
+    total: int
+
+    @property
+    def results(self) -> Path:
+        return self.whole.with_suffix(f".{self.number}.part")
+
+    @property
+    def log(self) -> Path:
+        return self.whole.with_suffix(f".{self.number}.log")
+
+    def run(self, program: Path) -> tuple[str, float]:
+        """Returns how the process failed, or nothing, and the processor time [s]."""
+        self.results.unlink(missing_ok=True)
+        numbers = {"GTEST_TOTAL_SHARDS": str(self.total), "GTEST_SHARD_INDEX": str(self.number)}
+        with self.log.open("w") as log:
+            try:
+                words: list[str | Path] = [program, f"--gtest_output=json:{self.results}"]
+                return "", run(log, words, env=os.environ | numbers)
+            except FailureError as error:
+                return str(error), 0.0
+
+
+def outcome_of(counts: Counts) -> Outcome:
+    """The outcome of tests: bad when one failed, or none ran."""
+    values = {
+        "passed": counts.passed,
+        "failed_tests": counts.failed,
+        "skipped": counts.skipped,
+    }
+    return Outcome(str(counts), bool(counts.failed or not counts.passed), values)
+
+
+def sources_of(root: Path, preset: str, *targets: str) -> list[str]:
+    """The files of the project that Ninja knows to be inputs of targets, by their paths in it."""
+    folder = root / "build" / preset
+
+    def ask(*words: str) -> list[str]:
+        command = ["ninja", "-C", str(folder), "-t", *words]
+        return subprocess.run(command, capture_output=True, text=True, check=True).stdout.split(
+            "\n"
+        )
+
+    inputs = set(ask("inputs", *targets))
+    found = set(inputs)
+    object_wanted = False
+    for line in ask("deps"):
+        if line.startswith("    "):
+            if object_wanted:
+                found.add(line.strip())
+        elif line:
+            object_wanted = line.partition(": #deps")[0] in inputs
+    found |= {line.strip(" |") for line in ask("query", "build.ninja")}
+    paths = {(folder / name).resolve() for name in found}
+    kept = (path.relative_to(root) for path in paths if path.is_relative_to(root))
+    written = [path for path in kept if path.parts[0] != "build" and (root / path).is_file()]
+    return sorted(map(str, written))

@@ -1,0 +1,155 @@
+"""Makes the documents: model, checks, site and links, in a process of its own."""
+
+from __future__ import annotations
+
+import gc
+import json
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, TextIO
+
+from tools.steps import FailureError, Steps, stoppable
+from traceability.reading.results import RESULTS, read_json
+from traceability.schema import Finding, Place
+
+if TYPE_CHECKING:
+    from traceability.model.design_model import Model
+
+FINDINGS = Path("build/model/findings.json")
+TIMES = RESULTS / "times.json"  # how long commands took, for the metrics
+METRICS = Path("build/metrics.json")
+PARTS = ("model", "checks", "site", "links")
+
+
+def make_documents(root: Path, out: TextIO, log: TextIO) -> str:
+    """Makes them, and writes the lines of the four steps as they come.
+
+    The process ends with its memory, which a command that runs long need not keep.
+    """
+    words = [sys.executable, "-m", "tools.documents", str(root)]
+    with (
+        subprocess.Popen(words, stdout=subprocess.PIPE, stderr=log, text=True, cwd=root) as made,
+        stoppable(made),
+    ):
+        assert made.stdout is not None
+        for line in made.stdout:
+            log.write(line)
+            print(line, end="", file=out, flush=True)
+    if made.returncode != 0:
+        raise FailureError("a step failed")
+    return counted(read_findings(root))
+
+
+def read_findings(root: Path) -> list[Finding]:
+    """The findings of the documents that were made last."""
+    found = read_json(root / FINDINGS) or []
+    return [Finding(**{**one, "place": Place(**one["place"])}) for one in found]
+
+
+def read_times(root: Path) -> dict[str, float]:
+    found = read_json(root / TIMES)
+    return found if isinstance(found, dict) else {}
+
+
+def write_time(root: Path, name: str, seconds: float) -> None:
+    """Records how long a command took, and adds it to the metrics."""
+    value = {name: round(seconds, 1)}
+    for path in (root / TIMES, root / METRICS):
+        known = read_json(path)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        text = json.dumps((known or {}) | value, indent=1, sort_keys=True)
+        path.write_text(f"{text}\n", encoding="utf-8")
+
+
+def main(root: Path) -> int:
+    """The process: exit code 0 when all four steps were done, whatever they found."""
+    steps = Steps(root, len(PARTS))
+    with no_collection():
+        findings, complete = make(root, steps)
+    (root / FINDINGS).parent.mkdir(parents=True, exist_ok=True)
+    text = json.dumps([asdict(finding) for finding in findings])
+    (root / FINDINGS).write_text(text, encoding="utf-8")
+    return 0 if complete else 1
+
+
+@contextmanager
+def no_collection() -> Iterator[None]:
+    """The model lives until the end: to look through it for garbage takes a fifth of the time."""
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.freeze()
+        gc.enable()
+
+
+def make(root: Path, steps: Steps) -> tuple[list[Finding], bool]:
+    """The findings, and whether no step failed."""
+    from portal.site_build import build_site
+    from traceability.checks import run_checks, run_link_checks
+    from traceability.exports.metrics_file import site_figures, write_metrics
+    from traceability.model.build import build
+
+    model: Model | None = None
+    findings: list[Finding] = []
+
+    def make_model(_log: TextIO) -> str:
+        nonlocal model
+        try:
+            model = build(root)
+        except UnicodeDecodeError as error:
+            from traceability.checks.document_checks import not_text
+
+            findings.extend(not_text(root))
+            raise FailureError("a file is not UTF-8") from error
+        return f"{len(model.modules)} modules, {len(model.requirements)} requirements"
+
+    def run_all(_log: TextIO) -> str:
+        assert model is not None
+        findings.extend(run_checks(model))
+        return counted(findings)
+
+    def make_site(_log: TextIO) -> str:
+        assert model is not None
+        result = build_site(root, model, findings)
+        findings.extend(result.warnings)
+        return f"{result.pages} pages"
+
+    def check_links(_log: TextIO) -> str:
+        assert model is not None
+        site = root / "build" / "site"
+        found = run_link_checks(model, site)
+        findings.extend(found)
+        write_metrics(root, model, site_figures(site, findings) | read_times(root))
+        return counted(found)
+
+    if not steps.run("model", make_model):
+        for title in PARTS[1:]:
+            steps.skip(title, "there is no model")
+        return findings, False
+    whole = steps.run("checks", run_all)
+    if whole and is_unreadable(model):
+        for title in PARTS[2:]:
+            steps.skip(title, "a file of the design cannot be read")
+        return findings, False
+    if not steps.run("site", make_site):
+        steps.skip("links", "the site was not built")
+        return findings, False
+    return findings, steps.run("links", check_links) and whole
+
+
+def is_unreadable(model: Model | None) -> bool:
+    """Whether a part of the design is missing, and every page would show less than there is."""
+    return bool(model and model.facts and model.facts.declared.entries.unreadable)
+
+
+def counted(findings: list[Finding]) -> str:
+    return "1 finding" if len(findings) == 1 else f"{len(findings)} findings"
+
+
+if __name__ == "__main__":
+    sys.exit(main(Path(sys.argv[1])))

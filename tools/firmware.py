@@ -1,0 +1,79 @@
+"""./wr firmware: the firmware for this machine, and the images of all products for the K64."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from tools.lock import only_one
+from tools.sizes import ELF, PARTS, Size, output, total, write_products, write_sizes
+from tools.steps import FailureError
+from tools.tasks import FIRMWARE, graph
+from traceability.reading.products import DEFAULT, PRODUCTS, image_of
+
+BIN = image_of(DEFAULT, ".bin")
+FILES = {
+    ".elf": "for a debugger",
+    ".bin": "for the board's drive, ./wr flash writes it",
+    ".hex": "for other programmers",
+    ".map": "what the linker placed where",
+}
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "firmware",
+        description="Builds the firmware for this machine (run it with ./wr sim), and the images "
+        "of all products for the K64 (write one with ./wr flash). Prints the flash and RAM of each "
+        "module, and of each product.",
+    )
+    parser.set_defaults(run=lambda root, _options: firmware(root))
+
+
+def firmware(root: Path) -> int:
+    with only_one(root, "firmware"):
+        if graph(root).run(FIRMWARE).failed:
+            return 1
+        print_sizes(write_sizes(root))
+        print_products(write_products(root))
+    version, build_id = identity(root / ELF, root / BIN)
+    print(f"\nversion {version}, build id {build_id}")
+    for suffix, use in FILES.items():
+        print(f"  {image_of('PRODUCT', suffix)}  {use}")
+    print("For this machine: build/host/sim/weeding_robot_host (./wr sim)")
+    return 0
+
+
+def add_product(parser: argparse.ArgumentParser, does: str) -> None:
+    """The option that chooses a product."""
+    parser.add_argument(
+        "--product", choices=PRODUCTS, default=DEFAULT, help=f"{does} (default: {DEFAULT})"
+    )
+
+
+def print_sizes(sizes: dict[str, Size]) -> None:
+    """A table: the modules, largest first, then what is no module, then the sum."""
+    modules = sorted(sizes.keys() - set(PARTS), key=lambda name: (-sizes[name].flash, name))
+    print(f"\n{'bytes of':32} {'flash':>8} {'RAM':>8}")
+    for name in [*modules, *(part for part in PARTS if part in sizes)]:
+        print(f"{name:32} {sizes[name].flash:8} {sizes[name].ram:8}")
+    whole = total(sizes)
+    print(f"{'the image':32} {whole.flash:8} {whole.ram:8}")
+
+
+def print_products(wholes: dict[str, Size]) -> None:
+    """A table: what each product takes, and what commands it."""
+    print(f"\n{'product':32} {'flash':>8} {'RAM':>8}  commanded by")
+    for product, whole in wholes.items():
+        print(f"{product:32} {whole.flash:8} {whole.ram:8}  {PRODUCTS[product]}")
+
+
+def identity(elf: Path, image: Path) -> tuple[str, str]:
+    """Version and build id, read from the bytes of the image."""
+    for line in output("arm-none-eabi-nm", "--demangle", elf).splitlines():
+        address, _, symbol = line.split(maxsplit=2) if line.count(" ") > 1 else ("", "", "")
+        if symbol == "wr::firmwareIdentity":
+            start = int(address, 16)
+            found = image.read_bytes()[start : start + 11]
+            return ".".join(map(str, found[:3])), found[3:].decode("ascii", errors="replace")
+    raise FailureError(f"{elf.name} has no identity")

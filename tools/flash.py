@@ -1,0 +1,217 @@
+"""./wr flash: writes the image into the board."""
+
+from __future__ import annotations
+
+import argparse
+import shutil
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TextIO
+
+from tools import usb_drive
+from tools.firmware import add_product
+from tools.image import lock_problems
+from tools.lock import only_one
+from tools.radio_key import KeyFileError, write_keyed
+from tools.steps import FailureError, MissingError, Steps, log_of, run
+from tools.tasks import K64_FIRMWARE, graph
+from traceability.reading.products import image_of
+
+USB = Path("/sys/bus/usb/devices")
+ARM = "0d28"  # vendor of the debug probe that is on the FRDM-K64F
+# What pyOCD and OpenOCD say when they find none.
+NO_PROBE = ("No connected debug probes", "unable to find a matching CMSIS-DAP device")
+ADVICE = """\
+Connect a USB cable to the socket of the board that is marked SDA, and try again. Or name the
+folder where the board's drive is mounted: ./wr flash --drive FOLDER. docs/bring_up.rst explains
+each way."""
+
+
+@dataclass(frozen=True)
+class Way:
+    """One way to the board; ``missing`` is empty when it is there."""
+
+    missing: str
+    does: str
+    write: Callable[[TextIO], str | None]
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "flash",
+        description="Builds the image for the K64, checks that it would not lock the chip, and "
+        "writes it into a FRDM-K64F: with pyOCD, else with OpenOCD, else by a copy to the drive "
+        "that the board shows. Exit code 3: there is no way to a board.",
+    )
+    parser.add_argument(
+        "--with",
+        dest="way",
+        choices=("pyocd", "openocd", "drive"),
+        help="the way to the board (default: the first that is there)",
+    )
+    parser.add_argument(
+        "--drive", type=Path, metavar="PATH", help="where the drive of the board is mounted"
+    )
+    add_product(parser, "build and write the image of this product")
+    parser.add_argument(
+        "--image", type=Path, metavar="BIN", help="write this image, and build nothing"
+    )
+    parser.add_argument(
+        "--bluetooth-key",
+        type=Path,
+        metavar="FILE",
+        help="write this key (32 hexadecimal digits) into the image of weeding_robot_pc_bluetooth",
+    )
+    parser.add_argument(
+        "--dry-run", action="store_true", help="check the image, and say what would be done"
+    )
+    parser.set_defaults(run=lambda root, options: flash(root, options, parser))
+
+
+def flash(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+    name = "drive" if options.drive else options.way
+    if options.way not in (None, name):
+        parser.error(f"--drive does not go with --with {options.way}")
+    image: Path = options.image or root / image_of(options.product, ".bin")
+    steps = Steps(root, 2 + bool(options.bluetooth_key))
+    if not options.image:
+        with only_one(root, "flash"):
+            if graph(root).run([K64_FIRMWARE]).failed:
+                return 1
+    if not steps.run("image", lambda _log: checked(image)):
+        return 1
+    if options.bluetooth_key:
+        keyed = root / "build" / f"{image.stem}.keyed.bin"
+        if not steps.run("key", lambda _log: add_key(image, options.bluetooth_key, keyed)):
+            return 1
+        image = keyed
+    name, way = choose(ways(image, options.drive), name)
+    if options.dry_run:
+        steps.skip(f"flash ({name})", f"dry run, would {way.does}")
+        return 0
+    if steps.run(f"flash ({name})", way.write):
+        return 0
+    log = log_of(root, f"flash ({name})").read_text(errors="replace")
+    if any(text in log for text in NO_PROBE):
+        raise MissingError(f"{name} found no debug probe\n{ADVICE}")
+    return 1
+
+
+def checked(image: Path) -> str:
+    """Says the size of an image that does not lock the chip; fails for any other."""
+    try:
+        content = image.read_bytes()
+    except OSError as error:
+        raise FailureError(f"cannot read {image}: {error.strerror}") from error
+    if problems := lock_problems(content):
+        raise FailureError("not written, it could lock the chip: " + "; ".join(problems))
+    return f"{len(content)} bytes, does not lock the chip"
+
+
+def add_key(image: Path, key_file: Path, keyed: Path) -> str:
+    """Writes a copy of the image with the key; fails without a key or a place for it."""
+    try:
+        keyed.parent.mkdir(parents=True, exist_ok=True)
+        write_keyed(image, key_file, keyed)
+    except KeyFileError as error:
+        raise FailureError(str(error)) from error
+    return f"the key is in a copy of the image, {keyed}"
+
+
+def ways(image: Path, folder: Path | None) -> dict[str, Way]:
+    """All ways, the one to try first in front."""
+    file = image.resolve()
+    flags = ("-t", "k64f", "--no-wait", "--format", "bin", "--base-address", "0")
+    # OpenOCD reads a script: braces keep the path one word. Without fcf_source it writes a flash
+    # configuration field of its own, and the comparison fails. The field was checked before.
+    script = f"init; kinetis fcf_source write; program {{{file}}} verify reset exit 0x0"
+    return {
+        "pyocd": pyocd(file, flags),
+        "openocd": tool("openocd", "-f", "board/nxp_frdm-k64f.cfg", "-c", script),
+        "drive": copy(file, folder),
+    }
+
+
+def tool(name: str, *arguments: str) -> Way:
+    missing = "" if shutil.which(name) else "not installed"
+    words = [name, *arguments]
+
+    def write(log: TextIO) -> None:
+        run(log, words)
+
+    return Way(missing, f"run {' '.join(words)}", write)
+
+
+def pyocd(image: Path, flags: tuple[str, ...]) -> Way:
+    """Writes with pyOCD, which does not compare by itself: reads the flash back and compares."""
+    missing = "" if shutil.which("pyocd") else "not installed"
+    words = ["pyocd", "flash", *flags, str(image)]
+
+    def write(log: TextIO) -> str | None:
+        run(log, words)
+        with tempfile.TemporaryDirectory() as folder:
+            copy = Path(folder) / "read_back.bin"
+            commands = ("reset halt", f"savemem 0 {image.stat().st_size} {copy}", "reset")
+            read = ["pyocd", "commander", "-t", "k64f", "--no-wait"]
+            run(log, [*read, *(word for line in commands for word in ("-c", line))])
+            return compared(image, copy)
+
+    return Way(missing, f"run {' '.join(words)}, read the flash back and compare", write)
+
+
+def compared(image: Path, copy: Path) -> str:
+    """Reports that the flash holds the image; fails at the first byte that differs."""
+    wanted = image.read_bytes()
+    try:
+        found = copy.read_bytes()
+    except OSError as error:
+        raise FailureError("the flash could not be read back: write the image again") from error
+    for address, (byte, other) in enumerate(zip(wanted, found, strict=False)):
+        if byte != other:
+            differs = f"flash at 0x{address:X} holds 0x{other:02X}, not 0x{byte:02X}"
+            raise FailureError(f"{differs}: write the image again")
+    if len(found) < len(wanted):
+        raise FailureError(f"only {len(found)} of {len(wanted)} bytes were read back: try again")
+    return f"{len(wanted)} bytes read back, equal to the image"
+
+
+def copy(image: Path, folder: Path | None) -> Way:
+    drives = [folder] if folder else usb_drive.mounted()
+    if len(drives) != 1:
+        many = f"several are mounted: {', '.join(map(str, drives))}; choose with --drive"
+        return Way(many if drives else "none is mounted", "", lambda _log: None)
+    drive = drives[0]
+    missing = usb_drive.problem(drive)
+    return Way(missing, f"copy {image} to {drive}", lambda log: usb_drive.copy(image, drive, log))
+
+
+def choose(found: dict[str, Way], name: str | None) -> tuple[str, Way]:
+    """The way that is asked for, or the first that leads to a board."""
+    probe = name is not None or has_probe()
+    for other, way in found.items():
+        if name in (None, other) and not way.missing and (probe or other == "drive"):
+            return other, way
+    said = [f"{other}: {way.missing or 'installed'}" for other, way in found.items()]
+    if name:
+        raise MissingError(f"{name}: {found[name].missing}\n{ADVICE}")
+    said.append(f"debug probe on USB: {'one is connected' if probe else 'none'}")
+    looked = "\n  ".join(said)
+    raise MissingError(f"there is no way to a board. Looked for\n  {looked}\n{ADVICE}")
+
+
+def has_probe() -> bool:
+    """Whether a debug probe as that of the FRDM-K64F is connected."""
+
+    def text(file: Path) -> str:
+        try:
+            return file.read_text(errors="replace").strip()
+        except OSError:
+            return ""
+
+    devices = list(USB.iterdir()) if USB.is_dir() else []
+    return any(
+        text(device / "idVendor") == ARM or "CMSIS-DAP" in text(device / "product")
+        for device in devices
+    )

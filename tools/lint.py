@@ -1,0 +1,199 @@
+"""./wr lint: style, types and warnings."""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import json
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Callable, Iterable
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache, partial
+from pathlib import Path
+from typing import TextIO
+
+from tools.cmake_build import build
+from tools.steps import FailureError, Steps, run
+from traceability.model.build import logic_of
+from traceability.reading.translation_units import clang_arguments, is_board
+from traceability.sources import DESIGN, include_options
+
+INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
+MAP = "build/clang/logic_modules.modulemap"  # which module may include which; CMake writes it
+CODE = (*DESIGN, "sim", "tests")
+CHECKED = (*DESIGN, "sim")
+WARNINGS = [
+    "-Wall",
+    "-Wextra",
+    "-Wpedantic",
+    "-Wconversion",
+    "-Wsign-conversion",
+    "-Wold-style-cast",
+    "-Wnon-virtual-dtor",
+    "-Woverloaded-virtual",
+    "-Wshadow",
+    "-Wno-unused-command-line-argument",
+    "-Werror",
+]
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "lint",
+        description="Checks the format of all sources, compiles everything with clang without "
+        "warnings or forbidden includes and each header alone, runs clang-tidy on the design and "
+        "sim, and checks the Python sources with ruff and mypy, and the directions of their "
+        "imports.",
+    )
+    parser.set_defaults(run=lambda root, _options: lint(root))
+
+
+def lint(root: Path) -> int:
+    steps = Steps(root, 7)
+    tools = root / ".venv" / "bin"
+    python = ["traceability", "site", "tools", "client", "sim", "tests/python"]
+    steps.run("clang-format", lambda log: check_format(root, log))
+    steps.run("clang without warnings", lambda log: build_with_clang(root, log))
+    steps.run("headers alone", lambda log: check_headers(root, log))
+    steps.run("clang-tidy", lambda log: check_tidy(root, log))
+
+    def ruff(log: TextIO) -> None:
+        config: list[str | Path] = ["--config", root / "pyproject.toml"]
+        paths = [root / name for name in python]
+        run(log, [tools / "ruff", "check", *config, *paths])
+        run(log, [tools / "ruff", "format", "--check", *config, *paths])
+
+    def mypy(log: TextIO) -> None:
+        config: list[str | Path] = ["--config-file", root / "pyproject.toml"]
+        names = ("traceability", "site/portal", "tools", "client/weeding_robot_client")
+        packages = [root / name for name in (*names, "sim/scenario")]
+        run(log, [tools / "mypy", "--strict", *config, *packages])
+
+    steps.run("ruff", ruff)
+    steps.run("mypy", mypy)
+    steps.run("imports", lambda log: check_imports(root, log))
+    return 1 if steps.failed else 0
+
+
+def sources(root: Path, folders: Iterable[str], suffix: str) -> list[Path]:
+    skipped = root / "tests" / "python"
+    return sorted(
+        path
+        for folder in folders
+        for path in (root / folder).rglob(f"*{suffix}")
+        if skipped not in path.parents
+    )
+
+
+def on_board(root: Path, path: Path) -> bool:
+    """Whether a source is for the K64 only."""
+    return is_board(str(path.relative_to(root)))
+
+
+def check_imports(root: Path, log: TextIO) -> None:
+    """Checks the contracts of pyproject.toml: which package may import which, and no ring."""
+    env = os.environ | {"PYTHONPATH": os.pathsep.join([str(root), str(root / "site")])}
+    linter = Path(sys.executable).with_name("lint-imports")
+    run(log, [linter, "--config", "pyproject.toml", "--no-logo"], env, folder=root)
+
+
+def check_format(root: Path, log: TextIO) -> str:
+    paths = sources(root, CODE, ".hpp") + sources(root, CODE, ".cpp")
+    if paths:
+        run(log, [root / ".venv/bin/clang-format", "--dry-run", "-Werror", *paths])
+    return f"{len(paths)} files"
+
+
+def build_with_clang(root: Path, log: TextIO) -> None:
+    build(root, "clang", log)
+    words = [*clang_arguments(board=True), *WARNINGS, *include_options(root)]
+    words += [f"-fmodule-map-file={root / MAP}", "-fmodules-decluse", "-Xclang", "-fno-cxx-modules"]
+    for source in filter(partial(on_board, root), sources(root, DESIGN, ".cpp")):
+        module = logic_of(str(source.relative_to(root))).replace("/", ".")
+        run(log, ["clang++", "-fsyntax-only", *words, f"-fmodule-name={module}", str(source)])
+
+
+def check_headers(root: Path, log: TextIO) -> None:
+    """Compiles each header alone: for this machine with clang, that of a driver for the K64."""
+    for preset in ("clang", "k64"):
+        build(root, preset, log, "all_verify_interface_header_sets")
+
+
+def check_tidy(root: Path, log: TextIO) -> str:
+    directory = root / "build" / "clang"
+    if not (directory / "compile_commands.json").exists():
+        raise FailureError("the build with clang is missing")
+
+    def command(source: Path) -> list[str]:
+        words = [str(root / ".venv" / "bin" / "clang-tidy"), "--quiet", str(source)]
+        if on_board(root, source):
+            return [*words, "--", *clang_arguments(board=True), *include_options(root)]
+        return [*words, "-p", str(directory)]
+
+    return check_changed(root, "tidy", sources(root, CHECKED, ".cpp"), command, log)
+
+
+def check_changed(
+    root: Path,
+    name: str,
+    paths: list[Path],
+    command: Callable[[Path], list[str]],
+    log: TextIO,
+) -> str:
+    """Runs the command on each file that has not passed it with its present content.
+
+    The content of a file is its own, that of the files of the project that it includes, the
+    settings of clang-tidy, and the command.
+    """
+    store = root / "build" / "lint" / f"{name}.json"
+    passed = json.loads(store.read_text()) if store.exists() else {}
+    keys = {}
+    for path in paths:
+        total = hashlib.sha256(" ".join(command(path)).encode())
+        for part in (root / ".clang-tidy", *sorted(included(root, path))):
+            total.update(part.read_bytes())
+        keys[str(path.relative_to(root))] = total.hexdigest()
+    changed = [file for file, key in keys.items() if passed.get(file) != key]
+
+    def check(file: str) -> tuple[str, bool, str]:
+        words = command(root / file)
+        ended = subprocess.run(words, capture_output=True, text=True, check=False)
+        return file, ended.returncode == 0, ended.stdout + ended.stderr
+
+    failed = []
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        for file, good, output in pool.map(check, changed):
+            if not good:
+                failed.append(file)
+                log.write(f"{file}:\n{output}\n")
+    store.parent.mkdir(parents=True, exist_ok=True)
+    store.write_text(json.dumps({f: key for f, key in keys.items() if f not in failed}, indent=1))
+    if failed:
+        raise FailureError(f"{len(failed)} of {len(paths)} files")
+    return f"{len(paths)} files, {len(changed)} of them changed"
+
+
+def included(root: Path, path: Path) -> set[Path]:
+    """The file and all files of the project that it includes, directly or not."""
+    found: set[Path] = set()
+    waiting = [path]
+    while waiting:
+        one = waiting.pop()
+        if one not in found:
+            found.add(one)
+            waiting += direct(root, one)
+    return found
+
+
+@cache
+def direct(root: Path, path: Path) -> tuple[Path, ...]:
+    names = INCLUDE.findall(path.read_text(errors="replace"))
+    places = (path.parent, *(root / name for name in DESIGN), root)
+    return tuple(
+        next(place / name for place in places if (place / name).exists())
+        for name in names
+        if any((place / name).exists() for place in places)
+    )

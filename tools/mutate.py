@@ -1,0 +1,170 @@
+"""./wr mutate: seeds faults in the methods of the trees, and counts those that the tests find."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import random
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, TextIO
+
+from tools.lock import only_one
+from tools.steps import FailureError, Steps
+from tools.tasks import graph
+from traceability.reading.task_record import TESTS_TRACE
+
+if TYPE_CHECKING:
+    from tools.mutation.points import Mutant
+    from tools.mutation.score import Plan, Tried
+    from traceability.model.design_model import Model
+
+STEPS = 4
+LONGEST = 45.0  # minutes
+SHOWN_EVERY = 10.0  # seconds
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "mutate",
+        description="Builds a copy of the firmware that holds small faults in the methods of the "
+        "trees, each behind its number, and runs with one after the other the tests of the "
+        "requirements that the method serves. The score is shown in the portal; it is no gate. "
+        "Faults that no test finds are listed as file:line, and what was changed.",
+    )
+    parser.add_argument(
+        "--minutes",
+        type=minutes,
+        default=LONGEST,
+        help=f"how long faults are tried, at most and by default {LONGEST:g}",
+    )
+    parser.add_argument("--seed", type=int, help="which faults come first; by default a new one")
+    parser.set_defaults(run=mutate)
+
+
+def minutes(text: str) -> float:
+    value = float(text)
+    if not 0 < value <= LONGEST:
+        raise argparse.ArgumentTypeError(f"from more than 0 to {LONGEST:g}")
+    return value
+
+
+def mutate(root: Path, options: argparse.Namespace) -> int:
+    with only_one(root, "mutate"):
+        return _mutate(root, options)
+
+
+def _mutate(root: Path, options: argparse.Namespace) -> int:
+    from tools.mutation.score import RESULT, record
+
+    steps = Steps(root, STEPS)
+    seed = random.SystemRandom().randrange(1 << 16) if options.seed is None else options.seed
+    print(f"seed {seed}")
+    ready = not graph(root).run([TESTS_TRACE]).failed
+    run = _Run(root, seed, options.minutes, steps.out)
+    for title, action in (
+        ("mutants", run.generate),
+        ("mutated build", run.build),
+        ("tests without a mutant", run.measure),
+        ("tests with mutants", run.attempt),
+    ):
+        if ready:
+            ready = steps.run(title, action)
+        else:
+            steps.skip(title, "what it needs is missing")
+    if not ready:
+        return 1
+    assert run.model is not None
+    result = record(run.tried, run.model.sources_hash, seed, len(run.mutants), run.took)
+    (root / RESULT).write_text(json.dumps(result, indent=1), encoding="utf-8")
+    for one in run.tried:
+        if not one.killed_by:
+            print(f"{one.mutant.file}:{one.mutant.line}: no test finds: {one.mutant.change}")
+    print(f"{run.killed()} of {len(run.tried)} mutants were found; seed {seed}; {RESULT}")
+    return 0
+
+
+class _Run:
+    """The steps, and what one leaves for the next."""
+
+    def __init__(self, root: Path, seed: int, longest: float, out: TextIO) -> None:
+        self.root = root
+        self.out = out
+        self.seed = seed
+        self.longest = 60 * longest
+        self.took = 0.0
+        self.model: Model | None = None
+        self.plan: Plan | None = None
+        self.mutants: list[Mutant] = []
+        self.tried: list[Tried] = []
+
+    def generate(self, log: TextIO) -> str:
+        from tools.mutation.score import make_plan
+        from tools.mutation.switched import write_switched
+        from traceability.model.build import build
+        from traceability.reading.traces import read_traces
+        from traceability.schema import HOST
+
+        self.model = build(self.root)
+        traces = read_traces(self.root, self.root / "build" / "model")[HOST]
+        self.plan = make_plan(self.model, traces)
+        self.mutants = write_switched(self.root, set(self.plan.methods), log)
+        return f"{len(self.mutants)} in {len({one.method for one in self.mutants})} methods"
+
+    def build(self, log: TextIO) -> None:
+        from tools.mutation.switched import build_switched
+
+        build_switched(self.root, log)
+
+    def measure(self, log: TextIO) -> str:
+        from tools.mutation.score import measure
+        from tools.mutation.switched import PROGRAM
+        from traceability.schema import HOST
+
+        assert self.model is not None
+        assert self.plan is not None
+        known = {
+            test.id: (test.results[HOST].milliseconds or 0) / 1000
+            for test in self.model.tests.values()
+            if HOST in test.results
+        }
+        failing = measure(self.root / PROGRAM, self.plan, known)
+        for name in failing:
+            log.write(f"{name} does not pass in the mutated build, and is left out\n")
+        if not self.plan.seconds:
+            raise FailureError("no test passes in the mutated build")
+        left_out = f", {len(failing)} left out" if failing else ""
+        return f"{len(self.plan.seconds)} passed{left_out}"
+
+    def attempt(self, _log: TextIO) -> str:
+        from tools.mutation.score import order, try_all
+        from tools.mutation.switched import PROGRAM
+
+        assert self.plan is not None
+        start = shown = time.monotonic()
+
+        def goes_on(tried: list[Tried]) -> bool:
+            nonlocal shown
+            self.tried = tried
+            now = time.monotonic()
+            if now - shown >= SHOWN_EVERY:
+                shown = now
+                self.show(now - start)
+            return now - start < self.longest
+
+        numbers = iter(order(self.mutants, self.plan, self.seed))
+        try_all(self.root / PROGRAM, self.mutants, numbers, self.plan, goes_on)
+        self.took = (time.monotonic() - start) / 60
+        return f"{self.killed()} of {len(self.tried)} found, of {len(self.mutants)} in all"
+
+    def killed(self) -> int:
+        return sum(bool(one.killed_by) for one in self.tried)
+
+    def show(self, seconds: float) -> None:
+        clock = f"{int(seconds // 60)}:{int(seconds % 60):02}"
+        print(
+            f"\n  {clock} {len(self.tried)} of {len(self.mutants)} tried, {self.killed()} found",
+            end=" ",
+            file=self.out,
+            flush=True,
+        )

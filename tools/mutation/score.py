@@ -1,0 +1,174 @@
+"""Which mutants are tried, with which tests, and what is kept of it."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+
+from tools.cmake_build import jobs
+from tools.mutation.points import Mutant
+from tools.mutation.runs import Outcome, run_tests
+from traceability.model.design_model import Model
+from traceability.model.trees import accepted
+from traceability.reading.results import RESULTS
+from traceability.reading.traces import Traces, nodes_of
+from traceability.schema import HOST, Test
+
+RESULT = RESULTS / "mutation.json"
+
+
+@dataclass
+class Plan:
+    """What is known before the first mutant runs."""
+
+    methods: dict[str, list[str]]  # method -> requirements whose trees hold it
+    verifying: dict[str, set[str]]  # requirement -> its tests on this machine
+    executing: dict[str, set[str]]  # method -> tests that executed it
+    seconds: dict[str, float] = field(default_factory=dict)  # test that passes -> its time
+
+    def own(self, method: str, requirement: str) -> set[str]:
+        """The tests of a requirement that can notice a change of a method."""
+        return self.verifying[requirement] & self.executing.get(method, set()) & set(self.seconds)
+
+    def timed(self, tests: set[str]) -> dict[str, float]:
+        return {name: self.seconds[name] for name in sorted(tests) if name in self.seconds}
+
+
+@dataclass
+class Tried:
+    """A mutant that ran: the tests that found it, and for each requirement whether one was its own.
+
+    A requirement is missing where its tests were not decided.
+    """
+
+    mutant: Mutant
+    killed_by: list[str]
+    own: dict[str, bool]
+
+
+def make_plan(model: Model, traces: Traces) -> Plan:
+    assert model.facts is not None
+    plan = Plan({}, {}, {})
+    for requirement in model.requirements.values():
+        if requirement.tree is None:
+            continue
+        for node in nodes_of(requirement.tree):
+            for method in accepted(node, model.facts):
+                held = plan.methods.setdefault(method, [])
+                if requirement.id not in held:
+                    held.append(requirement.id)
+        plan.verifying[requirement.id] = {
+            name for name in requirement.verified_by if HOST in model.tests[name].gave("passed")
+        }
+    for test in model.tests.values():
+        if HOST not in test.gave("passed"):
+            continue
+        for method in executed(traces, test, set(plan.methods)):
+            plan.executing.setdefault(method, set()).add(test.id)
+    return plan
+
+
+def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
+    """The methods that a test called; all of them where its recording is not whole.
+
+    A death test calls in a process of its own, which is not recorded.
+    """
+    known = [name for name in test.results[HOST].recordings if name in traces.tests]
+    if test.suite.endswith("DeathTest") or any(
+        traces.file(name).with_suffix(".truncated").exists() for name in known
+    ):
+        return methods
+    return {method for name in known for method in traces.methods(name)} & methods
+
+
+def order(mutants: list[Mutant], plan: Plan, seed: int) -> list[int]:
+    """The numbers of the mutants, shuffled, so that each requirement in turn gives one."""
+    numbers = list(range(1, len(mutants) + 1))
+    random.Random(seed).shuffle(numbers)
+    waiting: dict[str, list[int]] = {name: [] for name in plan.verifying}
+    for number in numbers:
+        for name in plan.methods.get(mutants[number - 1].method, []):
+            waiting[name].append(number)
+    queues: dict[str, Iterator[int]] = {name: iter(held) for name, held in waiting.items()}
+    chosen: dict[int, None] = {}
+    while queues:
+        for name in list(queues):
+            following = next((one for one in queues[name] if one not in chosen), None)
+            if following is None:
+                del queues[name]
+            else:
+                chosen[following] = None
+    return list(chosen)
+
+
+def measure(program: Path, plan: Plan, seconds: dict[str, float]) -> list[str]:
+    """Notes the time of each test that passes without a mutant. Returns those that do not."""
+    names = set().union(*plan.executing.values()) if plan.executing else set()
+    wanted = {name: seconds.get(name, 1.0) for name in sorted(names)}
+    outcome = run_tests(program, 0, wanted)
+    plan.seconds = {name: wanted[name] for name in sorted(outcome.passed)}
+    return sorted(names - outcome.passed)
+
+
+def try_mutant(program: Path, number: int, mutant: Mutant, plan: Plan) -> Tried:
+    """Runs the tests of the requirements; where none finds it, all that execute its method."""
+    holders = plan.methods[mutant.method]
+    own = set().union(*(plan.own(mutant.method, name) for name in holders))
+    outcome = run_tests(program, number, plan.timed(own))
+    if not outcome.failed:
+        others = plan.executing.get(mutant.method, set()) - own
+        outcome.failed |= run_tests(program, number, plan.timed(others)).failed
+    found = {name: _found(outcome, plan.own(mutant.method, name)) for name in holders}
+    decided = {name: one for name, one in found.items() if one is not None}
+    return Tried(mutant, sorted(outcome.failed), decided)
+
+
+def _found(outcome: Outcome, tests: set[str]) -> bool | None:
+    """Whether a test failed; nothing while one of them is undecided."""
+    if tests & outcome.failed:
+        return True
+    return False if tests <= outcome.passed else None
+
+
+def try_all(
+    program: Path,
+    mutants: list[Mutant],
+    numbers: Iterator[int],
+    plan: Plan,
+    goes_on: Callable[[list[Tried]], bool],
+) -> list[Tried]:
+    """Tries mutants in this order for as long as the caller, who is told after each, says so."""
+    tried: list[Tried] = []
+
+    def work() -> None:
+        while goes_on(tried):
+            number = next(numbers, None)
+            if number is None:
+                return
+            tried.append(try_mutant(program, number, mutants[number - 1], plan))
+
+    workers = int(jobs())
+    with ThreadPoolExecutor(workers) as pool:
+        for done in [pool.submit(work) for _ in range(workers)]:
+            done.result()
+    return tried
+
+
+def record(
+    tried: list[Tried], sources: str, seed: int, total: int, minutes: float
+) -> dict[str, Any]:
+    """What is written: all that the model makes its scores from."""
+    return {
+        "sources": sources,
+        "seed": seed,
+        "total": total,
+        "minutes": round(minutes, 1),
+        "tried": [
+            {**asdict(one.mutant), "killed_by": one.killed_by, "own": one.own}
+            for one in sorted(tried, key=lambda one: (one.mutant.file, one.mutant.line))
+        ],
+    }

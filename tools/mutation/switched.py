@@ -1,0 +1,149 @@
+"""The switched build: one copy of the sources that holds all mutants, each behind its number."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Iterator
+from dataclasses import asdict
+from pathlib import Path
+from typing import TextIO
+
+from clang import cindex
+
+from tools.cmake_build import jobs
+from tools.mutation.points import Mutant, Point, compiler_arguments, find_points
+from tools.steps import FailureError, run
+from traceability.reading.translation_units import is_board, translation_units
+from traceability.sources import DESIGN, FRAMES, SRC, files_below
+
+FOLDER = Path("build/mutation")
+SOURCE, BINARY, LIST = FOLDER / "source", FOLDER / "binary", FOLDER / "mutants.json"
+# With the examples of the protocol, which tests read.
+COPIED = (*DESIGN, "sim", "tests", "docs", "design", "CMakeLists.txt", "setup", *FRAMES)
+SWITCH = Path(__file__).with_name("mutant.hpp")
+PROGRAM = BINARY / "tests" / "firmware_tests"
+ATTEMPTS = 10
+
+
+def write_switched(root: Path, wanted: set[str], log: TextIO) -> list[Mutant]:
+    """Writes the copy, with the mutants of the wanted methods. Returns these; they count from 1.
+
+    A mutant that does not compile is left out: a sum that a constant needs, for instance.
+    """
+    texts: dict[str, str] = {}
+    mutants: list[Mutant] = []
+    for unit, files in translation_units(root).items():
+        if is_board(unit) or not unit.startswith(f"{SRC}/"):
+            continue
+        found = find_points(root, unit, files, wanted)
+        if not found:
+            continue
+        first = len(mutants) + 1
+        changed, held = compiling(root, unit, found, first, log)
+        texts |= changed
+        mutants += held
+    copy(root, texts)
+    (root / LIST).write_text(json.dumps([asdict(one) for one in mutants]), encoding="utf-8")
+    return mutants
+
+
+def compiling(
+    root: Path, unit: str, found: dict[str, list[Point]], first: int, log: TextIO
+) -> tuple[dict[str, str], list[Mutant]]:
+    """The changed texts of a unit with the points that compile, and their mutants."""
+    for _ in range(ATTEMPTS):
+        held = [mutant for points in found.values() for one in points for mutant in one.mutants]
+        numbers = iter(range(first, first + len(held)))
+        texts = {file: switched(root / file, points, numbers) for file, points in found.items()}
+        bad = errors(root, unit, texts)
+        if not bad:
+            return texts, held
+        for file, line, words in bad:
+            log.write(f"{file}:{line}: no mutants here: {words}\n")
+        lines = {(file, line) for file, line, _ in bad}
+        found = {
+            file: [one for one in points if not lines & _lines(root / file, file, one)]
+            for file, points in found.items()
+        }
+    raise FailureError(f"the mutants of {unit} do not compile")
+
+
+def _lines(path: Path, file: str, point: Point) -> set[tuple[str, int]]:
+    text = path.read_bytes()
+    first, last = (text.count(b"\n", 0, at) + 1 for at in (point.start, point.end))
+    return {(file, line) for line in range(first, last + 1)}
+
+
+def switched(path: Path, points: list[Point], numbers: Iterator[int]) -> str:
+    """The text with each point wrapped."""
+    text = path.read_bytes()
+    edits: list[tuple[tuple[int, int, int], int, int, str]] = []
+    for order, point in enumerate(points):
+        number, *_ = [next(numbers) for _ in point.mutants]
+        length = point.end - point.start
+        # At one place, what ends comes before what begins.
+        before = (point.start, 1, order)
+        after = (point.end, 0, -order)
+        if length == 0:
+            before = (point.start, 0, order)
+        edits.append((before, point.start, point.start, point.before.replace("#", str(number))))
+        edits.append((after, point.end, point.end, point.after))
+        if point.inside:
+            edits.append(((point.cut[0], 1, order), *point.cut, point.inside))
+    result, at = b"", 0
+    for _, start, end, words in sorted(edits):
+        result += text[at:start] + words.encode()
+        at = end
+    return (result + text[at:]).decode()
+
+
+def errors(root: Path, unit: str, texts: dict[str, str]) -> list[tuple[str, int, str]]:
+    """File, line and words of each error of a unit with changed texts."""
+    arguments = [*compiler_arguments(root), "-include", str(SWITCH)]
+    unsaved = [(str(root / file), text) for file, text in texts.items()]
+    tree = cindex.Index.create().parse(str(root / unit), args=arguments, unsaved_files=unsaved)
+    found: list[tuple[str, int, str]] = []
+    for problem in tree.diagnostics:
+        if problem.severity < cindex.Diagnostic.Error or not problem.location.file:
+            continue
+        # An error in the switch itself lies where it was called, which a note tells. With parsed
+        # headers libclang reports errors that lie in no file; they mean nothing.
+        places = [problem.location, *(child.location for child in problem.children)]
+        for place in places:
+            if place.file and str(Path(place.file.name)) in {name for name, _ in unsaved}:
+                file = str(Path(place.file.name).relative_to(root))
+                found.append((file, place.line, problem.spelling))
+                break
+        else:
+            raise FailureError(f"{unit}: {problem.spelling}")
+    return found
+
+
+def copy(root: Path, texts: dict[str, str]) -> None:
+    """Makes the copy, and writes only what changed, so that the next build is short."""
+    target = root / SOURCE
+    wanted: set[Path] = set()
+    for path in files_below(root, COPIED):
+        name = path.relative_to(root)
+        if name.parts[:2] == ("tests", "python"):
+            continue
+        wanted.add(target / name)
+        text = texts[str(name)].encode() if str(name) in texts else path.read_bytes()
+        there = target / name
+        if not there.exists() or there.read_bytes() != text:
+            there.parent.mkdir(parents=True, exist_ok=True)
+            there.write_bytes(text)
+            shutil.copymode(path, there)
+    for path in files_below(target, COPIED):
+        if path not in wanted:
+            path.unlink()
+
+
+def build_switched(root: Path, log: TextIO) -> None:
+    """Builds the tests of this machine from the copy."""
+    flags = f"-O1 -w -include {SWITCH}"
+    words: list[str | Path] = ["cmake", "-S", root / SOURCE, "-B", root / BINARY, "-G", "Ninja"]
+    words += ["-DCMAKE_CXX_COMPILER=g++", f"-DCMAKE_CXX_FLAGS={flags}", "-DWR_WERROR=OFF"]
+    run(log, words)
+    run(log, ["cmake", "--build", root / BINARY, "--parallel", jobs(), "--target", PROGRAM.name])

@@ -1,0 +1,26 @@
+"""Runs the tests of one folder of tests/python."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TextIO
+
+from tools.cmake_build import jobs, junit_counts, outcome_of
+from tools.steps import FailureError, run
+from tools.task_graph import Outcome
+from traceability.reading.results import RESULTS
+
+
+def run_pytest(root: Path, folder: str, log: TextIO, *options: str) -> Outcome:
+    """Runs the tests; failed tests are an outcome, a run without results is an error."""
+    results = root / RESULTS / f"pytest_{folder}.xml"
+    results.parent.mkdir(parents=True, exist_ok=True)
+    words: list[str | Path] = [root / ".venv/bin/python", "-m", "pytest", "-q", "-ra"]
+    words += ["-n", jobs(), "--dist", "loadfile"]
+    words += [f"--rootdir={root}", "-c", root / "pyproject.toml", f"--junitxml={results}"]
+    try:
+        run(log, [*words, *options, root / "tests/python" / folder])
+    except FailureError:
+        if not results.exists():
+            raise
+    return outcome_of(junit_counts(results))

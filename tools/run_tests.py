@@ -1,0 +1,60 @@
+"""./wr test: every test and every check."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from tools.check import report
+from tools.cmake_build import Counts
+from tools.documents import read_findings
+from tools.lock import only_one
+from tools.task_graph import Reporter
+from tools.tasks import (
+    DOCUMENTS,
+    PAGES,
+    PYTHON_TESTS,
+    RESULT_TASKS,
+    TESTS_SANITIZE,
+    graph,
+    pages_graph,
+    python_task,
+)
+from traceability.reading.task_record import SEEDED_FAULTS
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "test",
+        description="Runs the tests of the firmware (with traces and coverage, with "
+        "sanitizers, and with the image on the virtual K64), those of the tools, every check, and "
+        "those of the portal's pages in a browser. What did not change since it was run last is "
+        "not run again. The last line counts the tests of the firmware "
+        "(once for this machine, once for the virtual K64), of the tools and of the pages.",
+    )
+    parser.add_argument(
+        "--long",
+        action="store_true",
+        help="also seed each fault of tests/drift in a copy, and see whether the checks find it",
+    )
+    parser.set_defaults(run=lambda root, options: test(root, long=options.long))
+
+
+def test(root: Path, *, long: bool) -> int:
+    with only_one(root, "test"):
+        names = [*RESULT_TASKS, TESTS_SANITIZE, *map(python_task, PYTHON_TESTS)]
+        results = graph(root).run([*names, SEEDED_FAULTS] if long else names)
+        pages = pages_graph(root).run([DOCUMENTS, PAGES])
+        counts = counts_of(results) + counts_of(pages)
+        code = report(read_findings(root), [*results.failed, *pages.failed])
+    print(counts)
+    return code if counts.passed else 1
+
+
+def counts_of(run: Reporter) -> Counts:
+    """The tests of all tasks; those with sanitizers are the same as those with traces."""
+    found = Counts()
+    for name, values in run.values.items():
+        if "passed" in values and name != TESTS_SANITIZE:
+            found += Counts(values["passed"], values["failed_tests"], values["skipped"])
+    return found

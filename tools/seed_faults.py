@@ -1,0 +1,202 @@
+"""Seeds the faults in copies of the project, checks the copies, and keeps what was found."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
+from pathlib import Path
+
+from portal.site_build import build_site
+from traceability.checks import message, run_checks, run_link_checks
+from traceability.model.build import build
+from traceability.reading.seeded_fault_record import SOURCES, Outcome, write_record
+from traceability.reading.seeded_faults import COMPILER, Fault, read_faults
+from traceability.schema import Finding
+
+NEAR = 2  # lines between the expected place and the finding: a comment stands above what it says
+WORKERS = 2
+BUILT = ("build/model", "build/results")
+LINKED = ("build/trace", "build/host", "build/k64")  # only read
+PAGES = ("build/pages", "build/pages-cache", "build/site", "build/diagrams")
+
+
+def seed_all(root: Path) -> list[Outcome]:
+    """Seeds every fault that the state of the project allows, and writes the record."""
+    faults = read_faults(root)
+    fresh = not build(root).results_stale
+    stages = {"sources"} | ({"results"} if fresh else set())
+    if (root / PAGES[2]).is_dir():
+        stages |= {"pages", "site"}
+    tried = [fault for fault in faults if fault.stage in stages]
+    outcomes = list(_outcomes(root, tried))
+    write_record(root, outcomes, len(faults) - len(tried))
+    return outcomes
+
+
+def _outcomes(root: Path, faults: list[Fault]) -> Iterator[Outcome]:
+    """By stage; the groups of a stage are shared out among copies."""
+    with (
+        tempfile.TemporaryDirectory(prefix="drift-") as folder,
+        ProcessPoolExecutor(WORKERS, mp_context=get_context("fork")) as pool,
+    ):
+        work = []
+        for stage in dict.fromkeys(fault.stage for fault in faults):
+            groups = grouped([fault for fault in faults if fault.stage == stage])
+            parts = min(WORKERS, len(groups))
+            work += [
+                (root, Path(folder) / f"{stage}{part}", stage, groups[part::parts])
+                for part in range(parts)
+            ]
+        done = {
+            outcome.name: outcome
+            for part in pool.map(_seed_part, *zip(*work, strict=True))
+            for outcome in part
+        }
+    yield from (done[fault.name] for fault in faults)
+
+
+def grouped(faults: list[Fault]) -> list[list[Fault]]:
+    """Groups whose faults share no file: they can be seeded together, and told apart.
+
+    One that does not compile hides what else is wrong: it stays alone.
+    """
+    alone = [[fault] for fault in faults if not fault.compiles]
+    groups: list[tuple[set[str], list[Fault]]] = []
+    for fault in faults:
+        if not fault.compiles:
+            continue
+        files = {fault.place, *(edit.file for edit in fault.edits)}
+        taken, group = next((one for one in groups if not one[0] & files), (set(), []))
+        if not group:
+            groups.append((taken, group))
+        taken |= files
+        group.append(fault)
+    return [group for _, group in groups] + alone
+
+
+def _seed_part(root: Path, tree: Path, stage: str, groups: list[list[Fault]]) -> list[Outcome]:
+    copy = Copy(root, tree, stage)
+    return [outcome for group in groups for outcome in copy.seed(group)]
+
+
+class Copy:
+    """A copy of the project, in which one fault after the other is seeded and taken back."""
+
+    def __init__(self, root: Path, tree: Path, stage: str) -> None:
+        self.tree = tree
+        self.stage = stage
+        for name in SOURCES:
+            _copy(root, tree, name)
+        if stage == "sources":
+            _copy(root, tree, "build/model")
+        else:
+            for name in (*BUILT, *PAGES):
+                _copy(root, tree, name)
+            for name in LINKED:
+                if (root / name).exists():
+                    (tree / name).symlink_to(root / name)
+        self.before = {_key(one) for one in self.findings()}
+        self.cache = {path: path.read_bytes() for path in self._cached()}
+        self.stamps = self._stamps()
+
+    def findings(self) -> list[Finding]:
+        if self.stage == "site":
+            return run_link_checks(build(self.tree), self.tree / "build" / "site")
+        model = build(self.tree)
+        found = run_checks(model)
+        if self.stage == "pages":
+            found = [*found, *build_site(self.tree, model, found).warnings]
+        return found
+
+    def seed(self, faults: list[Fault]) -> list[Outcome]:
+        """What is not found among others, or does not compile with them, is seeded again, alone."""
+        outcomes = self._seed(faults)
+        if len(faults) == 1:
+            return outcomes
+        return [
+            outcome if outcome.caught else self._seed([fault])[0]
+            for fault, outcome in zip(faults, outcomes, strict=True)
+        ]
+
+    def _seed(self, faults: list[Fault]) -> list[Outcome]:
+        edits = [edit for fault in faults for edit in fault.edits]
+        kept = {edit.file: _content(self.tree / edit.file) for edit in edits}
+        new: list[Finding] = []
+        lines = [0] * len(faults)
+        error: list[str] = []
+        try:
+            for number, fault in enumerate(faults):
+                changed = [edit.apply(self.tree) for edit in fault.edits]
+                lines[number] = fault.expected_line(self.tree, changed[0])
+            new = [one for one in self.findings() if _key(one) not in self.before]
+        except ValueError as problem:
+            error = [str(problem)]
+        finally:
+            self._restore(kept)
+        return [_outcome(*pair, new, error) for pair in zip(faults, lines, strict=True)]
+
+    def _cached(self) -> list[Path]:
+        """What is kept of each file. What Doxygen said belongs to its XML, which stays."""
+        found = sorted((self.tree / "build" / "model").rglob("*.json"))
+        return [path for path in found if path.name != "doxygen.json"]
+
+    def _stamps(self) -> dict[Path, int]:
+        return {path: path.stat().st_mtime_ns for path in self._cached()}
+
+    def _restore(self, kept: dict[str, bytes | None]) -> None:
+        """The files as they were, and what was read from them: so nothing is read a second time."""
+        for file, content in kept.items():
+            if content is None:
+                (self.tree / file).unlink(missing_ok=True)
+            else:
+                (self.tree / file).write_bytes(content)
+        now = self._stamps()
+        for path, content in self.cache.items():
+            if now.get(path) != self.stamps[path]:
+                path.write_bytes(content)
+        for path in set(now) - set(self.cache):
+            path.unlink()
+        self.stamps = self._stamps()
+
+
+def _outcome(fault: Fault, line: int, new: list[Finding], error: list[str]) -> Outcome:
+    right = [
+        one
+        for one in new
+        if one.check == fault.check
+        and one.place.file == fault.place
+        and abs(one.place.line - line) <= NEAR
+    ]
+    compiles = not any(one.check == COMPILER for one in new)
+    return Outcome(
+        name=fault.name,
+        check=fault.check,
+        says=fault.says,
+        file=fault.place,
+        line=line,
+        caught=bool(right) and compiles == fault.compiles,
+        compiles=compiles,
+        said=error or [message(one) for one in right or new],
+    )
+
+
+def _key(finding: Finding) -> tuple[str, int, str, str]:
+    return finding.place.file, finding.place.line, finding.check, finding.text
+
+
+def _content(path: Path) -> bytes | None:
+    return path.read_bytes() if path.is_file() else None
+
+
+def _copy(root: Path, tree: Path, name: str) -> None:
+    """The precompiled library holds the path of its tree: each copy makes its own."""
+    source, target = root / name, tree / name
+    if source.is_dir():
+        ignored = shutil.ignore_patterns("python", "standard*", "__pycache__", "xml")
+        shutil.copytree(source, target, ignore=ignored if "site" not in name else None)
+    elif source.exists():
+        target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(source, target)

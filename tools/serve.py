@@ -1,0 +1,85 @@
+"""./wr serve: serves the portal on this machine."""
+
+from __future__ import annotations
+
+import argparse
+import errno
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from threading import Thread
+
+from tools.steps import FailureError
+from tools.task_graph import WAKE
+
+ADDRESS = "127.0.0.1"
+PORT = 8000
+SITE = Path("build/site")
+STATUS = SITE / "status.json"  # what still runs, for the open page
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "serve",
+        description="Serves the portal that was built last, on this machine only.",
+    )
+    add_port(parser)
+    parser.set_defaults(run=lambda root, options: serve(root, options.port))
+
+
+def add_port(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--port", type=port_number, default=PORT, help=f"port of the server (default: {PORT})"
+    )
+
+
+def port_number(text: str) -> int:
+    number = int(text)
+    if not 1 <= number <= 65535:
+        raise argparse.ArgumentTypeError(f"{number} is not within 1 to 65535")
+    return number
+
+
+class Handler(SimpleHTTPRequestHandler):
+    """Files of the site; asks the browser to look again, because the site is rebuilt."""
+
+    def end_headers(self) -> None:
+        self.send_header("Cache-Control", "no-cache")
+        super().end_headers()
+
+    # The name of the parameter is that of the base class.
+    def log_message(self, format: str, *args: object) -> None:  # noqa: A002
+        """Says nothing for each page."""
+
+
+def make_server(site: Path, port: int) -> ThreadingHTTPServer:
+    if not (site / "index.html").exists():
+        raise FailureError("there is no portal yet; ./wr portal builds it")
+    try:
+        return ThreadingHTTPServer((ADDRESS, port), partial(Handler, directory=str(site)))
+    except OSError as error:
+        if error.errno == errno.EADDRINUSE:
+            raise FailureError(f"port {port} is in use; choose another with --port") from error
+        raise FailureError(f"cannot open port {port}: {error.strerror}") from error
+
+
+def serving(root: Path, port: int) -> tuple[str, Thread]:
+    """Serves the portal in a thread; returns its address, and the thread."""
+    (root / STATUS).unlink(missing_ok=True)  # that of a run which ended
+    server = make_server(root / SITE, port)
+    thread = Thread(target=server.serve_forever, daemon=True)
+    thread.start()
+    return f"http://{ADDRESS}:{port}/", thread
+
+
+def serve(root: Path, port: int) -> int:
+    address, thread = serving(root, port)
+    print(f"The portal is at {address} (Ctrl-C ends)", flush=True)
+    wait(thread)
+    return 0
+
+
+def wait(thread: Thread) -> None:
+    """Waits for Ctrl-C, which reaches the main thread only when it wakes up."""
+    while thread.is_alive():
+        thread.join(WAKE)

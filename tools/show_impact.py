@@ -1,0 +1,85 @@
+"""./wr impact: what a change may affect."""
+
+from __future__ import annotations
+
+import argparse
+import dataclasses
+import json
+import textwrap
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from tools.steps import FailureError
+
+if TYPE_CHECKING:
+    from traceability.model.impact import Impact, Reached
+
+WIDTH = 100
+SHOWN = 12  # tests that are listed without --json
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "impact",
+        description="Builds the model and tells which modules a change may affect, by their "
+        "distance, and which requirements, patterns and tests to look at again. The portal shows "
+        "the same on the page of each module and requirement.",
+    )
+    parser.add_argument("subject", help="a file of the project, a module, or a requirement (FR-15)")
+    parser.add_argument("--json", action="store_true", help="print it for a program")
+    parser.set_defaults(run=impact)
+
+
+def impact(root: Path, options: argparse.Namespace) -> int:
+    from traceability.model.build import build
+    from traceability.model.impact import Impacts, UnknownSubjectError
+
+    subject: str = options.subject
+    path = Path(subject)
+    if path.exists() and path.resolve().is_relative_to(root):
+        subject = str(path.resolve().relative_to(root))
+    try:
+        found = Impacts(build(root)).of(subject)
+    except UnknownSubjectError as error:
+        raise FailureError(str(error)) from error
+    if options.json:
+        print(json.dumps(dataclasses.asdict(found), indent=1))
+    else:
+        print("\n".join(lines_of(found)))
+    return 0
+
+
+def lines_of(found: Impact) -> list[str]:
+    lines = [f"A change of the {found.kind} {found.subject}"]
+    farthest = max((one.distance for one in found.modules), default=-1)
+    for distance in range(farthest + 1):
+        names = found.at(distance)
+        titles = ["begins with", "may affect directly", f"may affect over {distance} uses"]
+        title = titles[min(distance, 2)]
+        lines += ["", f"{title}: {counted(len(names), 'module')}"]
+        lines += reasons(names) if distance < 2 else wrapped([one.id for one in names])
+    for noun, reached in (
+        ("requirement", found.requirements),
+        ("safety goal", found.goals),
+        ("pattern", found.patterns),
+    ):
+        lines += ["", f"look at again: {counted(len(reached), noun)}"]
+        lines += reasons(reached)
+    lines += ["", f"run again: {counted(len(found.tests), 'test')}"]
+    lines += reasons(found.tests[:SHOWN])
+    if len(found.tests) > SHOWN:
+        lines.append(f"  and {len(found.tests) - SHOWN} more; --json lists them")
+    return lines
+
+
+def counted(number: int, noun: str) -> str:
+    return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
+def reasons(reached: list[Reached]) -> list[str]:
+    width = max((len(one.id) for one in reached), default=0)
+    return [f"  {one.id:<{width}}  {one.because}" for one in reached]
+
+
+def wrapped(names: list[str]) -> list[str]:
+    return textwrap.wrap(", ".join(names), WIDTH, initial_indent="  ", subsequent_indent="  ")

@@ -1,0 +1,117 @@
+"""./wr sim: runs the firmware on this machine, or its image on the virtual board."""
+
+from __future__ import annotations
+
+import argparse
+import os
+from pathlib import Path
+
+from tools.cmake_build import BOARD_PROGRAM
+from tools.firmware import add_product
+from tools.lock import only_one
+from tools.steps import FailureError
+from tools.tasks import HOST_FIRMWARE, K64_FIRMWARE, VIRTUAL_BOARD, graph
+from traceability.reading.products import DEFAULT, PAPER, image_of
+from weeding_robot_client.options import positive
+
+PROGRAM = "weeding_robot_host"
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "sim",
+        description="Builds the firmware for this machine and runs it in real time. Its PC link is "
+        "a pseudo-terminal, to which ./wr drive and ./wr monitor connect. Ctrl-C ends it. With "
+        "--board, builds the image for the K64 and runs that on the virtual K64. Exit code 4: the "
+        "virtual K64 found a fault.",
+    )
+    parser.add_argument(
+        "--board", action="store_true", help="run the image for the K64 on the virtual K64"
+    )
+    add_product(parser, "with --board: the product whose image is run")
+    parser.add_argument(
+        "--link",
+        type=Path,
+        help="name of the link made to the pseudo-terminal (default: build/pc-link)",
+    )
+    parser.add_argument(
+        "--control",
+        type=Path,
+        metavar="PATH",
+        help="socket that accepts actions of a scenario (default: build/sim-control)",
+    )
+    parser.add_argument(
+        "--cycles", type=positive, help="end after this number of control cycles of 100 ms"
+    )
+    parser.add_argument(
+        "--fast",
+        action="store_true",
+        help="with --board and --cycles: as fast as possible, without a PC link",
+    )
+    parser.add_argument(
+        "--scenario", type=Path, metavar="FILE", help="play this scenario instead of a PC link"
+    )
+    parser.add_argument(
+        "--reports", type=Path, metavar="FILE", help="with --scenario: write its reports as a table"
+    )
+    parser.add_argument(
+        "--trace", type=Path, metavar="FILE", help="with --board: write what happened, and when"
+    )
+    parser.add_argument(
+        "--resets",
+        action="store_true",
+        help="with --board: go on after a reset that the program causes",
+    )
+    parser.set_defaults(run=lambda root, options: sim(root, options, parser))
+
+
+def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+    """Builds what is asked for, and becomes it."""
+    if options.product not in (DEFAULT, PAPER) and not options.board:
+        parser.error(f"--product {options.product} needs --board")
+    if options.trace and not options.board:
+        parser.error(f"--trace {options.trace} needs --board")
+    if options.resets and not options.board:
+        parser.error("--resets needs --board")
+    if options.fast and not (options.board and options.cycles):
+        parser.error("--fast needs --board and --cycles")
+    if options.reports and not options.scenario:
+        parser.error(f"--reports {options.reports} needs --scenario")
+    with only_one(root, "sim"):
+        needed = (K64_FIRMWARE, VIRTUAL_BOARD) if options.board else (HOST_FIRMWARE,)
+        if graph(root).run(needed).failed:
+            return 1
+    words = command(root, options)
+    try:
+        return os.execv(words[0], words)
+    except OSError as error:
+        raise FailureError(f"cannot run {words[0]}: {error.strerror}") from error
+
+
+def command(root: Path, options: argparse.Namespace) -> list[str]:
+    """The program and its options. A scenario takes the place of the PC link."""
+    stepped = options.fast or options.scenario is not None
+    program = BOARD_PROGRAM if options.board else PROGRAM
+    words = [str(root / "build" / "host" / "sim" / program)]
+    if options.board:
+        image, elf = (root / image_of(options.product, suffix) for suffix in (".bin", ".elf"))
+        words += ["--image", str(image), "--elf", str(elf), "--robot"]
+    elif options.product == PAPER:
+        words.append("--paper")
+    link, control = options.link, options.control
+    if not stepped:
+        link = link or root / "build" / "pc-link"
+        control = control or root / "build" / "sim-control"
+        (root / "build").mkdir(parents=True, exist_ok=True)
+    for name, value in (
+        ("--link", link),
+        ("--control", control),
+        ("--cycles", options.cycles),
+        ("--scenario", options.scenario),
+        ("--reports", options.reports),
+        ("--trace", options.trace),
+    ):
+        if value is not None:
+            words += [name, str(value)]
+    flags = {"--fast": options.fast, "--resets": options.resets}
+    return words + [name for name, chosen in flags.items() if chosen]

@@ -1,0 +1,132 @@
+"""Steps of a command: each has a title, a log file, a time, and an outcome."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+import time
+import traceback
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, TextIO, TypeVar
+
+TAIL_LINES = 30
+Result = TypeVar("Result")
+
+
+class FailureError(Exception):
+    """A step failed. The message says what is wrong."""
+
+
+class MissingError(FailureError):
+    """What the command needs is not there."""
+
+
+# The programs that this process started, and that still run.
+_started: list[subprocess.Popen[Any]] = []
+
+
+def run(
+    log: TextIO,
+    command: Sequence[str | Path],
+    env: Mapping[str, str] | None = None,
+    folder: Path | None = None,
+) -> float:
+    """Runs a command with its output in the log; raises FailureError when it fails.
+
+    Returns the processor time that it used [s].
+    """
+    words = [str(word) for word in command]
+    log.write(f"$ {' '.join(words)}\n")
+    log.flush()
+    try:
+        program = subprocess.Popen(
+            words, stdin=subprocess.DEVNULL, stdout=log, stderr=log, env=env, cwd=folder
+        )
+    except FileNotFoundError as error:
+        raise FailureError(f"{words[0]} is not installed") from error
+    with stoppable(program):
+        _, status, used = os.wait4(program.pid, 0)
+        program.returncode = os.waitstatus_to_exitcode(status)
+    if program.returncode != 0:
+        raise FailureError(f"{Path(words[0]).name} ended with exit code {program.returncode}")
+    return used.ru_utime + used.ru_stime
+
+
+@contextmanager
+def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
+    """While it runs, an interrupt ends the program too."""
+    _started.append(program)
+    try:
+        yield
+    finally:
+        _started.remove(program)
+
+
+def stop_programs() -> None:
+    """Ends the programs that still run, when the command was interrupted."""
+    for program in list(_started):
+        program.terminate()
+
+
+def tail(path: Path, lines: int = TAIL_LINES) -> str:
+    return "\n".join(path.read_text(errors="replace").splitlines()[-lines:])
+
+
+def attempt(action: Callable[[TextIO], Result], log: TextIO) -> Result:
+    """Runs the action; an error in the tools themselves fails the step, its place is in the log."""
+    try:
+        return action(log)
+    except FailureError:
+        raise
+    except Exception as error:
+        log.write(traceback.format_exc())
+        raise FailureError(f"{type(error).__name__}: {error}") from error
+
+
+def log_of(root: Path, title: str) -> Path:
+    """Returns where the output of a step is written."""
+    return root / "build" / "logs" / (re.sub(r"\W+", "-", title).strip("-") + ".log")
+
+
+@dataclass
+class Steps:
+    """Runs the steps of one command and records those that failed."""
+
+    root: Path
+    total: int
+    out: TextIO = field(default_factory=lambda: sys.stdout)
+    number: int = 0
+    failed: list[str] = field(default_factory=list)
+
+    def run(self, title: str, action: Callable[[TextIO], str | None]) -> bool:
+        """Runs one step. The action writes to the log and returns a short note, or nothing."""
+        self.number += 1
+        path = log_of(self.root, title)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        self._say(f"[{self.number}/{self.total}] {title} ... ", end="")
+        start = time.monotonic()
+        try:
+            with path.open("w") as log, redirect_stdout(log), redirect_stderr(log):
+                note = attempt(action, log)
+        except FailureError as error:
+            self.failed.append(title)
+            self._say(f"FAILED, {time.monotonic() - start:.1f} s: {error}")
+            self._say(tail(path))
+            self._say(f"The whole log: {path.relative_to(self.root)}")
+            return False
+        seconds = f"{time.monotonic() - start:.1f} s"
+        self._say(f"{note}, {seconds}" if note else seconds)
+        return True
+
+    def skip(self, title: str, reason: str) -> None:
+        """Counts a step that cannot run."""
+        self.number += 1
+        self._say(f"[{self.number}/{self.total}] {title} ... not run: {reason}")
+
+    def _say(self, text: str, end: str = "\n") -> None:
+        print(text, end=end, file=self.out, flush=True)

@@ -1,0 +1,293 @@
+"""The tasks of the project: what each does, what it reads, and what it leaves.
+
+What the sources of a program are, Ninja finds. All other inputs are declared here, and only here.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import TextIO
+
+from tools.baseline import TESTS as BASELINE_TESTS
+from tools.baseline import compare, image_name
+from tools.bench_runs import measure_all
+from tools.browser import find_browser, works
+from tools.closed_loop_runs import HOST_PROGRAM, play_all
+from tools.cmake_build import (
+    BOARD,
+    BOARD_PRESET,
+    BOARD_PROGRAM,
+    BOARD_TESTS,
+    TESTS,
+    build,
+    outcome_of,
+    run_tests,
+    sources_of,
+)
+from tools.coverage_run import count_coverage
+from tools.documents import FINDINGS, make_documents
+from tools.python_tests import run_pytest
+from tools.sizes import write_products, write_sizes
+from tools.task_graph import Graph, Outcome, Task
+from traceability.model.build import commit
+from traceability.reading import task_record
+from traceability.reading.baseline_record import DESIGNS, FOLDER, RESULT
+from traceability.reading.bench_record import BENCH, PAPER_BENCH
+from traceability.reading.bench_record import FOLDER as BENCH_SCENARIOS
+from traceability.reading.closed_loop_record import DECLARED, EXAMPLES, OUTCOMES
+from traceability.reading.products import DEFAULT, PRODUCTS
+from traceability.reading.products import LIST as PRODUCT_LIST
+from traceability.reading.results import COVERAGE, COVERAGE_LINES, RESULTS
+from traceability.reading.seeded_fault_record import RECORD as FAULTS
+from traceability.reading.task_record import is_fresh
+
+# ---- names -------------------------------------------------------------------
+
+HOST_FIRMWARE, K64_FIRMWARE = "firmware (this machine)", "firmware (K64)"
+VIRTUAL_BOARD, BASELINE_BUILD = "virtual K64", "build (baseline design)"
+TESTS_SANITIZE = "tests (sanitize)"
+DOCUMENTS, PAGES = "documents", "tests (pages)"
+PAGES_RECORD = Path("build/pages.json")
+FIRMWARE = (HOST_FIRMWARE, K64_FIRMWARE, task_record.IMAGES)
+# What the pages show besides the sources. The first ones are those that a reader waits for most.
+RESULT_TASKS = (
+    *FIRMWARE,
+    task_record.TESTS_TRACE,
+    task_record.COVERAGE,
+    task_record.TESTS_BOARD,
+    task_record.CLOSED_LOOP,
+    task_record.BENCH,
+    task_record.BASELINE,
+)
+
+# ---- declared inputs ---------------------------------------------------------
+
+DESIGN = ("src", "extensions")
+BUILD_FILES = ("CMakeLists.txt", "CMakePresets.json", "setup/k64-toolchain.cmake")
+SCENARIOS = (str(EXAMPLES), "tests/system", "tests/usual_design")  # tests and runs read them
+TOOLS = ("traceability", "site/portal", "tools", "client", "pyproject.toml", "setup/python.lock")
+# The seeded faults: the sources, the checks, and the faults.
+SEEDED = (
+    *(*DESIGN, "sim", "tests", "requirements", "design", "docs", "README.md"),
+    *(*BUILD_FILES, *TOOLS),
+)
+# The pages show all that is written by hand.
+SHOWN = (*SEEDED, "site", "setup", "wr")
+SHOWN_RESULTS = (
+    *("trace.json", "board.json", "coverage.json", "coverage_lines.json", "closed_loop.json"),
+    *("bench.json", "bench_paper.json", "usual_design.json", "products.json", "size_k64.json"),
+    *("image_k64.json", "driver_faults.json", "mutation.json", "drift.json"),
+    *("trace.cost.json", "plain.cost.json"),
+)
+# Each folder of tests/python, and what its tests read besides the tools.
+PYTHON_TESTS: dict[str, tuple[str, ...]] = {
+    "reading": (*DESIGN, "sim", "design", "tests/support", "tests/usual_design"),
+    "model": ("design", "requirements", "sim/scenario"),
+    "checks": ("design",),
+    "exports": (),
+    "portal": ("site", "docs"),
+    "tools": ("site", "setup", "wr", "tests/drift", *DESIGN, "sim", "tests/usual_design"),
+    "client": ("design", "docs", "sim/scenario"),
+    "firmware": (*DESIGN, "sim", "tests/k64"),
+    "programs": ("sim/scenario", "design", str(COVERAGE_LINES)),
+}
+RUN_PROGRAMS = ("client", "firmware", "programs")  # folders whose tests run programs that are built
+
+
+def python_task(folder: str) -> str:
+    return f"tests (tools, {folder})"
+
+
+# ---- the tasks ---------------------------------------------------------------
+
+
+def graph(root: Path) -> Graph:
+    """Returns the tasks that build, test and measure."""
+    return Graph(root, [*builds(root), *measurements(root), *checks_of_tools(root)])
+
+
+def pages_graph(root: Path, out: TextIO | None = None) -> Graph:
+    """Returns the tasks of the pages, which run while others still measure."""
+    return Graph(root, documents(root, out or sys.stdout), out or sys.stdout, record=PAGES_RECORD)
+
+
+def builds(root: Path) -> list[Task]:
+    """Ninja itself finds what to build; each task returns the sources that Ninja knows."""
+
+    def made(name: str, *programs: tuple[str, tuple[str, ...]]) -> Task:
+        def action(log: TextIO) -> Outcome:
+            found: set[str] = set()
+            for preset, targets in programs:
+                build(root, preset, log, *targets)
+                found |= set(sources_of(root, preset, *targets))
+            return Outcome(f"{len(found)} sources", values={"file_dep": sorted(found)})
+
+        return Task(name, action, always=True)
+
+    images = tuple(f"{product}.elf" for product in PRODUCTS)
+    baselines = tuple(f"{image_name(design)}.elf" for design in DESIGNS)
+    return [
+        made(HOST_FIRMWARE, ("host", (HOST_PROGRAM,))),
+        made(K64_FIRMWARE, ("k64", images)),
+        made(VIRTUAL_BOARD, (BOARD_PRESET, (BOARD_PROGRAM,))),
+        *(made(f"build ({name})", (name, (TESTS,))) for name in ("trace", "sanitize", "plain")),
+        made("build (virtual K64)", (BOARD_PRESET, (BOARD_TESTS,))),
+        made(BASELINE_BUILD, ("k64", baselines), (BOARD_PRESET, (BASELINE_TESTS,))),
+    ]
+
+
+def measurements(root: Path) -> list[Task]:
+    """Tests and runs of the programs that were built. Their inputs are the sources of these."""
+
+    def tests(run: str) -> Callable[[TextIO], Outcome]:
+        return lambda log: outcome_of(run_tests(root, run, log))
+
+    def sizes(_log: TextIO) -> str:
+        write_sizes(root)
+        whole = write_products(root)[DEFAULT]
+        return f"{len(PRODUCTS)} products; {DEFAULT}: {whole.flash} bytes flash, {whole.ram} RAM"
+
+    def compared(log: TextIO) -> str:
+        compare(root, log)
+        return f"{len(DESIGNS)} designs"
+
+    on_board = (VIRTUAL_BOARD, K64_FIRMWARE)
+    return [
+        Task(
+            task_record.IMAGES,
+            sizes,
+            (*DESIGN, *BUILD_FILES, str(PRODUCT_LIST)),
+            tuple(f"{RESULTS}/{name}.json" for name in ("size_k64", "image_k64", "products")),
+            inputs_from=(K64_FIRMWARE,),
+        ),
+        Task(
+            task_record.TESTS_TRACE,
+            tests("trace"),
+            SCENARIOS,
+            (f"{RESULTS}/trace.json",),
+            inputs_from=("build (trace)",),
+        ),
+        Task(
+            task_record.TESTS_BOARD,
+            tests(BOARD),
+            (*DESIGN, *SCENARIOS),
+            (f"{RESULTS}/board.json",),
+            inputs_from=("build (virtual K64)", K64_FIRMWARE),
+        ),
+        Task(
+            task_record.COVERAGE,
+            partial(count_coverage, root),
+            (f"{RESULTS}/trace.json",),
+            (str(COVERAGE), str(COVERAGE_LINES)),
+        ),
+        Task(
+            task_record.CLOSED_LOOP,
+            partial(play_all, root),
+            (*DESIGN, str(EXAMPLES), str(DECLARED)),
+            (str(OUTCOMES),),
+            inputs_from=(HOST_FIRMWARE, *on_board),
+        ),
+        Task(
+            task_record.BENCH,
+            partial(measure_all, root),
+            (*DESIGN, str(BENCH_SCENARIOS)),
+            (str(BENCH), str(PAPER_BENCH)),
+            inputs_from=on_board,
+        ),
+        Task(
+            task_record.BASELINE,
+            compared,
+            (*DESIGN, str(FOLDER)),
+            (str(RESULT),),
+            inputs_from=(BASELINE_BUILD, VIRTUAL_BOARD),
+        ),
+        Task(
+            TESTS_SANITIZE,
+            tests("sanitize"),
+            SCENARIOS,
+            (f"{RESULTS}/sanitize.json",),
+            inputs_from=("build (sanitize)",),
+        ),
+        Task(
+            task_record.TESTS_PLAIN,
+            tests("plain"),
+            SCENARIOS,
+            (f"{RESULTS}/plain.json",),
+            inputs_from=("build (plain)",),
+        ),
+    ]
+
+
+def checks_of_tools(root: Path) -> list[Task]:
+    """The tests of the tools, and the faults that are seeded to test the checks."""
+    built = (HOST_FIRMWARE, VIRTUAL_BOARD, K64_FIRMWARE)
+
+    def tests(folder: str, others: tuple[str, ...]) -> Task:
+        return Task(
+            python_task(folder),
+            lambda log: run_pytest(root, folder, log),
+            (*TOOLS, *others, f"tests/python/{folder}"),
+            (f"{RESULTS}/pytest_{folder}.xml",),
+            inputs_from=built if folder in RUN_PROGRAMS else (),
+        )
+
+    return [
+        *(tests(folder, others) for folder, others in PYTHON_TESTS.items()),
+        Task(
+            task_record.SEEDED_FAULTS,
+            partial(seed_faults, root),
+            SEEDED,
+            (str(FAULTS),),
+        ),
+    ]
+
+
+def seed_faults(root: Path, log: TextIO) -> Outcome:
+    """Each fault must be found; what was found, and where, is on a page of the portal."""
+    from tools.seed_faults import seed_all
+
+    outcomes = seed_all(root)
+    missed = [one for one in outcomes if not one.caught]
+    for one in missed:
+        log.write(f"{one.name}: {one.says} [{one.check}] at {one.file}:{one.line}\n")
+        log.writelines(f"    found: {said}\n" for said in one.said)
+    found = f"{len(outcomes) - len(missed)} of {len(outcomes)} faults found"
+    return Outcome(found, bool(missed))
+
+
+def documents(root: Path, out: TextIO) -> list[Task]:
+    """The pages with their findings, and the tests of the pages."""
+
+    def state() -> str:
+        names = (*RESULT_TASKS, task_record.SEEDED_FAULTS, task_record.FIRMWARE_FAULTS)
+        return json.dumps([commit(root), {name: is_fresh(root, name) for name in names}])
+
+    def pages(log: TextIO) -> Outcome:
+        if not works(find_browser()):
+            log.write("There is no browser: the tests that need one are left out.\n")
+            return run_pytest(root, "site", log, "-m", "not browser")
+        return run_pytest(root, "site", log)
+
+    results = tuple(name for one in SHOWN_RESULTS if (root / (name := f"{RESULTS}/{one}")).exists())
+    return [
+        Task(
+            DOCUMENTS,
+            partial(make_documents, root, out),
+            (*SHOWN, *results),
+            (str(FINDINGS),),
+            must_exist=("build/metrics.json", "build/site/index.html"),
+            state=state,
+            quiet=True,
+        ),
+        Task(
+            PAGES,
+            pages,
+            (*SHOWN, *results),
+            (f"{RESULTS}/pytest_site.xml",),
+            after=(DOCUMENTS,),
+        ),
+    ]

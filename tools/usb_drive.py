@@ -1,0 +1,99 @@
+"""The drive that the debug probe of the FRDM-K64F shows: an image copied to it is written."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import TextIO
+
+from tools.steps import FailureError
+
+MOUNTS = Path("/proc/mounts")
+MARKS = ("DETAILS.TXT", "MBED.HTM")
+FAILURE = "FAIL.TXT"
+LABEL_OF_PROBE = re.compile(r"^(BOOTLOADER|MAINTENANCE)$", re.IGNORECASE)
+GOES_WITHIN = 10.0  # the drive goes when the image is written
+COMES_WITHIN = 10.0  # and comes again with the outcome
+LOOK = 0.1
+
+
+def mounted() -> list[Path]:
+    """Where drives of boards are mounted."""
+    lines = MOUNTS.read_text(errors="replace").splitlines() if MOUNTS.exists() else []
+    fat = [fields[1] for line in lines if (fields := line.split())[2] in ("vfat", "msdos")]
+    folders = [Path(unescaped(name)) for name in fat]
+    return [folder for folder in folders if file_of(folder, MARKS) is not None]
+
+
+def unescaped(name: str) -> str:
+    """Blanks in the name of a mount point are octal numbers."""
+    return re.sub(r"\\([0-7]{3})", lambda match: chr(int(match[1], 8)), name)
+
+
+def file_of(folder: Path, names: tuple[str, ...]) -> Path | None:
+    """The first file of these names, in capitals or not."""
+    try:
+        files = sorted(folder.iterdir())
+    except OSError:
+        return None
+    return next((file for file in files if file.name.upper() in names), None)
+
+
+def problem(folder: Path) -> str:
+    """Why nothing can be copied to this folder; empty when it is the drive of a board."""
+    if not folder.is_dir():
+        return f"{folder} is no folder"
+    if file_of(folder, MARKS) is None:
+        return f"{folder} is not the drive of a board: it has neither {' nor '.join(MARKS)}"
+    details = file_of(folder, ("DETAILS.TXT",))
+    text = details.read_text(errors="replace") if details else ""
+    if LABEL_OF_PROBE.match(folder.name) or re.search(r"Mode:\s*Bootloader", text, re.IGNORECASE):
+        return (
+            f"{folder} takes software for the debug probe, not for the K64. Disconnect the board, "
+            "and connect it without its reset button pressed"
+        )
+    return ""
+
+
+def copy(image: Path, folder: Path, log: TextIO) -> str:
+    """Copies the image, then waits until the drive has come again, and reads the outcome."""
+    old = failure(folder)
+    log.write(f"copies {image} to {folder}\n")
+    try:
+        with image.open("rb") as source, (folder / image.name).open("wb") as target:
+            shutil.copyfileobj(source, target)
+            target.flush()
+            os.fsync(target.fileno())
+    except OSError as error:
+        raise FailureError(f"cannot write to {folder}: {error.strerror}") from error
+    went = wait(lambda: file_of(folder, MARKS) is None or failure(folder) != old, GOES_WITHIN)
+    came = went and wait(lambda: file_of(folder, MARKS) is not None, COMES_WITHIN)
+    if came and (text := failure(folder)):
+        raise FailureError(f"the board did not take the image: {text}")
+    if came:
+        return "the board took the image"
+    if went:
+        return "copied; the drive was not mounted again: look there for a file FAIL.TXT"
+    raise FailureError("copied, but the board did not react: its drive stayed as it was")
+
+
+def failure(folder: Path) -> str:
+    """What the probe says of a copy that failed."""
+    file = file_of(folder, (FAILURE,))
+    try:
+        return " ".join(file.read_text(errors="replace").split()) if file else ""
+    except OSError:
+        return ""
+
+
+def wait(holds: Callable[[], bool], seconds: float) -> bool:
+    end = time.monotonic() + seconds
+    while not holds():
+        if time.monotonic() > end:
+            return False
+        time.sleep(LOOK)
+    return True

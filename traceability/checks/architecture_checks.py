@@ -1,0 +1,46 @@
+"""arch-*: the architecture names modules that exist, and its connections are in the code."""
+
+from __future__ import annotations
+
+from traceability.model.architecture import is_outside
+from traceability.model.design_model import Model
+from traceability.reading.source_facts import Facts
+from traceability.schema import Finding, Place
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    names: list[tuple[str, Place]] = []
+    for element in model.architecture:
+        names += [(name, element.place) for name in element.modules]
+    for group in model.groups:
+        names += [(name, group.place) for name in (group.module, *group.modules)]
+    found = [
+        Finding(
+            facts.declared.entries.line_in(place, name),
+            "arch-module",
+            f"there is no module {name}",
+            "correct the name of the module",
+        )
+        for name, place in names
+        if name not in model.modules
+    ]
+    connectors = {"", *(one.name for one in model.architecture if one.kind == "connector")}
+    for connection in model.connections:
+        if connection.connector not in connectors:
+            text = f"no element is the connector {connection.connector}"
+            place = facts.declared.entries.line_in(connection.place, connection.connector)
+            found.append(Finding(place, "arch-module", text, "correct the name of the connector"))
+        ends = (connection.source, connection.target)
+        if is_outside(connection):
+            continue
+        missing = [name for name in ends if name not in model.modules]
+        if missing:
+            text = f"there is no module {missing[0]}"
+            mend = "correct the end of the connection"
+            place = facts.declared.entries.line_in(connection.place, missing[0])
+            found.append(Finding(place, "arch-module", text, mend))
+        elif not connection.way:
+            text = f"the code has no {connection.kind} from {ends[0]} to {ends[1]}"
+            mend = "correct the connection, or the code"
+            found.append(Finding(connection.place, "arch-code", text, mend))
+    return found

@@ -1,0 +1,86 @@
+"""board-*: findings of the virtual K64 are declared and tested, its beliefs have a source."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from traceability.checks.register_checks import REGISTERS
+from traceability.model.design_model import Model
+from traceability.reading.source_facts import Facts
+from traceability.schema import BoardBelief, Finding, Place
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    return _findings(model) + list(_beliefs(model, facts))
+
+
+def _findings(model: Model) -> list[Finding]:
+    untested = [
+        Finding(
+            finding.place,
+            "board-finding",
+            f"no test in tests/sim/emulator makes the finding {finding.id}",
+            "write one, or remove the finding",
+        )
+        for finding in model.board_findings.values()
+        if not finding.tests
+    ]
+    unknown = [
+        Finding(
+            Place("design/board_findings.toml", 1),
+            "board-finding",
+            f"the fault '{fault.fault}' gave the finding {fault.finding}, which is not declared",
+            "declare it",
+        )
+        for fault in model.driver_faults or []
+        if fault.finding and fault.finding not in model.board_findings
+    ]
+    return untested + unknown
+
+
+def _beliefs(model: Model, facts: Facts) -> Iterator[Finding]:
+    registers = _text(facts, REGISTERS)
+    for belief in model.beliefs:
+        if not _declares(registers, belief):
+            yield _belief(
+                belief, f"there is no register {belief.register} in {REGISTERS}", "correct the name"
+            )
+        if not _names(_text(facts, belief.model), belief):
+            yield _belief(
+                belief,
+                f"{belief.model} does not name {belief.name}",
+                "name the file of sim/emulator that has the register",
+            )
+        source = model.belief_sources.get(belief.source)
+        if source is None:
+            yield _belief(belief, f"there is no source {belief.source}", "declare it")
+        elif source.outside == belief.shared:
+            yield _belief(
+                belief,
+                f"{belief.register} {belief.value} "
+                + ("has an outside source and is marked" if source.outside else "is not marked")
+                + " as shared by driver and model",
+                "write shared = true, if and only if its source is not outside",
+            )
+
+
+def _belief(belief: BoardBelief, text: str, mend: str) -> Finding:
+    return Finding(belief.place, "board-belief", text, mend)
+
+
+def _text(facts: Facts, file: str) -> str:
+    path = facts.root / file
+    return path.read_text(encoding="utf-8") if path.is_file() else ""
+
+
+def _declares(registers: str, belief: BoardBelief) -> bool:
+    """Whether the namespace of the block declares the register."""
+    block, _, name = belief.register.rpartition("::")
+    inside = registers.partition(f"namespace {block} {{")[2].partition("}  // namespace")[0]
+    return re.search(rf"> {re.escape(name)};", inside) is not None
+
+
+def _names(text: str, belief: BoardBelief) -> bool:
+    """Whether a file of the virtual board names the register, as it is or as a constant."""
+    return re.search(rf"\bk?{re.escape(belief.name)}", text, re.IGNORECASE) is not None

@@ -1,0 +1,90 @@
+"""pattern-change: the likely changes name what exists."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from traceability.checks.pattern_checks import ABSTRACTIONS, HEIRS
+from traceability.model.design_model import Model
+from traceability.reading.change_texts import Particular, Recipe
+from traceability.reading.source_facts import Facts
+from traceability.schema import Finding, Place
+
+STANDING = {"derives", "edits", "id"}  # words of a step that the model replaces
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    if not facts.declared.patterns:
+        return []
+    texts = facts.declared.changes
+    wrong = [one for name, item in texts.recipes.items() for one in _recipe(name, item, facts)]
+    wrong += [
+        one
+        for name, item in texts.particulars.items()
+        for one in _particular(name, item, model, facts)
+    ]
+    wrong += [
+        (pattern.place, pattern.name, f"no recipe says what a change of a {pattern.name} takes")
+        for pattern in facts.declared.patterns
+        if pattern.name not in texts.recipes
+    ]
+    line_in = facts.declared.entries.line_in
+    return [
+        Finding(line_in(place, word), "pattern-change", text, "correct the name in the design")
+        for place, word, text in wrong
+    ]
+
+
+def _recipe(name: str, recipe: Recipe, facts: Facts) -> Iterator[tuple[Place, str, str]]:
+    known = {pattern.name: pattern.roles for pattern in facts.declared.patterns}
+    if name not in known:
+        yield recipe.place, name, f"there is no pattern {name}"
+        return
+    added = re.split(r", | or ", recipe.adds)
+    for role in [*recipe.alters, *added, recipe.derives]:
+        if role and role not in known[name]:
+            yield recipe.place, role, f"{role} is no role of {name}"
+    sorts: list[tuple[str, tuple[str, ...], str]] = [
+        (role, HEIRS, "heir") for role in added if role
+    ]
+    sorts += [(role, (*HEIRS, "Singleton"), "heir") for role in recipe.alters]
+    sorts += [(recipe.derives, ABSTRACTIONS, "abstraction")] if recipe.derives else []
+    for role, fitting, sort in sorts:
+        if role in known[name] and role not in fitting:
+            yield recipe.place, role, f"{role} is no {sort}, which a change of a {name} is about"
+    if not recipe.alters:
+        yield recipe.place, "alters", f"no role is altered by a change of a {name}"
+    for step in recipe.steps:
+        for role in re.findall(r"@role\{\{id\}, ([^}]+)\}", step):
+            if role not in known[name]:
+                yield recipe.place, role, f"{role} is no role of {name}"
+        for word in set(re.findall(r"\{([^{}]*)\}", step)) - STANDING:
+            yield recipe.place, step, f"nothing stands for {{{word}}} in a step"
+
+
+def _particular(
+    name: str, particular: Particular, model: Model, facts: Facts
+) -> Iterator[tuple[Place, str, str]]:
+    if name not in facts.declared.applications:
+        yield particular.place, name, f"there is no application {name}"
+    for module in [*particular.derives, *particular.examples]:
+        if module not in model.modules:
+            yield particular.place, module, f"there is no module {module}"
+    application = model.patterns.get(name)
+    bound = {one.module for one in application.roles} if application else set()
+    for module in particular.derives:
+        if module in model.modules and not bound & {module, *_above(module, facts)}:
+            yield particular.place, module, f"{module} has no role in {name}"
+    for module in particular.examples:
+        if module in model.modules and not model.modules[module].extension:
+            yield particular.place, module, f"{module} is part of the robot, and no example"
+
+    if application and particular.examples and bound.isdisjoint(particular.examples):
+        yield particular.place, "examples", f"no example has a role in {name}"
+
+
+def _above(module: str, facts: Facts) -> Iterator[str]:
+    for base in facts.classes[module].bases if module in facts.classes else []:
+        yield base
+        yield from _above(base, facts)

@@ -1,0 +1,57 @@
+"""syntax-error, doc-warning and design-entry: the sources can be read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from traceability.checks.link_checks import missing_paths
+from traceability.model.design_model import Model
+from traceability.reading.comments import TAGS
+from traceability.reading.source_facts import Facts
+from traceability.schema import Finding, Place
+from traceability.sources import DESIGN, files_below
+
+READ = ("src", "extensions", "sim", "tests", "requirements", "design", "docs", "README.md")
+
+
+def check(_model: Model, facts: Facts) -> list[Finding]:
+    found = [
+        Finding(place, "syntax-error", text, "correct the code")
+        for place, text in facts.syntax.errors
+    ]
+    found += missing_paths(facts.root)
+    for problem in facts.declared.entries.problems:
+        found.append(Finding(problem.place, "design-entry", problem.text, problem.mend))
+    found += [
+        Finding(place, "doc-warning", text.rstrip(" ."), "correct the comment")
+        for place, text in facts.warnings
+    ]
+    return found + _unknown_tags(facts)
+
+
+def _unknown_tags(facts: Facts) -> list[Finding]:
+    return [
+        Finding(
+            tag.place,
+            "doc-warning",
+            f"there is no tag @{tag.name}",
+            f"use one of: {', '.join(sorted(TAGS))}",
+        )
+        for comment in facts.comments.below((*DESIGN, "tests", "requirements"))
+        for tag in comment.tags
+        if tag.name and tag.name not in TAGS
+    ]
+
+
+def not_text(root: Path) -> list[Finding]:
+    """The first line of each source that is not UTF-8."""
+    found: list[Finding] = []
+    for path in files_below(root, READ):
+        data = path.read_bytes()
+        try:
+            data.decode()
+        except UnicodeDecodeError as error:
+            place = Place(str(path.relative_to(root)), data.count(b"\n", 0, error.start) + 1)
+            text = f"the byte {data[error.start]:#x} is not UTF-8"
+            found.append(Finding(place, "doc-warning", text, "write the file in UTF-8"))
+    return found

@@ -1,0 +1,219 @@
+"""exec-*: the contexts are those of the code, and what they share is protected."""
+
+from __future__ import annotations
+
+from traceability.model.design_model import Model
+from traceability.model.execution import (
+    INTERRUPT,
+    START,
+    THREAD,
+    handler_lines,
+    line_priorities,
+    way_to,
+)
+from traceability.reading.source_facts import Facts
+from traceability.schema import ExecutionContext, Finding, Place
+from traceability.sources import SRC
+
+MASKED = "interrupts masked"  # a protection
+LOCK = "InterruptLock"  # what masks them
+DECLARED = Place("design/execution.toml", 1)
+KINDS = (INTERRUPT, THREAD, START)
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    if not facts.declared.contexts:
+        return []
+    return (
+        _contexts(model, facts)
+        + _pipes(model, facts)
+        + _priorities(model, facts)
+        + _ends(facts)
+        + _interrupts(model, facts)
+        + _shared(model, facts)
+        + _unprotected(model, facts)
+    )
+
+
+def _contexts(model: Model, facts: Facts) -> list[Finding]:
+    declared, found = _handlers(model, facts)
+    lines = handler_lines(facts)
+    for handler in sorted(set(lines) - set(declared)):
+        text = f"the handler {handler} of line {lines[handler][0]} belongs to no context"
+        found.append(_declared(DECLARED, text, "declare its context in design/execution.toml"))
+    for handler, context in declared.items():
+        if handler not in facts.bodies:
+            text = f"{context.id} names the handler {handler}, which does not exist"
+            found.append(_declared(context.place, text, "correct the name"))
+        elif handler not in lines and context.kind in (INTERRUPT, THREAD):
+            text = f"the table of vectors does not hold {handler}"
+            found.append(_declared(context.place, text, "enter it in the table, or remove it here"))
+    for context in model.contexts.values():
+        if context.kind == THREAD and context.body not in facts.bodies:
+            text = f"the thread {context.id} names the body {context.body}, which does not exist"
+            found.append(_declared(context.place, text, "correct the name of the body"))
+    return found
+
+
+def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], list[Finding]]:
+    """Handler -> its one context, of a kind that there is."""
+    declared: dict[str, ExecutionContext] = {}
+    found: list[Finding] = []
+    for context in model.contexts.values():
+        if context.kind not in KINDS:
+            text = f"{context.id} has the kind {context.kind}, and not one of: {', '.join(KINDS)}"
+            found.append(_declared(context.place, text, "correct the kind"))
+        if (context.kind == THREAD) != bool(context.body):
+            held = "a body" if context.body else "no body"
+            text = f"{context.id} is of the kind {context.kind}, and has {held}"
+            key = "body" if context.body else "kind"
+            place = facts.declared.entries.line_in(context.place, key)
+            found.append(_declared(place, text, "a thread has one, and nothing else"))
+        if len(set(context.handlers)) != len(context.handlers):
+            text = f"{context.id} names a handler twice"
+            place = facts.declared.entries.line_in(context.place, "handlers")
+            found.append(_declared(place, text, "leave one of the two"))
+        for handler in context.handlers:
+            other = declared.setdefault(handler, context)
+            if other is not context:
+                for one, two in (context, other), (other, context):
+                    text = f"{one.id} has the handler {handler}, as {two.id} has"
+                    found.append(_declared(one.place, text, "leave it in one of the two"))
+    return declared, found
+
+
+def _pipes(model: Model, facts: Facts) -> list[Finding]:
+    found: list[Finding] = []
+    for pipe in model.pipes:
+        if pipe.id not in facts.declared.pipes:
+            text = f"the pipe {pipe.id} has no name"
+            found.append(_declared(pipe.place, text, "name it in design/execution.toml"))
+        writing = {one for contexts in pipe.writers.values() for one in contexts}
+        reading = {one for contexts in pipe.readers.values() for one in contexts}
+        for what, contexts in (("writes", writing), ("reads", reading)):
+            if len(contexts) > 1:
+                text = (
+                    f"more than one context {what} the {pipe.name}: {', '.join(sorted(contexts))}"
+                )
+                mend = "give each its own pipe: one writer, one reader"
+                found.append(Finding(pipe.place, "exec-shared", text, mend))
+    known = {pipe.id for pipe in model.pipes}
+    for name, pipe_text in facts.declared.pipes.items():
+        if name not in known:
+            text = f"the robot has no pipe {name}"
+            found.append(_declared(pipe_text.place, text, "correct the name, or remove the entry"))
+    return found
+
+
+def _priorities(model: Model, facts: Facts) -> list[Finding]:
+    """Each line of a context has the priority that the design gives to the context."""
+    names = line_priorities(facts)
+    found: dict[str, Finding] = {}
+    for context in model.contexts.values():
+        for name in {names[line] for line in context.lines if line in names}:
+            given = facts.syntax.constants[name]
+            if given != context.intended:
+                text = f"{context.id} has the priority {given} here, and {context.intended} in "
+                mend = "correct the priority, or change the design"
+                place = _place_of(name, facts)
+                found[name] = _declared(place, f"{text}{context.place.file}", mend)
+    return list(found.values())
+
+
+def _place_of(constant: str, facts: Facts) -> Place:
+    """Where a constant of a file first stands."""
+    file, _, name = constant.removeprefix("var ").partition(":")
+    lines = (facts.root / file).read_text(encoding="utf-8").splitlines()
+    return Place(file, next((n for n, line in enumerate(lines, 1) if name in line), 1))
+
+
+def _ends(facts: Facts) -> list[Finding]:
+    called = {call.target for body in facts.syntax.bodies for call in body.calls}
+    place = facts.declared.entries.place_of(facts.root / DECLARED.file, "ends")
+    return [
+        _declared(place, f"nothing calls {name}, which is to end the firmware", "correct the name")
+        for name in facts.declared.ends
+        if name not in called
+    ]
+
+
+def _declared(place: Place, text: str, mend: str) -> Finding:
+    return Finding(place, "exec-declared", text, mend)
+
+
+def _interrupts(model: Model, facts: Facts) -> list[Finding]:
+    """Methods that no interrupt may call, and do run in one."""
+    forbidden = {
+        method.id: method
+        for module in model.modules.values()
+        for method in module.methods
+        if method.interrupt == "no"
+    }
+    found: list[Finding] = []
+    for context in model.contexts.values():
+        if context.kind != INTERRUPT:
+            continue
+        start = [*context.handlers, *_called_by_products(context.handlers, facts)]
+        reached = facts.references.reached(start, {}, facts.declared.ends)
+        for name in sorted(set(reached) & set(forbidden)):
+            way = " > ".join(way_to(name, reached))
+            text = f"{name} is @isr{{no}}, and the interrupt '{context.name}' calls it: {way}"
+            mend = "let a thread call it, or make it safe and write @isr{yes}"
+            found.append(Finding(forbidden[name].place, "exec-isr", text, mend))
+    return found
+
+
+def _called_by_products(handlers: list[str], facts: Facts) -> list[str]:
+    """What the handlers of products that add to the robot call."""
+    return [
+        call.target
+        for handler in handlers
+        for body in facts.bodies.get(handler, [])
+        if not body.place.file.startswith(f"{SRC}/")
+        for call in body.calls
+    ]
+
+
+def _unprotected(model: Model, facts: Facts) -> list[Finding]:
+    """A member that is not protected as the design says: no atomic, or no lock where it is used."""
+    contexts = {context.id: context for context in model.contexts.values()}
+    found: list[Finding] = []
+    for member in model.shared:
+        if "atomic" in member.protection and "atomic" not in member.type:
+            text = f"{member.id} is said to be atomic, and is {member.type}"
+            found.append(Finding(member.place, "exec-shared", text, "make it std::atomic"))
+        if member.protection != MASKED:
+            continue
+        using = [contexts[name] for name in (*member.writers, *member.readers) if name in contexts]
+        handlers = [name for one in using for name in one.handlers]
+        reached = facts.references.reached(handlers, {}, facts.declared.ends)
+        for body in facts.syntax.bodies:
+            locked = any(call.target == f"{LOCK}::{LOCK}" for call in body.calls)
+            if member.id in body.touches and body.id in reached and not locked:
+                text = f"{body.id} uses {member.id} without the {LOCK} that is to protect it"
+                mend = f"make an {LOCK} first, or state the protection that there is"
+                found.append(Finding(body.place, "exec-shared", text, mend))
+    return found
+
+
+def _shared(model: Model, facts: Facts) -> list[Finding]:
+    found = [
+        Finding(
+            member.place,
+            "exec-shared",
+            f"{member.id} is changed by {' and '.join(member.writers)}"
+            + (f" and read by {' and '.join(member.readers)}" if member.readers else "")
+            + ", and nothing says how it is protected",
+            "put a Pipe between them, or state the protection in design/execution.toml",
+        )
+        for member in model.shared
+        if not member.protection
+    ]
+    members = {member.id for member in model.shared}
+    owners = {member.rpartition("::")[0] for member in members}
+    for name, protection in facts.declared.protections.items():
+        owner, _, last = name.rpartition("::")
+        if name not in members and not (last == "*" and owner in owners):
+            text = f"{name} is not shared by two contexts"
+            found.append(_declared(protection.place, text, "remove it from the entry"))
+    return found

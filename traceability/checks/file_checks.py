@@ -1,0 +1,132 @@
+"""module-file and module-preprocessor: every file belongs to the design, and is plain C++."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from traceability.model.design_model import Model
+from traceability.reading.ast_facts import ClassFact
+from traceability.reading.source_facts import Facts
+from traceability.schema import Finding, Place
+from traceability.sources import DESIGN, files_below
+
+SHARED = "design/modules.toml"
+# Beside C++: texts on folders, and what the linker and the build of the K64 read.
+OTHERS = ("module.dox", "CMakeLists.txt")
+OTHER_ENDINGS = (".ld", ".cmake")
+NAMED = re.compile(r'\s*(<|"[^"]+\.hpp")')  # a header
+DIRECTIVE = re.compile(r"\s*(?:(?:/\*)?.*?\*/\s*)?(?:#|%:|\?\?=)\s*(\w*)(.*)")
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    return (
+        _files(model, facts)
+        + _outside(facts)
+        + _loose(facts)
+        + _preprocessor(facts.root)
+        + _idle(facts)
+    )
+
+
+def _finding(place: Place, text: str) -> Finding:
+    mend = "make it a private detail of a module, or a module, or a @datatype"
+    return Finding(place, "module-file", text, mend)
+
+
+def _files(model: Model, facts: Facts) -> list[Finding]:
+    """Every file is that of a module, of data types, or of a composition, or listed as shared."""
+    known = {fact.place.file for fact in facts.syntax.classes if _is_described(fact, facts)}
+    known |= {shared.file for shared in facts.declared.shared}
+    found: list[Finding] = []
+    for path in files_below(facts.root, DESIGN):
+        file = str(path.relative_to(facts.root))
+        header = str(Path(file).with_suffix(".hpp"))
+        folder = str(Path(file).parent)
+        if path.name in OTHERS or path.suffix in OTHER_ENDINGS:
+            continue
+        if file in known or header in known or _composes(model, folder):
+            continue
+        if path.suffix in (".cpp", ".hpp"):
+            found.append(_finding(Place(file, 1), f"{file} belongs to no module"))
+        else:
+            found.append(
+                _finding(Place(file, 1), f"{file} is read by no check: name it .hpp or .cpp")
+            )
+    return found
+
+
+def _is_described(fact: ClassFact, facts: Facts) -> bool:
+    """A module, or a data type that says so."""
+    name = fact.qualified.rsplit("::", maxsplit=1)[-1]
+    return bool(facts.comment(fact).of("datatype")) or name in facts.with_file
+
+
+def _composes(model: Model, folder: str) -> bool:
+    """Whether a folder holds functions and no module: the composition of a product."""
+    logic = model.logic_modules.get(folder.removeprefix("src/"))
+    return logic is not None and bool(logic.function) and not logic.modules
+
+
+def _outside(facts: Facts) -> list[Finding]:
+    """A function or a class of a module's file that other files can use without the module."""
+    shared = {Path(item.file).stem for item in facts.declared.shared}
+    found: list[Finding] = []
+    for body in facts.syntax.bodies:
+        stem = Path(body.place.file).stem
+        module = facts.written_in.get(body.place.file)
+        if body.owner or body.local or module not in facts.modules or stem in shared:
+            continue
+        if not body.id.startswith("operator"):
+            text = f"the function {body.id} stands beside {module}, and other files can call it"
+            found.append(_finding(body.place, text))
+    found += [
+        _finding(fact.place, f"the class {fact.name} has no header")
+        for fact in facts.syntax.classes
+        if fact.place.file.endswith(".cpp")
+        and fact.kind in ("class", "struct")
+        and not fact.local
+        and "::" not in fact.name
+    ]
+    return found
+
+
+def _loose(facts: Facts) -> list[Finding]:
+    """An object that can change and belongs to no other object: all of its class share it."""
+    found: list[Finding] = []
+    for held in facts.syntax.objects:
+        module = facts.written_in.get(held.place.file)
+        if module in facts.modules:
+            text = f"{held.name} can change, and stands outside the objects of {module}"
+            mend = "make it a member, or a constant"
+            found.append(Finding(held.place, "module-file", text, mend))
+    return found
+
+
+def _idle(facts: Facts) -> list[Finding]:
+    return [
+        Finding(shared.place, "module-file", f"there is no {shared.file}", "remove the entry")
+        for shared in facts.declared.shared
+        if not (facts.root / shared.file).is_file()
+    ]
+
+
+def _preprocessor(root: Path) -> list[Finding]:
+    """The same text is compiled for every product: no macro, no condition."""
+    found: list[Finding] = []
+    for path in files_below(root, DESIGN, (".cpp", ".hpp")):
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            match = DIRECTIVE.match(line)
+            if match is None or (match[1] == "include" and NAMED.match(match[2])):
+                continue
+            if (match[1], match[2].strip()) == ("pragma", "once"):
+                continue
+            found.append(
+                Finding(
+                    Place(str(path.relative_to(root)), number),
+                    "module-preprocessor",
+                    f"#{match[1]} is neither an include of a named file nor #pragma once",
+                    "use a constant, a template, or another module that the build chooses",
+                )
+            )
+    return found

@@ -1,0 +1,224 @@
+"""link-site: the built site has no dead link. link-doc: the files that pages name exist."""
+
+from __future__ import annotations
+
+import functools
+import html
+import posixpath
+import re
+from dataclasses import dataclass
+from multiprocessing import get_context
+from pathlib import Path
+from urllib.parse import unquote
+
+from traceability.model.design_model import Model
+from traceability.schema import Finding, Place
+from traceability.sources import files_below
+
+# A path of the project, as it is written; or as a link of the README.
+NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^)]*)?\)")
+URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # in a sheet of styles
+QUESTIONS = "design/questions.toml"
+CLICK = re.compile(r'"([^"]+)"')
+SOURCES = (".rst", ".dox", ".toml", ".tree", ".hpp", ".cpp", ".py")
+ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|'[^']*')""")
+
+
+@dataclass
+class _Page:
+    anchors: set[str]
+    links: dict[str, int]  # link -> place in the text
+
+
+def _text(file: str) -> str:
+    return Path(file).read_text(encoding="utf-8", errors="replace")
+
+
+def _read(file: str) -> _Page:
+    text, page = _text(file), _Page({"", "top"}, {})
+    if file.endswith(".css"):
+        page.links |= {found[1]: found.start() for found in URL.finditer(text)}
+        return page
+    for attribute in ATTRIBUTE.finditer(text):
+        start = text.rfind("<", 0, attribute.start())
+        if start < text.rfind(">", 0, attribute.start()):
+            continue  # words of the text, not of a tag
+        name, value = attribute[1], html.unescape(attribute[2][1:-1])
+        if name == "id" or (name == "name" and text.startswith("<a ", start)):
+            page.anchors.add(value)
+        elif name != "name" and value:
+            page.links.setdefault(value, start)
+    return page
+
+
+class _Site:
+    """The files below a folder, and what its pages hold."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = str(root.resolve())
+        self.files = {str(path) for path in Path(self.root).rglob("*") if path.is_file()}
+        names = [file for file in sorted(self.files) if file.endswith((".html", ".svg", ".css"))]
+        with get_context("fork").Pool() as pool:
+            self.pages = dict(zip(names, pool.map(_read, names), strict=True))
+        self.away = functools.cache(self._away)
+
+    def reason(self, file: str, link: str) -> str:
+        """Why a link is dead; empty for a live one."""
+        if link.startswith(("#", "?")):
+            return self._without(file, link.partition("#")[2])
+        return self.away(posixpath.dirname(file), link)
+
+    def _away(self, folder: str, link: str) -> str:
+        """The same for each page of a folder: it is worked out once."""
+        path, _, fragment = link.partition("#")
+        path = path.partition("?")[0]
+        if re.match(r"[a-z][a-z0-9+.-]*:|//", path, re.IGNORECASE):
+            return ""
+        start = self.root if path.startswith("/") else folder
+        target = posixpath.normpath(f"{start}/{unquote(path)}")
+        if not f"{target}/".startswith(f"{self.root}/"):
+            return "it leads out of the site"
+        if target not in self.files:
+            target = f"{target}/index.html"
+        if target not in self.files:
+            return "there is no such file"
+        return self._without(target, fragment)
+
+    def _without(self, target: str, fragment: str) -> str:
+        if target in self.pages and unquote(fragment) not in self.pages[target].anchors:
+            return f"the page has no anchor '{unquote(fragment)}'"
+        return ""
+
+
+def dead_links(root: Path) -> list[tuple[Path, int, str, str]]:
+    """Page, line, link and reason of each dead link."""
+    site = _Site(root)
+    found: list[tuple[Path, int, str, str]] = []
+    for file, page in site.pages.items():
+        for link, start in page.links.items():
+            if reason := site.reason(file, link):
+                line = _text(file).count("\n", 0, start) + 1
+                found.append((Path(file), line, link, reason))
+    return found
+
+
+def check(model: Model, site: Path) -> list[Finding]:
+    """One finding for each link that is written somewhere, however many pages have it."""
+    places = _sources(model)
+    root = site.resolve()
+    texts = Texts(root.parent.parent)
+    pages: dict[tuple[str, int, str], list[tuple[str, str]]] = {}
+    for path, line, link, reason in dead_links(site):
+        page = str(path.relative_to(root))
+        target = re.sub(r"^(\.\./)+", "", link)
+        place = texts.place_of(target, page) or _place(path, line, root, places)
+        pages.setdefault((place.file, place.line, target), []).append((page, reason))
+    return [
+        Finding(
+            Place(file, line),
+            "link-site",
+            f"dead link '{target}' in {found[0][0]}{_others(found)}: {found[0][1]}",
+            "correct the source of the page",
+        )
+        for (file, line, target), found in pages.items()
+    ]
+
+
+def _others(found: list[tuple[str, str]]) -> str:
+    count = len({page for page, _ in found}) - 1
+    return f" and {count} more" if count else ""
+
+
+def dead_clicks(site: Path) -> list[Finding]:
+    """The pages on the way to the answer of a question, that the site does not have."""
+    path = site.resolve().parent.parent / QUESTIONS
+    lines = path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
+    found: list[Finding] = []
+    for number, line in enumerate(lines, 1):
+        for click in CLICK.findall(line) if line.startswith("clicks") else ():
+            if not has_page(site, click):
+                text = f"the site has no page {click}, to which a question leads"
+                mend = "name the page that has the answer"
+                found.append(Finding(Place(QUESTIONS, number), "link-site", text, mend))
+    return found
+
+
+def has_page(site: Path, name: str) -> bool:
+    """Whether the site has a page, and on it the anchor behind a #."""
+    page, _, anchor = name.partition("#")
+    path = site / page
+    if not path.is_file():
+        return False
+    return not anchor or f'id="{anchor}"' in path.read_text(encoding="utf-8")
+
+
+class Texts:
+    """The texts that pages are made from, and that links are written in."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+        self.lines: dict[str, list[str]] = {}
+
+    def place_of(self, target: str, page: str) -> Place | None:
+        """Where a link stands as it is; nowhere when it is put together."""
+        own = Path("docs") / Path(page).with_suffix(".rst").name
+        written = re.compile(
+            rf"""["'<](?:@/|\{{\{{ root \}}\}}|(?:\.\./)*){re.escape(target)}["'>]"""
+        )
+        first = [str(own)] if (self.root / own).is_file() else []
+        for file in [*first, *self.templates]:
+            for number, line in enumerate(self.read(file), 1):
+                if written.search(line):
+                    return Place(file, number)
+        return None
+
+    @functools.cached_property
+    def templates(self) -> list[str]:
+        return [
+            str(p.relative_to(self.root)) for p in files_below(self.root, ("site",), (".html",))
+        ]
+
+    def read(self, file: str) -> list[str]:
+        if file not in self.lines:
+            self.lines[file] = (self.root / file).read_text(encoding="utf-8").splitlines()
+        return self.lines[file]
+
+
+def missing_paths(root: Path) -> list[Finding]:
+    """Files and folders that a page or a text of the design names, and that there are not."""
+    found: list[Finding] = []
+    for path in files_below(root, ("README.md", "docs", "design"), (".md", ".rst", ".toml")):
+        file = str(path.relative_to(root))
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if path.suffix == ".toml" and line.startswith("#"):
+                continue
+            for named in filter(None, sum(NAMED.findall(line), ())):
+                top, name = named.split("/")[0], root / named
+                known = (root / top).is_dir() or name.suffix in SOURCES
+                if known and top != "build" and not name.exists():
+                    text, mend = f"there is no {named}", "name a file that exists"
+                    found.append(Finding(Place(file, number), "link-doc", text, mend))
+    return found
+
+
+def _sources(model: Model) -> dict[str, Place]:
+    """Page -> the place that it was generated from."""
+    found = {f"modules/{module.name}.html": module.place for module in model.modules.values()}
+    found |= {f"patterns/{item.id}.html": item.place for item in model.patterns.values()}
+    found |= {f"requirements/{item.id}.html": item.place for item in model.requirements.values()}
+    found |= {f"safety/{item.id}.html": item.place for item in model.safety.goals.values()}
+    found |= {f"source/{file}.html": Place(file, 1) for file in model.files}
+    return found
+
+
+def _place(path: Path, line: int, site: Path, places: dict[str, Place]) -> Place:
+    name = str(path.relative_to(site))
+    if name in places:
+        return places[name]
+    page = site.parent.parent / "docs" / Path(name).with_suffix(".rst").name
+    if page.is_file():
+        return Place(f"docs/{page.name}", 1)
+    style = site.parent.parent / "site" / "theme" / "static" / path.name
+    if path.suffix == ".css" and style.is_file():
+        return Place(f"site/theme/static/{path.name}", line)
+    return Place(f"build/site/{name}", line)

@@ -1,0 +1,331 @@
+"""module-*: each design module has one place, one function, one secret and a full interface."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from traceability.checks.register_checks import REGISTERS
+from traceability.model.design_model import Model
+from traceability.model.dictionary import unit_text
+from traceability.reading.comments import Comment
+from traceability.reading.source_facts import Facts
+from traceability.schema import Finding, Method, Module, Place, is_extension
+from traceability.sources import DESIGN, SRC
+
+FEWEST_WORDS = 3  # of a sentence that says something
+FEWEST_OF_BRIEF = 2  # what is done, and with what
+NUMBER = re.compile(r"\b(u?int\d+_t|size_t|int|unsigned|short|long|float|double)\b")
+# What a number is: one with a unit, a count or a number of something, bytes, or what a field holds.
+MEANING = re.compile(
+    r"\[.+?\]|\bunit\b|\bnumbers?\b|\bbytes?\b|\bfields?\b|\bcount|\bhow many\b|\bsteps?\b"
+    r"|\bfactor\b|\braw\b|\bcheck sum\b|\bits value\b|\bidentif",
+    re.IGNORECASE,
+)
+
+
+# Values with a unit; a text tells it, or that the value means nothing here.
+QUANTITY = re.compile(
+    r"(const )?(std::optional<)?(Velocity|Tension|Current|Angle|StepRate|DutyCycle|Microseconds)\b"
+)
+UNIT = re.compile(r"\[.+?\]|\bnot used\b|\bno meaning\b")
+UNITS = re.compile(r"\[([^\]]+)\]")
+PROMISE = re.compile(r"\b(to be (written|done|defined|decided)|TODO|TBD|FIXME)\b", re.IGNORECASE)
+INTERRUPT = re.compile(r"(yes|no)$|depends on ")  # what @isr says
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    found: list[Finding] = []
+    secrets: dict[str, str] = {}
+    functions: dict[str, str] = {}
+    for module in model.modules.values():
+        if module.datatype:
+            continue
+        comment = facts.comment_of(module.name)
+        found += _place_and_name(module, facts)
+        found += _function(module, comment, functions)
+        found += _secret(module, comment, secrets)
+        for method in module.methods:
+            if method.access == "public":
+                found += _specification(method)
+    found += _folders(model, facts) + _written(model, facts) + _nested(facts)
+    return [*found, *_silent(facts, found), *_units(model, facts)]
+
+
+def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
+    found: list[Finding] = []
+    folder = Path(module.header).parent
+    if not (facts.root / folder / "module.dox").exists() or str(folder) in DESIGN:
+        found.append(
+            Finding(
+                module.place,
+                "module-logic",
+                f"{module.name} lies in {folder}, which is no described logic module",
+                f"describe the folder in {folder}/module.dox, or move the module",
+            )
+        )
+    if Path(module.header).stem != module.name:
+        found.append(
+            Finding(
+                module.place,
+                "module-name",
+                f"the module {module.name} stands in {Path(module.header).name}",
+                f"move it to {module.name}.hpp, or mark a value type with @datatype",
+            )
+        )
+    names = facts.declared.names
+    if names and not module.extension and module.name not in names.get(module.logic, []):
+        found.append(
+            Finding(
+                module.place,
+                "module-count",
+                f"{module.name} is no module of {module.logic} in design/modules.toml",
+                "remove it, mark a value type with @datatype, or change the design",
+            )
+        )
+    return found
+
+
+def _written(model: Model, facts: Facts) -> list[Finding]:
+    """The modules of the design that are not there; their number is that of the paper."""
+    names = facts.declared.names
+    found = [
+        Finding(
+            facts.declared.name_places[folder],
+            "module-count",
+            f"there is no module {name} in {folder_of(folder)}",
+            f"write {folder_of(folder)}/{name}.hpp, or correct design/modules.toml",
+        )
+        for folder, listed in names.items()
+        for name in listed
+        if name not in facts.classes
+        or str(Path(facts.classes[name].place.file).parent) != folder_of(folder)
+    ]
+    found += [
+        Finding(
+            module.place,
+            "module-count",
+            f"{module.name} says @datatype, and is a module of {module.logic} in the design",
+            "remove the mark, or correct the design",
+        )
+        for module in model.modules.values()
+        if module.datatype and module.name in names.get(module.logic, [])
+    ]
+    listed = [name for folder in names for name in names[folder]]
+    total = facts.declared.total
+    if total is not None and {len(listed), len(set(listed))} != {total}:
+        different = len(set(listed))
+        text = f"the design lists {len(listed)} modules, {different} different; the paper {total}"
+        mend = "correct the lists of design/modules.toml"
+        found.append(Finding(Place("design/modules.toml", 1), "module-count", text, mend))
+    return found
+
+
+def _function(module: Module, comment: Comment, functions: dict[str, str]) -> list[Finding]:
+    count = len([words for words in comment.all("function") if words])
+    if not module.brief:
+        wrong = f"{module.name} has no @brief"
+    elif count != 1:
+        wrong = f"{module.name} has {count or 'no'} @function"
+    elif words_of(module.function) in functions:
+        wrong = f"{module.name} states the same function as {functions[words_of(module.function)]}"
+    else:
+        functions[words_of(module.function)] = module.name
+        return []
+    mend = "say above the class what this module alone is for, once"
+    return [Finding(module.place, "module-function", wrong, mend)]
+
+
+def says(text: str) -> bool:
+    """Whether a text is a sentence, and no promise of one."""
+    return len(text.split()) >= FEWEST_WORDS and not PROMISE.search(text)
+
+
+def words_of(text: str) -> str:
+    """A text without capitals and marks."""
+    return " ".join(re.findall(r"\w+", text.casefold()))
+
+
+def _nested(facts: Facts) -> list[Finding]:
+    """A class that a module lets others use says what it is."""
+    nested = [
+        fact
+        for fact in facts.syntax.classes
+        if fact.access == "public" and fact.name.split("::")[0] in facts.modules
+    ]
+    return [
+        Finding(
+            fact.place,
+            "module-spec",
+            f"{fact.name} is public, and has no @brief",
+            "make it private, or say above it what it is",
+        )
+        for fact in nested
+        if not facts.comment(fact).brief
+    ]
+
+
+def _silent(facts: Facts, known: list[Finding]) -> Iterator[Finding]:
+    """What a header lets others use says what it is. The manual tells what a register is."""
+    seen = {(one.place.file, one.place.line) for one in known if one.check == "module-spec"}
+    mend = "make it private, or say beside it what it is"
+    for one in facts.syntax.silent:
+        place = one.place
+        if (place.file, place.line) in seen or place.file == REGISTERS:
+            continue
+        if place.end is None or not _has_words(place, facts):
+            yield Finding(place, "module-spec", f"{one.name} is public, and has no @brief", mend)
+    for fact in facts.syntax.classes:
+        described = facts.comment(fact).words("tparam")
+        for name in fact.parameters if described else ():
+            if name not in described:
+                text = f"{fact.name}, {name} is public, and has no @tparam"
+                yield Finding(fact.place, "module-spec", text, mend)
+
+
+def _units(model: Model, facts: Facts) -> list[Finding]:
+    """A text that says a unit says that of the type."""
+    told: list[tuple[Place, str, str, str]] = []  # place, name, type, text
+    for module in model.modules.values():
+        for method in module.methods:
+            told += [
+                (method.place, f"{param.name} of {method.id}", param.type, param.text)
+                for param in method.params
+            ]
+            result = _result_of(method).rpartition(" ")[0]
+            told.append((method.place, f"the result of {method.id}", result, method.returns))
+    for fact in facts.classes.values():
+        told += [
+            (field.place, f"{fact.name}::{field.name}", field.type, facts.comment(field).brief)
+            for field in fact.fields
+        ]
+    found: list[Finding] = []
+    for place, name, kind, text in told:
+        said = UNITS.findall(text)
+        unit = UNITS.findall(unit_text(kind, model)) if said else []
+        if unit and unit[0].split(" since ")[0] not in said:
+            wrong = f"[{said[0]}] is said to be the unit of {name}, and its type has [{unit[0]}]"
+            found.append(Finding(place, "module-spec", wrong, "write the unit of the type"))
+    return found
+
+
+def _has_words(place: Place, facts: Facts) -> bool:
+    """A table or a line of the hardware has a comment for people; an object has its class."""
+    if facts.comments.at(place.file, place.end or 0).tags:
+        return True
+    above, line = facts.lines_of(place.file)[max(0, place.line - 2) : place.line]
+    return above.strip().startswith("//") or "//" in line or line.startswith("extern ")
+
+
+def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> list[Finding]:
+    found: list[Finding] = []
+    count = len([secret for secret in comment.all("secret") if says(secret)])
+    if count != 1:
+        found.append(
+            Finding(
+                module.place,
+                "module-secret",
+                f"{module.name} has {count or 'no'} {'secrets' if count else 'secret'}",
+                "state above the class the one likely change that it hides, with @secret",
+            )
+        )
+    elif words_of(module.secret) in (words_of(module.function), words_of(module.brief)):
+        found.append(
+            Finding(
+                module.place,
+                "module-secret",
+                f"the secret of {module.name} is what it says of itself to everybody",
+                "state the one likely change that it hides",
+            )
+        )
+    elif words_of(module.secret) in secrets:
+        found.append(
+            Finding(
+                module.place,
+                "module-secret",
+                f"{module.name} states the same secret as {secrets[words_of(module.secret)]}",
+                "state what this module alone hides",
+            )
+        )
+    else:
+        secrets[words_of(module.secret)] = module.name
+    return found
+
+
+def _specification(method: Method) -> list[Finding]:
+    missing: list[str] = []
+    if len(method.brief.split()) < FEWEST_OF_BRIEF:
+        missing.append("@brief")
+    missing += [f"name of the parameter {param.type}" for param in method.params if not param.name]
+    missing += [f"@param {param.name}" for param in method.params if param.name and not param.text]
+    missing += [
+        f"unit or meaning of the number {param.name}"
+        for param in method.params
+        if param.text and NUMBER.search(param.type) and not MEANING.search(param.text)
+    ]
+    missing += [
+        f"unit of {param.name}"
+        for param in method.params
+        if param.text and QUANTITY.match(param.type) and not UNIT.search(param.text)
+    ]
+    if _gives_result(method):
+        if not method.returns:
+            missing.append("@return")
+        elif NUMBER.search(_result_of(method)) and not MEANING.search(method.returns):
+            missing.append("unit or meaning of its result")
+    if method.kind != "constructor" and not INTERRUPT.match(method.interrupt):
+        missing.append("@isr{yes} or @isr{no}")
+    return [
+        Finding(
+            method.place,
+            "module-spec",
+            f"{method.id} has no {what}",
+            "write it above the declaration",
+        )
+        for what in missing
+    ]
+
+
+def _gives_result(method: Method) -> bool:
+    if method.kind == "constructor":
+        return False
+    words = _result_of(method)
+    return not words.startswith("void ") and " " in words
+
+
+def _result_of(method: Method) -> str:
+    """The type of the result and the name, as in the signature."""
+    return method.signature.split("(")[0].removeprefix("virtual ").removeprefix("static ")
+
+
+def folder_of(logic: str) -> str:
+    return logic if is_extension(logic) else f"{SRC}/{logic}"
+
+
+def _folders(model: Model, facts: Facts) -> list[Finding]:
+    found: list[Finding] = []
+    secrets: dict[str, str] = {}
+    for logic in model.logic_modules.values():
+        if logic.id not in facts.folders and not logic.place.file.endswith(".dox"):
+            missing = ["@dir"]
+        else:
+            texts = {"@brief": logic.brief, "@function": logic.function, "@secret": logic.secret}
+            missing = [name for name, text in texts.items() if not text]
+            if not missing and not says(logic.secret):
+                missing = ["@secret that says something"]
+            secret = words_of(logic.secret)
+            if not missing and secret in (words_of(logic.function), words_of(logic.brief)):
+                missing = ["@secret beside what it says of itself to everybody"]
+            elif not missing and secrets.setdefault(secret, logic.id) != logic.id:
+                missing = [f"@secret of its own: it is that of {secrets[secret]}"]
+        found += [
+            Finding(
+                logic.place,
+                "module-folder",
+                f"the logic module {logic.id} has no {name}",
+                f"write it in {folder_of(logic.id)}/module.dox",
+            )
+            for name in missing
+        ]
+    return found

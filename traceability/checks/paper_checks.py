@@ -1,0 +1,173 @@
+"""paper-*: the concordance with the paper is complete, and true."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+from pathlib import Path
+
+from traceability.checks.link_checks import has_page
+from traceability.model.design_model import Model
+from traceability.reading.source_facts import Facts
+from traceability.schema import Finding, PaperElement
+
+EXACT = ("module", "method", "state", "application")  # kinds whose names are those of the code
+COUNT, CONSTANT = "figure-of-design", "constant"
+PAGES = ("view", "docs")  # what only the built site can show
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    found = _complete(model, facts)
+    for entry in model.paper:
+        found += _stale(entry, model, facts) + _alias(entry, model, facts)
+        found += _figure(entry, facts)
+    return found
+
+
+def _complete(model: Model, facts: Facts) -> list[Finding]:
+    """Each element has one entry, and each entry an element."""
+    concordance = facts.declared.concordance
+    entries: dict[tuple[str, str], PaperElement] = {}
+    found: list[Finding] = []
+    for entry in model.paper:
+        key = (entry.kind, entry.name)
+        if key in entries:
+            text = f"the {entry.kind} {entry.name} has a second entry"
+            found.append(Finding(entry.place, "paper-complete", text, "remove one of the two"))
+        elif key not in concordance.named:
+            text = f"design/paper.toml lists no {entry.kind} {entry.name}"
+            mend = "correct the kind or the name, or remove the entry"
+            found.append(Finding(entry.place, "paper-complete", text, mend))
+        entries[key] = entry
+    found += [
+        Finding(
+            place,
+            "paper-complete",
+            f"the {key[0]} {key[1]} of the paper has no entry in the concordance",
+            "say in design/concordance.toml where it is here",
+        )
+        for key, place in concordance.lines.items()
+        if key not in entries
+    ]
+    found += [
+        Finding(
+            entry.place,
+            "paper-complete",
+            f"nothing tells where the {entry.kind} {entry.name} is here",
+            "name what stands for it, or say with deviation why nothing does",
+        )
+        for entry in model.paper
+        if not entry.here and not entry.deviation
+    ]
+    return found
+
+
+def _stale(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
+    return [
+        Finding(
+            facts.declared.entries.line_in(entry.place, target),
+            "paper-stale",
+            f"the paper's {entry.kind} {entry.name} is said to be {target}, which does not exist",
+            "name what stands for it now",
+        )
+        for target in entry.here
+        if not exists(target, model, facts)
+    ]
+
+
+def exists(target: str, model: Model, facts: Facts) -> bool:
+    """Whether what an entry names is in the model. Generated pages are looked up in the site."""
+    kind, _, name = target.partition(":")
+    if kind == "method":
+        owner, _, method = name.partition("::")
+        return owner in model.modules and facts.method(owner, method) is not None
+    if kind == "docs":
+        return (facts.root / "docs" / f"{name}.rst").exists()
+    if kind == "check":
+        from traceability.checks.registry import KNOWN
+
+        return name in KNOWN
+    known: dict[str, Collection[str]] = {
+        "module": model.modules,
+        "pattern": model.patterns,
+        "change": model.patterns,
+        "machine": model.machines,
+        "requirement": model.requirements,
+        "logic": model.logic_modules,
+        "element": {element.id for element in model.architecture},
+    }
+    return kind == "view" or name in known.get(kind, {})
+
+
+def _alias(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
+    """A name of the code that is not the paper's has a reason, and only such a name."""
+    if entry.kind not in EXACT or not entry.here:
+        return []
+    same = entry.name in {_name_here(target, model) for target in entry.here}
+    if same and entry.alias:
+        text = (
+            f"{entry.name} has the paper's name here, but the entry gives a reason for another one"
+        )
+        return [Finding(entry.place, "paper-alias", text, "remove the alias")]
+    if not same and not entry.alias:
+        text = f"the paper's {entry.name} is {' and '.join(entry.here)} here, and no alias says why"
+        return [Finding(entry.place, "paper-alias", text, "say why, or use the paper's name")]
+    if entry.alias and entry.kind == "module" and entry.name in facts.classes:
+        text = f"the code has a class {entry.name}, but the entry says that it has another name"
+        return [Finding(entry.place, "paper-alias", text, "name that class, and remove the alias")]
+    return []
+
+
+def _figure(entry: PaperElement, facts: Facts) -> list[Finding]:
+    """A count of the design is that of the model, and the figure of a constant that of the code."""
+    said = re.search(r"\d+", entry.name if entry.kind == COUNT else entry.note)
+    if said is None or entry.kind not in (COUNT, CONSTANT):
+        return []
+    if entry.kind == COUNT:
+        counts = {"module": facts.modules, "application": facts.declared.applications}
+        true = {str(len(things)) for word, things in counts.items() if word in entry.name}
+    else:
+        methods = [one.partition(":")[2] for one in entry.here if one.startswith("method:")]
+        true = {figure for method in methods for figure in _returned(method, facts)}
+    if not true or said[0] in true:
+        return []
+    text = f"the figure {said[0]} of {entry.name} is {' or '.join(sorted(true, key=int))} here"
+    place = facts.declared.entries.line_in(entry.place, "name" if entry.kind == COUNT else "note")
+    return [Finding(place, "paper-stale", text, "correct the figure, or the design")]
+
+
+def _returned(method: str, facts: Facts) -> list[str]:
+    """The plain number that a method gives."""
+    found: list[str] = []
+    for body in facts.bodies.get(method, []):
+        lines = facts.lines_of(body.place.file)[body.place.line - 1 : body.end]
+        found += re.findall(r"\breturn (\d+);", "\n".join(lines))
+    return found
+
+
+def _name_here(target: str, model: Model) -> str:
+    """What stands for an element is called here: an application by its title."""
+    kind, _, name = target.partition(":")
+    application = model.patterns.get(name) if kind == "pattern" else None
+    return application.title if application else name
+
+
+def check_pages(model: Model, site: Path) -> list[Finding]:
+    """The generated pages that entries name exist in the built site, and so do their anchors."""
+    line_in = model.facts.declared.entries.line_in if model.facts else lambda place, _: place
+    return [
+        Finding(
+            line_in(entry.place, target),
+            "paper-stale",
+            f"the paper's {entry.kind} {entry.name} is said to be on {target}, which is no page",
+            "name the page that shows it",
+        )
+        for entry in model.paper
+        for target in entry.here
+        if target.startswith("view:") and not has_page(site, _page_of(target))
+    ]
+
+
+def _page_of(target: str) -> str:
+    page, mark, anchor = target.removeprefix("view:").partition("#")
+    return f"{page}.html{mark}{anchor}"

@@ -1,0 +1,340 @@
+"""pattern-*: each application binds its roles, and each clause of its pattern holds in the code."""
+
+from __future__ import annotations
+
+from traceability.checks.pattern_clauses import CLAUSES, Shape
+from traceability.model.design_model import Model
+from traceability.reading.declared import ClauseText, KnownApplication
+from traceability.reading.source_facts import Facts
+from traceability.schema import Clause, Finding, PatternApplication, Place, RoleBinding
+from traceability.sources import DESIGN
+
+ABSTRACTIONS = (
+    *("State", "Strategy", "Component", "Decorator", "Command", "Abstract Class", "Builder"),
+    *("Singleton", "Serializable", "Reader", "Writer"),
+)
+# Above an abstraction stands what it is for; where it serves several applications, above its heir.
+DECLARING = (*ABSTRACTIONS, "Concrete Command", "Concrete Decorator", "Concrete Builder")
+APPLICATIONS = "design/applications.toml"
+# The roles of heirs; of these, those of a Decorator; and abstractions whose heirs are alternatives.
+HEIRS = (
+    *("Concrete State", "Concrete Strategy", "Concrete Component", "Decorator"),
+    *("Concrete Decorator", "Concrete Command", "Concrete Class", "Concrete Builder"),
+    *("Concrete Reader", "Concrete Writer", "Concrete Element"),
+)
+EXTENDED = ("Concrete Component", "Decorator", "Concrete Decorator")
+ALTERNATIVES = ("State", "Strategy", "Abstract Class")
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    found = _roles(model, facts) + _declared_once(model, facts) + _heirs(model, facts)
+    found += _required(facts) + _undeclared(model, facts) + _counts(facts)
+    found += _lost(model, facts) + _undecided(facts)
+    for application in model.patterns.values():
+        found += _known(application, facts)
+        found += _missing_roles(application, model, facts)
+        found += _clauses(application, model, facts)
+    return found
+
+
+def _known(application: PatternApplication, facts: Facts) -> list[Finding]:
+    known = facts.declared.applications.get(application.id)
+    problems: list[tuple[str, str]] = []
+    if known is None:
+        problems.append((f"there is no application {application.id}", "correct the id"))
+    elif known.pattern != application.pattern:
+        problems.append(
+            (
+                f"{application.id} is an application of {known.pattern}, not of "
+                f"{application.pattern}",
+                "correct the pattern",
+            )
+        )
+    module = application.module
+    if not any(b.module == module and b.role in DECLARING for b in application.roles):
+        text = f"{module} is not the abstraction of {application.id}"
+        problems.append((text, "write the @patternapp above the abstraction"))
+    texts = {"title": application.title, "@why": application.why, "@changes": application.changes}
+    problems += [
+        (f"the application {application.id} has no {name}", "write it below the @patternapp")
+        for name, text in texts.items()
+        if not text
+    ]
+    return [Finding(application.place, "pattern-known", text, mend) for text, mend in problems]
+
+
+def _declared_once(model: Model, facts: Facts) -> list[Finding]:
+    found: list[Finding] = []
+    first: dict[str, str] = {}
+    for module in model.modules.values():
+        for tag in facts.comment_of(module.name).of("patternapp"):
+            name = tag.argument
+            if name in first:
+                words = f"{name} is declared above {first[name]} already"
+                found.append(Finding(tag.place, "pattern-known", words, "leave one of the two"))
+            first.setdefault(name, module.name)
+    return found
+
+
+def _roles(model: Model, facts: Facts) -> list[Finding]:
+    found: list[Finding] = []
+    for module in model.modules.values():
+        seen: set[tuple[str, str]] = set()
+        for binding in module.roles:
+            problem = _role_problem(binding, model, facts)
+            if problem is None and (binding.application, binding.role) in seen:
+                again = (
+                    f"{module.name} says twice that it is {binding.role} in {binding.application}"
+                )
+                problem = again, "leave one of the two"
+            seen.add((binding.application, binding.role))
+            if problem:
+                text, mend = problem
+                found.append(Finding(binding.place, "pattern-role-unknown", text, mend))
+    return found
+
+
+def _lost(model: Model, facts: Facts) -> list[Finding]:
+    """Marks in comments that are not those above a module: no document shows them."""
+    above = {(b.place.file, b.place.line) for m in model.modules.values() for b in m.roles}
+    above |= {(one.place.file, one.place.line) for one in model.patterns.values()}
+    checks = {"role": "pattern-role-unknown", "patternapp": "pattern-known"}
+    return [
+        Finding(
+            tag.place,
+            checks[tag.name],
+            f"this @{tag.name} stands above no module",
+            "write it above the class",
+        )
+        for comment in facts.comments.below(DESIGN)
+        for tag in comment.tags
+        if tag.name in checks and (tag.place.file, tag.place.line) not in above
+    ]
+
+
+def _role_problem(binding: RoleBinding, model: Model, facts: Facts) -> tuple[str, str] | None:
+    known = facts.declared.applications.get(binding.application)
+    if known is None:
+        return f"there is no application {binding.application}", "correct the id"
+    if binding.role not in known.roles:
+        roles = ", ".join(known.roles)
+        return f"{binding.application} has no role '{binding.role}'", f"use one of: {roles}"
+    added = model.modules[binding.module].extension
+    if binding.module not in known.roles[binding.role] and not added:
+        return (
+            f"the design does not bind {binding.module} to the role {binding.role} of "
+            f"{binding.application}",
+            "correct the role, or change design/applications.toml",
+        )
+    if binding.application not in model.patterns:
+        return (
+            f"the application {binding.application} is not declared",
+            "declare it with @patternapp above its abstraction",
+        )
+    return None
+
+
+def _undeclared(model: Model, facts: Facts) -> list[Finding]:
+    return [
+        Finding(
+            item.place,
+            "pattern-known",
+            f"no module declares the application {item.id}",
+            "write its @patternapp above its abstraction",
+        )
+        for item in facts.declared.applications.values()
+        if item.id not in model.patterns
+    ]
+
+
+def _undecided(facts: Facts) -> list[Finding]:
+    """The clauses of the design are those that can be decided."""
+    clauses = facts.declared.clauses
+    if not clauses:
+        return []
+    absent = [
+        Finding(
+            Place("design/clauses.toml", 1),
+            "pattern-known",
+            f"no clause {name} is declared, so nothing decides it",
+            "declare the clause",
+        )
+        for name in CLAUSES
+        if name not in clauses
+    ]
+    return absent + [
+        Finding(facts.declared.entries.line_in(clause.place, word), "pattern-known", text, mend)
+        for clause in clauses.values()
+        for text, word, mend in _clause_problems(clause, facts)
+    ]
+
+
+def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, str]]:
+    """What is wrong with a clause, the word in question, and what mends it."""
+    found: list[tuple[str, str, str]] = []
+    if clause.id not in CLAUSES:
+        mend = "correct the id, or write what decides it in traceability/checks/pattern_clauses.py"
+        found.append((f"nothing decides the clause {clause.id}", clause.id, mend))
+    if not clause.id.startswith(f"pattern-{clause.pattern.split()[0].lower()}-"):
+        text = f"{clause.id} is no clause of the pattern {clause.pattern}"
+        found.append((text, clause.pattern, "correct the pattern"))
+        return found
+    roles = next((one.roles for one in facts.declared.patterns if one.name == clause.pattern), [])
+    return found + [
+        (f"{role} is no role of {clause.pattern}", role, "correct the role")
+        for role in clause.about
+        if role not in roles
+    ]
+
+
+def _counts(facts: Facts) -> list[Finding]:
+    """The number of applications of each pattern is that of the paper."""
+    found: list[Finding] = []
+    for pattern in facts.declared.patterns:
+        known = [i for i in facts.declared.applications.values() if i.pattern == pattern.name]
+        if len(known) != pattern.applications:
+            text = (
+                f"the design has {len(known)} applications of {pattern.name}, not "
+                f"{pattern.applications}"
+            )
+            mend = f"correct the entries of {APPLICATIONS}"
+            found.append(Finding(pattern.place, "pattern-count", text, mend))
+    return found
+
+
+def _required(facts: Facts) -> list[Finding]:
+    """Each application of the design binds every role of its pattern to modules that exist."""
+    found: list[Finding] = []
+    patterns = {pattern.name: pattern.roles for pattern in facts.declared.patterns}
+    for item in facts.declared.applications.values():
+        roles = patterns.get(item.pattern, [])
+        if item.pattern not in patterns:
+            problems = [(f"there is no pattern {item.pattern} ({item.id})", "pattern")]
+        else:
+            problems = _roles_of(item, roles)
+        problems += [
+            (f"there is no module {module}, which is to be {role} in {item.id}", module)
+            for role, modules in item.roles.items()
+            for module in modules
+            if module not in facts.classes
+        ]
+        mend = f"bind each role of the pattern in {APPLICATIONS}"
+        found += [
+            Finding(
+                facts.declared.entries.line_in(item.place, word),
+                "pattern-role-required",
+                text,
+                mend,
+            )
+            for text, word in problems
+        ]
+    return found
+
+
+def _roles_of(item: KnownApplication, roles: list[str]) -> list[tuple[str, str]]:
+    """What is wrong with the roles that an application binds, and the word in question."""
+    unbound = [
+        (f"{item.id} binds nothing to the role {role}", "roles")
+        for role in roles
+        if not item.roles.get(role)
+    ]
+    twice = [
+        (f"{item.id} binds {module} to the role {role} twice", f'"{module}"')
+        for role, modules in item.roles.items()
+        for module in {name for name in modules if modules.count(name) > 1}
+    ]
+    unknown = [
+        (f"{role} is no role of {item.pattern} ({item.id})", role)
+        for role in item.roles
+        if role not in roles
+    ]
+    return unbound + twice + unknown
+
+
+def _missing_roles(application: PatternApplication, model: Model, facts: Facts) -> list[Finding]:
+    known = facts.declared.applications.get(application.id)
+    bound = {(item.role, item.module) for item in application.roles}
+    return [
+        Finding(
+            model.modules[module].place,
+            "pattern-role-missing",
+            f"{module} does not say that it is {role} in {application.id}",
+            f"write @role{{{application.id}, {role}}} above it",
+        )
+        for role, modules in (known.roles if known else {}).items()
+        for module in modules
+        if module in model.modules and (role, module) not in bound
+    ]
+
+
+def _heirs(model: Model, facts: Facts) -> list[Finding]:
+    """A nested Command is the body of a thread; any other heir plays the role of one."""
+    found: dict[str, Finding] = {}
+    for application in model.patterns.values():
+        for binding in application.roles:
+            if binding.role not in ABSTRACTIONS:
+                continue
+            for heir in facts.heirs.get(binding.module, []):
+                fact = facts.classes[heir]
+                body = binding.role == "Command" and "::" in heir and not fact.local
+                if body or _plays_heir(heir, binding, model, facts):
+                    continue
+                found.setdefault(
+                    heir,
+                    Finding(
+                        fact.place,
+                        "pattern-heir-unbound",
+                        f"{heir} derives from {binding.module}, which is {binding.role} in "
+                        f"{application.id}, and plays no role of an heir",
+                        "bind it to such a role, or derive it from something else",
+                    ),
+                )
+    return list(found.values())
+
+
+def _plays_heir(heir: str, binding: RoleBinding, model: Model, facts: Facts) -> bool:
+    """Whether an heir has a role that derives, in this application or one that answers for it.
+
+    The heirs of a Command or a Builder have one application each. What extends a component, or is
+    extended, need not be one of the alternatives as well.
+    """
+    module = model.modules.get(heir)
+    for role in module.roles if module else []:
+        if role.role not in HEIRS or role.application not in model.patterns:
+            continue
+        above = {
+            one.module
+            for one in model.patterns[role.application].roles
+            if one.role in ABSTRACTIONS and heir in facts.heirs.get(one.module, [])
+        }
+        whole = binding.role not in ALTERNATIVES or role.role in EXTENDED
+        if above and (whole or role.application == binding.application):
+            return True
+    return False
+
+
+def _clauses(application: PatternApplication, model: Model, facts: Facts) -> list[Finding]:
+    """Decides every clause of the pattern, and leaves the result in the application."""
+    found: list[Finding] = []
+    application.clauses = []
+    shape = Shape(application, facts)
+    for clause in facts.declared.clauses.values():
+        if clause.pattern != application.pattern or clause.id not in CLAUSES:
+            continue
+        broken = list({(p.file, p.line, t): (p, t) for p, t in CLAUSES[clause.id](shape)}.values())
+        places = [place for place, _ in broken] or _about(application, clause, model)
+        application.clauses.append(Clause(clause.id, clause.says, not broken, places))
+        found += [
+            Finding(place, clause.id, f"{text} ({application.id})", clause.mend)
+            for place, text in broken
+        ]
+    return found
+
+
+def _about(application: PatternApplication, clause: ClauseText, model: Model) -> list[Place]:
+    """Where the modules stand that a clause speaks of."""
+    return [
+        model.modules[binding.module].place
+        for binding in application.roles
+        if binding.role in clause.about and binding.module in model.modules
+    ]

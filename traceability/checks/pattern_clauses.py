@@ -1,0 +1,654 @@
+"""The structural clauses of the patterns, decided on the syntax tree.
+
+A clause takes one application and yields the places where it does not hold.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from traceability.reading.ast_facts import ANY_CLASS, BodyFact, CallFact, FieldFact, MethodFact
+from traceability.reading.source_facts import Facts
+from traceability.schema import PatternApplication, Place
+
+Broken = Iterator[tuple[Place, str]]
+
+
+@dataclass
+class Shape:
+    """One application, with the questions that its clauses ask."""
+
+    application: PatternApplication
+    facts: Facts
+
+    @property
+    def replaced(self) -> list[str]:
+        """The operations that decorators of the application replace instead of extending them."""
+        known = self.facts.declared.applications.get(self.application.id)
+        return known.replaces if known else []
+
+    @property
+    def declared_at(self) -> Place:
+        """Where the design says which operations are replaced."""
+        known = self.facts.declared.applications.get(self.application.id)
+        place = known.place if known else self.application.place
+        return self.facts.declared.entries.line_in(place, "replaces")
+
+    def playing(self, role: str) -> list[str]:
+        return [item.module for item in self.application.roles if item.role == role]
+
+    def place(self, module: str) -> Place:
+        return self.facts.classes[module].place
+
+    def derives(self, module: str, base: str) -> bool:
+        return module in self.facts.heirs.get(base, [])
+
+    def family(self, base: str) -> set[str]:
+        return {base, *self.facts.heirs.get(base, [])}
+
+    def methods(self, module: str) -> list[MethodFact]:
+        return [method for method in self.facts.classes[module].methods if not method.deleted]
+
+    def fields(self, module: str) -> list[FieldFact]:
+        """The fields of a class and of the classes nested in it."""
+        inner = f"{module}::"
+        return [
+            field
+            for name, fact in self.facts.classes.items()
+            if name == module or name.startswith(inner)
+            for field in fact.fields
+        ]
+
+    def bodies(self, module: str) -> list[BodyFact]:
+        """The bodies of a class, of those nested in it, and of the functions beside it."""
+        return self.facts.bodies_of.get(module, [])
+
+    def user(self, body: BodyFact) -> str:
+        return self.facts.user(body.owner, body.place)
+
+    def bases(self, module: str) -> list[str]:
+        found = list(self.facts.classes[module].bases)
+        return found + [upper for base in found for upper in self.bases(base)]
+
+    def holds(self, module: str, base: str) -> bool:
+        return any(
+            field.refers and not field.static and base in field.classes
+            for field in self.fields(module)
+        )
+
+    def is_given(self, module: str, base: str) -> bool:
+        """A method of the class, own or inherited, takes or obtains a reference to the base."""
+        marks = (f"{base}&", f"{base}*")
+        for owner in (module, *self.bases(module)):
+            for method in self.methods(owner):
+                types = [kind for _, kind in method.params] + [method.result]
+                if any(kind.removeprefix("const ") in marks for kind in types):
+                    return True
+        return False
+
+    def named(self, by: str, targets: list[str]) -> Iterator[tuple[Place, str]]:
+        """Where the code of a class names one of the targets, or includes its header."""
+        for name in self.facts.names_of.get(by, []):
+            target = owner_of(name.target)
+            if target in targets and target != by:
+                yield name.place, target
+        for include in self.facts.includes_of.get(by, []):
+            target = self.facts.written_in.get(include.target, "")
+            if target in targets and target != by:
+                yield include.place, target
+
+    def marks(self, module: str) -> set[tuple[str, str]]:
+        """The values of an enumeration that a class names."""
+        return {
+            (name.target, name.member)
+            for name in self.facts.names_of.get(module, [])
+            if name.member and self.facts.kind_of(name.target) == "enum"
+        }
+
+    def calls(self, module: str) -> Iterator[tuple[str, Place]]:
+        """The methods that the bodies of a class call, as declared."""
+        for body in self.bodies(module):
+            for call in body.calls:
+                yield call.target, call.place
+
+    def calls_from(self, method: str, module: str) -> set[str]:
+        """What a method of a class calls, itself or through methods and functions of the class."""
+        own = {body.id: body for body in self.bodies(module)}
+        work, seen = [method], {method}
+        found: set[str] = set()
+        while work:
+            body = own.get(work.pop())
+            targets = {call.target for call in body.calls} if body else set()
+            found |= targets
+            work += [name for name in targets - seen if name in own]
+            seen |= targets
+        return found
+
+
+def owner_of(method: str) -> str:
+    return method.split("::", maxsplit=1)[0]
+
+
+def last_of(method: str) -> str:
+    return method.rsplit("::", 1)[-1]
+
+
+def abstract(role: str) -> Callable[[Shape], Broken]:
+    def clause(shape: Shape) -> Broken:
+        for module in shape.playing(role):
+            if not shape.facts.classes[module].abstract:
+                yield shape.place(module), f"{module} is not abstract"
+
+    return clause
+
+
+def derived(role: str, base_role: str) -> Callable[[Shape], Broken]:
+    def clause(shape: Shape) -> Broken:
+        for module in shape.playing(role):
+            for base in shape.playing(base_role):
+                if module != base and not shape.derives(module, base):
+                    yield shape.place(module), f"{module} does not derive from {base}"
+
+    return clause
+
+
+def held(role: str) -> Callable[[Shape], Broken]:
+    def clause(shape: Shape) -> Broken:
+        for context in shape.playing("Context"):
+            for base in shape.playing(role):
+                if not shape.holds(context, base) and not shape.is_given(context, base):
+                    yield shape.place(context), f"{context} neither holds {base} nor is given it"
+
+    return clause
+
+
+def unnamed(role: str, concrete: str) -> Callable[[Shape], Broken]:
+    def clause(shape: Shape) -> Broken:
+        for module in shape.playing(role):
+            for place, target in shape.named(module, shape.playing(concrete)):
+                yield place, f"{module} names {target}"
+
+    return clause
+
+
+def state_unmarked(shape: Shape) -> Broken:
+    """The Context does not ask for a state by the value that this one alone is numbered with."""
+    states = shape.playing("Concrete State")
+    named = [mark for state in states for mark in shape.marks(state)]
+    own = {mark: state for state in states for mark in shape.marks(state) if named.count(mark) == 1}
+    for context in shape.playing("Context"):
+        for name in shape.facts.names_of.get(context, []):
+            state = own.get((name.target, name.member))
+            beside = owner_of(name.by) not in ("", context)  # a data type in the same header
+            if state and context not in states and not beside:
+                yield name.place, f"{context} asks for {state} by {name.target}::{name.member}"
+
+
+def called(role: str) -> Callable[[Shape], Broken]:
+    """Each Context calls the abstraction, itself or through what it inherits."""
+
+    def clause(shape: Shape) -> Broken:
+        for base in shape.playing(role):
+            for context in shape.playing("Context"):
+                targets = (
+                    target
+                    for upper in (context, *shape.bases(context))
+                    for target, _ in shape.calls(upper)
+                )
+                if not any(owner_of(target) == base for target in targets):
+                    yield shape.place(context), f"{context} does not call {base}"
+
+    return clause
+
+
+def state_change(shape: Shape) -> Broken:
+    """The field of the Context that refers to the State is assigned by one operation."""
+    for base in shape.playing("State"):
+        states = shape.family(base)
+        for context in shape.playing("Context"):
+            fields = {
+                f"{context}::{field.name}"
+                for field in shape.fields(context)
+                if field.refers and not field.static and field.classes == [base]
+            }
+            changers = {
+                body.id: Place(body.place.file, line)
+                for body in shape.facts.syntax.bodies
+                for name, line in body.assigns
+                if name in fields and body.id != f"{body.owner}::{body.owner}"
+            }
+            if fields and not changers and context not in states:
+                yield shape.place(context), f"no operation of {context} changes the {base}"
+            operation = change_operation(shape, states, context, changers)
+            for method, place in changers.items():
+                if method != operation:
+                    yield place, f"{method} also changes the {base}"
+            yield from changed_outside(shape, {context, *states}, operation, base)
+
+
+def change_operation(
+    shape: Shape, states: set[str], context: str, changers: dict[str, Place]
+) -> str:
+    """The operation of the Context that the states call; of several the first."""
+    by_states = {target for state in states for target, _ in shape.calls(state)}
+    own = [method for method in changers if owner_of(method) == context]
+    return next((m for m in own if m in by_states), next(iter(own), ""))
+
+
+def changed_outside(shape: Shape, allowed: set[str], operation: str, base: str) -> Broken:
+    unresolved = f"{ANY_CLASS}::{operation.rsplit('::', 1)[-1]}"
+    for body in shape.facts.syntax.bodies:
+        for call in body.calls:
+            if call.target in (operation, unresolved) and shape.user(body) not in allowed:
+                yield call.place, f"{body.id} changes the {base} from outside"
+
+
+def decorator_holds(shape: Shape) -> Broken:
+    for decorator in shape.playing("Decorator"):
+        for component in shape.playing("Component"):
+            if not shape.holds(decorator, component):
+                yield shape.place(decorator), f"{decorator} holds no {component}"
+
+
+def on_wrapped(call: CallFact, decorators: set[str]) -> bool:
+    """Whether a call goes to what the Decorator holds: no other member is the component."""
+    return all(one.startswith("this ") or owner_of(one.split()[1]) in decorators for one in call.on)
+
+
+def forwards(body: BodyFact, wrapped: set[str], decorators: set[str]) -> bool:
+    return any(
+        owner_of(call.target) in wrapped
+        and last_of(call.target) == last_of(body.id)
+        and on_wrapped(call, decorators)
+        for call in body.calls
+    )
+
+
+def operations_of(shape: Shape, components: set[str]) -> set[str]:
+    return {
+        method.name
+        for component in components
+        for method in shape.methods(component)
+        if method.virtual and "~" not in method.name
+    }
+
+
+def decorator_forwards(shape: Shape) -> Broken:
+    components = set(shape.playing("Component"))
+    decorators = set(shape.playing("Decorator"))
+    replaced: set[str] = set()
+    for module in [*decorators, *shape.playing("Concrete Decorator")]:
+        wrapped = components | (decorators - {module})
+        overriding = [body for body in shape.bodies(module) if body.overrides]
+        if module in decorators:
+            own = {last_of(body.id) for body in overriding}
+            for operation in sorted(operations_of(shape, components) - own - set(shape.replaced)):
+                yield shape.place(module), f"{module} does not forward {operation}"
+        for body in overriding:
+            if forwards(body, wrapped, decorators):
+                continue
+            if last_of(body.id) in shape.replaced:
+                replaced.add(last_of(body.id))
+            else:
+                yield body.place, f"{body.id} does not forward to the component"
+        extending = [body for body in overriding if last_of(body.id) not in shape.replaced]
+        if not extending and module not in decorators:
+            yield shape.place(module), f"{module} extends no operation"
+    for name in sorted(set(shape.replaced) - replaced):
+        yield shape.declared_at, f"no decorator replaces {name}, as the design says"
+
+
+def primitives_called(shape: Shape, module: str) -> dict[str, set[str]]:
+    """Method -> the virtual methods of the same class that it calls."""
+    virtual = {method.id for method in shape.methods(module) if method.virtual}
+    return {
+        body.id: primitives
+        for body in shape.bodies(module)
+        if (primitives := {call.target for call in body.calls if call.target in virtual})
+    }
+
+
+def template_methods(shape: Shape, module: str) -> dict[str, set[str]]:
+    """Those that are not virtual."""
+    plain = {method.id for method in shape.methods(module) if not method.virtual}
+    return {m: called for m, called in primitives_called(shape, module).items() if m in plain}
+
+
+def template_nonvirtual(shape: Shape) -> Broken:
+    for module in shape.playing("Abstract Class"):
+        plain = template_methods(shape, module)
+        if not plain:
+            text = f"{module} has no non-virtual method that calls its primitives"
+            yield shape.place(module), text
+        for method in shape.methods(module):
+            if method.virtual and method.id in primitives_called(shape, module):
+                yield method.place, f"{method.id} calls primitives and is virtual itself"
+        called = set().union(*plain.values())
+        for method in shape.methods(module):
+            if plain and method.virtual and method.access != "public" and method.id not in called:
+                yield method.place, f"no template method calls the primitive {method.id}"
+
+
+def template_primitives(shape: Shape) -> Broken:
+    for module in shape.playing("Abstract Class"):
+        pure = {method.id for method in shape.methods(module) if method.pure}
+        called = set().union(*template_methods(shape, module).values()) & pure
+        for heir in shape.playing("Concrete Class"):
+            owners = {heir, *shape.bases(heir)} - {module}
+            for primitive in sorted(called):
+                overriders = shape.facts.overriders.get(primitive, [])
+                if shape.derives(heir, module) and not owners & {owner_of(m) for m in overriders}:
+                    yield shape.place(heir), f"{heir} does not override {primitive}"
+
+
+def template_overrides(shape: Shape) -> Broken:
+    for module in shape.playing("Abstract Class"):
+        names = {method.rsplit("::", 1)[-1] for method in template_methods(shape, module)}
+        for heir in shape.playing("Concrete Class"):
+            for method in shape.methods(heir):
+                if method.name in names:
+                    yield method.place, f"{method.id} hides the template method of {module}"
+
+
+def command_single(shape: Shape) -> Broken:
+    for module in shape.playing("Command"):
+        operations = [
+            method
+            for method in shape.methods(module)
+            if method.access == "public"
+            and method.kind != "constructor"
+            and not method.name.startswith(("~", "operator"))
+        ]
+        if len(operations) != 1 or not operations[0].pure:
+            yield shape.place(module), f"{module} does not have one operation, which is pure"
+
+
+def command_invoker(shape: Shape) -> Broken:
+    hidden = shape.playing("Concrete Command") + shape.playing("Receiver")
+    commands = shape.playing("Command")
+    for module in dict.fromkeys([*commands, *shape.playing("Invoker")]):
+        for place, target in shape.named(module, hidden):
+            yield place, f"{module} names {target}"
+    for invoker in shape.playing("Invoker"):
+        calls = [
+            call
+            for body in shape.bodies(invoker)
+            for call in body.calls
+            if owner_of(call.target) in commands
+        ]
+        if commands and not calls:
+            yield shape.place(invoker), f"{invoker} does not call {', '.join(commands)}"
+        elif calls and not executed(shape, calls):
+            concrete = " or ".join(shape.playing("Concrete Command"))
+            yield shape.place(invoker), f"{invoker} is given no {concrete} to execute"
+
+
+def executed(shape: Shape, calls: list[CallFact]) -> bool:
+    """Whether calls reach a Concrete Command of the application, as builders bind them."""
+    targets = {owner_of(name) for call in calls for name in shape.facts.references.targets(call)}
+    return not targets.isdisjoint(shape.playing("Concrete Command"))
+
+
+def command_receiver(shape: Shape) -> Broken:
+    """The operation of each Concrete Command calls a Receiver; each Receiver is called."""
+    receivers = shape.playing("Receiver")
+    reached: set[str] = set()
+    for command in shape.playing("Concrete Command"):
+        operations = [body.id for body in shape.bodies(command) if body.overrides]
+        targets = {
+            owner_of(target)
+            for operation in operations
+            for target in shape.calls_from(operation, command)
+        }
+        reached |= targets
+        if receivers and not targets.intersection(receivers):
+            text = f"the operation of {command} calls no {' or '.join(receivers)}"
+            yield shape.place(command), text
+    for receiver in receivers:
+        if reached and receiver not in reached:
+            yield shape.place(receiver), f"no Concrete Command calls {receiver}"
+
+
+def makes(shape: Shape, module: str, product: str) -> bool:
+    return any(
+        product in field.classes and not field.refers for field in shape.fields(module)
+    ) or any(
+        name.how == "construct" and name.target == product
+        for name in shape.facts.names_of.get(module, [])
+    )
+
+
+def command_client(shape: Shape) -> Broken:
+    clients = shape.playing("Client")
+    for command in shape.playing("Concrete Command"):
+        if clients and not any(makes(shape, client, command) for client in clients):
+            yield shape.place(clients[0]), f"{' and '.join(clients)} make no {command}"
+
+
+def makers(shape: Shape, product: str) -> Iterator[tuple[Place, str]]:
+    """Where an object of a class is made, and what makes it; "" is a function of a composition."""
+    for fact in shape.facts.syntax.names:
+        if fact.how == "construct" and fact.target == product:
+            yield fact.place, shape.facts.user(fact.by, fact.place)
+    for name, other in shape.facts.classes.items():
+        for field in other.fields:
+            if product in field.classes and not field.refers:
+                yield field.place, owner_of(name)
+
+
+def builder_constructs(shape: Shape) -> Broken:
+    builders = shape.playing("Concrete Builder")
+    for product in shape.playing("Product"):
+        for builder in builders:
+            if not makes(shape, builder, product) and not passes_steps_on(shape, builder):
+                yield shape.place(builder), f"{builder} does not construct {product}"
+        for place, maker in makers(shape, product):
+            if maker not in builders and maker not in shape.family(product):
+                yield place, f"{maker or 'a function'} makes a {product}"
+
+
+def passes_steps_on(shape: Shape, builder: str) -> bool:
+    """Whether a Concrete Builder calls the steps of the Builder, which others carry out."""
+    abstract = shape.playing("Builder")
+    return builder not in abstract and any(
+        owner_of(target) in abstract for target, _ in shape.calls(builder)
+    )
+
+
+def builder_parts(shape: Shape) -> Broken:
+    """What builders alone make, nothing else makes."""
+    builders = shape.playing("Concrete Builder")
+    for part in sorted(parts_of(shape, builders)):
+        for place, maker in makers(shape, part):
+            if maker in shape.facts.modules - shape.facts.builders:
+                yield place, f"{maker} makes a {part}, which is a part that {builders[0]} makes"
+
+
+def parts_of(shape: Shape, builders: list[str]) -> set[str]:
+    """The modules with a role that the builders hold or construct."""
+    held = {
+        name
+        for builder in builders
+        for field in shape.fields(builder)
+        if not field.refers
+        for name in field.classes
+    }
+    return held & shape.facts.with_role - set(shape.playing("Product"))
+
+
+def builder_director(shape: Shape) -> Broken:
+    """The Director calls the Builder, and nothing of what is built, here or elsewhere."""
+    builders = shape.playing("Builder")
+    products = shape.playing("Product")
+    concrete = shape.playing("Concrete Builder")
+    built = {*products, *parts_of(shape, concrete)}
+    for builder in builders:
+        for place, target in shape.named(builder, concrete):
+            yield place, f"{builder} names {target}"
+    for director in shape.playing("Director"):
+        for place, target in shape.named(director, unknown_to(shape, director)):
+            yield place, f"{director} names {target}"
+        if not any(owner_of(target) in builders for target, _ in shape.calls(director)):
+            yield shape.place(director), f"{director} does not call {', '.join(builders)}"
+        for target, place in shape.calls(director):
+            owner = owner_of(target)
+            constructor = target.rsplit("::", 1)[-1] == owner
+            if owner in built and not constructor:
+                yield place, f"{director} calls {target}"
+
+
+def unknown_to(shape: Shape, director: str) -> list[str]:
+    """What builders make, and who builds: all but Builders, and what the Director makes itself."""
+    known = shape.facts.declared.applications.values()
+    bound = [item.roles for item in known if item.pattern == shape.application.pattern]
+    bound.append({role: shape.playing(role) for role in ("Builder", "Concrete Builder", "Product")})
+    builders = {name for roles in bound for name in roles.get("Builder", [])}
+    made = {
+        name
+        for roles in bound
+        for name in [*roles.get("Product", []), *roles.get("Concrete Builder", [])]
+        if director not in roles.get("Concrete Builder", [])
+    }
+    return sorted(made - builders)
+
+
+def singleton_one(shape: Shape) -> Broken:
+    for module in shape.playing("Singleton"):
+        instances = [
+            field
+            for field in shape.facts.classes[module].fields
+            if field.static and module in field.type
+        ]
+        gives = [
+            method
+            for method in shape.methods(module)
+            if method.kind == "static" and method.result.removeprefix("const ") == f"{module}&"
+        ]
+        if not gives or len(instances) > 1:
+            yield shape.place(module), f"{module} does not give its one instance"
+        for heir in shape.facts.heirs.get(module, []):
+            yield shape.place(heir), f"each {heir} is one more {module}"
+        for body in shape.facts.syntax.bodies:
+            made = [call.place for call in body.calls if call.target == f"{module}::{module}"]
+            if body.id not in {method.id for method in gives[:1]}:
+                for place in made:
+                    yield place, f"{body.id} makes one more {module}"
+
+
+def singleton_constructor(shape: Shape) -> Broken:
+    for module in shape.playing("Singleton"):
+        constructors = [item for item in shape.methods(module) if item.kind == "constructor"]
+        if not constructors:
+            yield shape.place(module), f"{module} has the public constructor of the compiler"
+        for method in constructors:
+            if method.access != "private":
+                yield method.place, f"a constructor of {module} is {method.access}"
+        for friend in shape.facts.syntax.friends:
+            if friend.by == module:
+                yield friend.place, f"{friend.target} can construct {module}"
+
+
+def singleton_copy(shape: Shape) -> Broken:
+    for module in shape.playing("Singleton"):
+        deleted = [item for item in shape.facts.classes[module].methods if item.deleted]
+        copies = [kind == f"const {module}&" for m in deleted for _, kind in m.params]
+        if sum(copies) < 2:
+            yield shape.place(module), f"{module} can be copied"
+        for method in shape.methods(module):
+            if any(kind == f"{module}&&" for _, kind in method.params):
+                yield method.place, f"{module} can be moved"
+
+
+def serializer_used(shape: Shape) -> Broken:
+    """Each operation of an element reads from a Reader or writes to a Writer."""
+    abstractions = shape.playing("Reader") + shape.playing("Writer")
+    for element in shape.playing("Concrete Element"):
+        operations = [body for body in shape.bodies(element) if body.overrides]
+        if not operations:
+            yield shape.place(element), f"{element} has no operation of its own"
+        for body in operations:
+            owners = {owner_of(target) for target in shape.calls_from(body.id, element)}
+            if not owners.intersection(abstractions):
+                yield body.place, f"{body.id} calls no {' or '.join(abstractions)}"
+
+
+def together(*clauses: Callable[[Shape], Broken]) -> Callable[[Shape], Broken]:
+    def clause(shape: Shape) -> Broken:
+        for one in clauses:
+            yield from one(shape)
+
+    return clause
+
+
+CLAUSES: dict[str, Callable[[Shape], Broken]] = {
+    "pattern-state-abstract": abstract("State"),
+    "pattern-state-derives": derived("Concrete State", "State"),
+    "pattern-state-held": held("State"),
+    "pattern-state-called": called("State"),
+    "pattern-state-unnamed": together(unnamed("Context", "Concrete State"), state_unmarked),
+    "pattern-state-successor": together(
+        unnamed("State", "Concrete State"),
+        unnamed("Concrete State", "Concrete State"),
+    ),
+    "pattern-state-change": state_change,
+    "pattern-strategy-abstract": abstract("Strategy"),
+    "pattern-strategy-derives": derived("Concrete Strategy", "Strategy"),
+    "pattern-strategy-held": held("Strategy"),
+    "pattern-strategy-called": called("Strategy"),
+    "pattern-strategy-unnamed": together(
+        unnamed("Context", "Concrete Strategy"),
+        unnamed("Strategy", "Concrete Strategy"),
+    ),
+    "pattern-decorator-component": together(
+        abstract("Component"),
+        derived("Decorator", "Component"),
+        derived("Concrete Component", "Component"),
+        derived("Concrete Decorator", "Decorator"),
+    ),
+    "pattern-decorator-holds": decorator_holds,
+    "pattern-decorator-unnamed": together(
+        *(
+            unnamed(role, concrete)
+            for role in ("Component", "Decorator", "Concrete Component", "Concrete Decorator")
+            for concrete in ("Concrete Component", "Concrete Decorator")
+        )
+    ),
+    "pattern-decorator-forwards": decorator_forwards,
+    "pattern-template-nonvirtual": template_nonvirtual,
+    "pattern-template-derives": derived("Concrete Class", "Abstract Class"),
+    "pattern-template-unnamed": together(
+        unnamed("Abstract Class", "Concrete Class"),
+        unnamed("Concrete Class", "Concrete Class"),
+    ),
+    "pattern-template-primitives": template_primitives,
+    "pattern-template-overrides": template_overrides,
+    "pattern-command-single": together(abstract("Command"), command_single),
+    "pattern-command-derives": derived("Concrete Command", "Command"),
+    "pattern-command-invoker": command_invoker,
+    "pattern-command-receiver": command_receiver,
+    "pattern-command-client": command_client,
+    "pattern-builder-derives": derived("Concrete Builder", "Builder"),
+    "pattern-builder-constructs": builder_constructs,
+    "pattern-builder-parts": builder_parts,
+    "pattern-builder-director": builder_director,
+    "pattern-singleton-one": singleton_one,
+    "pattern-singleton-constructor": singleton_constructor,
+    "pattern-singleton-copy": singleton_copy,
+    "pattern-serializer-abstractions": together(
+        *(
+            unnamed(role, concrete)
+            for role in ("Concrete Element", "Serializable", "Reader", "Writer")
+            for concrete in ("Concrete Reader", "Concrete Writer")
+        )
+    ),
+    "pattern-serializer-used": serializer_used,
+    "pattern-serializer-derives": together(
+        abstract("Serializable"),
+        abstract("Reader"),
+        abstract("Writer"),
+        derived("Concrete Reader", "Reader"),
+        derived("Concrete Writer", "Writer"),
+        derived("Concrete Element", "Serializable"),
+    ),
+}

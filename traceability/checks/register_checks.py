@@ -1,0 +1,223 @@
+"""secret-registers: a block of registers is named only by the modules that own it."""
+
+from __future__ import annotations
+
+import re
+
+from traceability.model.design_model import Model
+from traceability.reading.ast_facts import BodyFact
+from traceability.reading.declared import Block
+from traceability.reading.source_facts import Facts
+from traceability.reading.translation_units import is_board
+from traceability.schema import Finding, Place
+from traceability.sources import DESIGN, files_below
+
+REGISTERS = "src/k64/registers.hpp"  # the table of all blocks
+REGISTER = "src/k64/Register.hpp"  # where a number becomes an address
+CLASS = "Register"
+PERIPHERALS = 0x4000_0000  # where the addresses of the registers begin
+OWNERS = "design/register_owners.toml"
+START_UP = "/start_up/"  # before it, and after it, there is no driver
+MEMORY = re.compile(r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]')  # what reads or writes
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    found = _undeclared(facts) + _used(model, facts) + _past_the_table(facts) + _twice(facts)
+    found += _borrowed(facts) + _given(facts) + _linked(facts)
+    return found + [finding for block in facts.declared.blocks for finding in _idle(block, facts)]
+
+
+def _finding(place: Place, text: str, mend: str) -> Finding:
+    return Finding(place, "secret-registers", text, mend)
+
+
+def _owners(facts: Facts) -> dict[str, Block]:
+    return {block.name: block for block in facts.declared.blocks}
+
+
+def _files(module: str, facts: Facts) -> set[str]:
+    """Where a module is written; empty when there is none of the name."""
+    fact = facts.classes.get(module)
+    if fact is None:
+        return set()
+    header = fact.place.file
+    return {header, header.removesuffix(".hpp") + ".cpp"}
+
+
+def _undeclared(facts: Facts) -> list[Finding]:
+    known = _owners(facts)
+    return [
+        _finding(
+            fact.place,
+            f"the block {fact.block} has no owner in {OWNERS}",
+            "declare the module that owns it",
+        )
+        for fact in facts.syntax.blocks
+        if fact.declares and fact.place.file == REGISTERS and fact.block not in known
+    ]
+
+
+def _used(model: Model, facts: Facts) -> list[Finding]:
+    known = _owners(facts)
+    found: dict[tuple[str, int, str], Finding] = {}
+    for fact in facts.syntax.blocks:
+        block = known.get(fact.block)
+        if block is None or fact.file != REGISTERS or fact.place.file == REGISTERS:
+            continue
+        if not any(fact.place.file in _files(owner, facts) for owner in block.owners):
+            names = [
+                m.name for m in model.modules.values() if fact.place.file in (m.header, m.source)
+            ]
+            user = names[0] if names else fact.place.file
+            found[fact.place.file, fact.place.line, block.name] = _finding(
+                fact.place,
+                f"{user} names registers of {block.name}, which {' and '.join(block.owners)} own"
+                f"{'s' if len(block.owners) == 1 else ''}",
+                "call an operation of the owner",
+            )
+    return list(found.values())
+
+
+def _past_the_table(facts: Facts) -> list[Finding]:
+    """A register that is not in the table, or an address made from a number."""
+    mend = f"add the register to {REGISTERS}, and use it there"
+    own = [
+        _finding(name.place, "a register is made outside the table of registers", mend)
+        for name in facts.syntax.names
+        if name.target == "Register"
+        and name.how == "type"
+        and name.place.file not in (REGISTERS, REGISTER)
+    ]
+    own += [
+        _finding(place, "an instruction of the processor reaches past the drivers", mend)
+        for place in facts.syntax.instructions
+        if not is_board(place.file) or _reaches(place, facts)
+    ]
+    own += [
+        _finding(place, "memory that changes by itself is reached past the registers", mend)
+        for place in facts.syntax.volatile
+        if place.file != REGISTER
+    ]
+    return own + [
+        _finding(place, "a number is made into an address", mend)
+        for place in facts.syntax.casts
+        if place.file != REGISTER
+    ]
+
+
+def _reaches(place: Place, facts: Facts) -> bool:
+    """Whether an instruction of a driver reads or writes an address of its own."""
+    lines = (facts.root / place.file).read_text(encoding="utf-8").splitlines()[place.line - 1 :]
+    words = "\n".join(lines).partition(";")[0]
+    return START_UP not in place.file and MEMORY.search(words) is not None
+
+
+def _twice(facts: Facts) -> list[Finding]:
+    """An address that stands in two blocks: the owners of one reach the registers of the other."""
+    path = facts.root / REGISTERS
+    found: list[Finding] = []
+    first: dict[int, str] = {}
+    block = ""
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    for number, line in enumerate(lines, 1):
+        opened = re.match(r"namespace (\w+)", line)
+        block = opened[1] if opened else block
+        address = re.search(r"\bRegister<[^>]*?\b(0x[\da-fA-F']+)\s*[,>]", line)
+        if address is None:
+            if re.search(r"\bRegister\s*<", line.split("//")[0]):
+                text = "the address of the register is no number"
+                mend = "write the number that the manual gives"
+                found.append(_finding(Place(REGISTERS, number), text, mend))
+            continue
+        owner = first.setdefault(int(address[1].replace("'", ""), 16), block)
+        if owner != block:
+            text = f"the address {address[1]} of {block} stands in {owner} already"
+            mend = "leave it in the block that the manual names"
+            found.append(_finding(Place(REGISTERS, number), text, mend))
+    return found
+
+
+def _borrowed(facts: Facts) -> list[Finding]:
+    """A block of the table that gives what another block holds."""
+    own: dict[int, str] = {}
+    path = facts.root / REGISTERS
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    for number, line in enumerate(lines, 1):
+        opened = re.match(r"namespace (\w+)", line)
+        own[number] = opened[1] if opened else own.get(number - 1, "")
+    return [
+        _finding(
+            fact.place,
+            f"the block {own[fact.place.line]} names what belongs to {fact.block}",
+            "let the owner of that block use it",
+        )
+        for fact in facts.syntax.blocks
+        if fact.place.file == REGISTERS
+        and fact.file == REGISTERS
+        and fact.block != own[fact.place.line]
+    ]
+
+
+def _given(facts: Facts) -> list[Finding]:
+    """A register that a module hands to others: these need not name its block."""
+    flows = facts.syntax.flows
+    table = {flow.into for flow in flows if f"object {flow.into} {CLASS}" in flow.sources}
+    table.add(f"result {CLASS}::at")
+    found: dict[tuple[str, int], Finding] = {}
+    for flow in flows:
+        word, _, rest = flow.into.partition(" ")
+        function = rest.rpartition(" ")[0] if word == "param" else rest
+        if word not in ("result", "param") or table.isdisjoint(flow.sources):
+            continue
+        for body in facts.bodies.get(function, []):
+            own = _module_of(body.place.file) == _module_of(flow.file)
+            if body.place.file == REGISTER or (own and not _is_open(body, word, facts)):
+                continue
+            text = f"{function} {'gives' if word == 'result' else 'is handed'} a register"
+            mend = "let the owner read or write it, and give what it means"
+            found[body.place.file, body.place.line] = _finding(body.place, text, mend)
+    for fact in facts.syntax.classes:
+        for field in fact.fields:
+            if field.access == "public" and CLASS in field.classes:
+                text = f"{fact.name}::{field.name} is a register that others can use"
+                mend = "make it private"
+                found[field.place.file, field.place.line] = _finding(field.place, text, mend)
+    return list(found.values())
+
+
+def _module_of(file: str) -> str:
+    return file.rpartition(".")[0]
+
+
+def _is_open(body: BodyFact, word: str, facts: Facts) -> bool:
+    """Whether other modules can call a function for what it gives."""
+    if word == "param" or body.local:
+        return False
+    methods = facts.classes[body.owner].methods if body.owner in facts.classes else []
+    return not any(m.id == body.id and m.access == "private" for m in methods)
+
+
+def _linked(facts: Facts) -> list[Finding]:
+    """A symbol that the linker puts where the registers are."""
+    text = "the linker gives a name to an address of registers"
+    return [
+        _finding(Place(str(path.relative_to(facts.root)), number), text, f"use {REGISTERS}")
+        for path in files_below(facts.root, DESIGN, (".ld",))
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
+        if any(int(word, 16) >= PERIPHERALS for word in re.findall(r"\b0[xX][\da-fA-F]+", line))
+    ]
+
+
+def _idle(block: Block, facts: Facts) -> list[Finding]:
+    declared = {
+        fact.block for fact in facts.syntax.blocks if fact.declares and fact.file == REGISTERS
+    }
+    if block.name not in declared:
+        text = f"{REGISTERS} has no block {block.name}"
+        return [_finding(block.place, text, "remove the entry, or correct the name")]
+    users = {fact.place.file for fact in facts.syntax.blocks if fact.block == block.name}
+    return [
+        _finding(block.place, f"{owner} does not use the block {block.name}", "correct the owners")
+        for owner in block.owners
+        if not users & _files(owner, facts)
+    ]

@@ -1,0 +1,355 @@
+"""req-*, suspect-*: each requirement is satisfied by code, verified by tests that passed.
+
+What its links depend on is as a person reviewed it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from itertools import pairwise
+from pathlib import Path
+
+from traceability.model.design_model import Model
+from traceability.model.evidence import reasons
+from traceability.model.metrics import METHODS
+from traceability.model.orphan_methods import methods_without, tests_without
+from traceability.model.reviews import REVIEWS
+from traceability.reading.products import PRODUCTS
+from traceability.reading.results import RESULTS, RUNS
+from traceability.reading.source_facts import Facts
+from traceability.schema import HOST, SOURCE_KINDS, Finding, Justified, Place, Requirement
+
+TAGGED = ("src", "extensions", "tests")
+PRIORITIES = ("high", "medium", "low")
+LEVELS = ("system", "software", "driver")
+_VERBS = {"method": "satisfies", "test": "verifies"}
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    parts = (
+        _texts,
+        _tags,
+        _requirements,
+        _stale,
+        _results,
+        _without,
+        _unneeded,
+        _lines,
+        _suspects,
+    )
+    return [finding for part in parts for finding in part(model)] + [
+        *_unknown(model, facts),
+        *_tagged(model, facts),
+        *_twice(facts),
+        *_attributes(model, facts),
+        *_sources(model, facts),
+    ]
+
+
+def _texts(model: Model) -> list[Finding]:
+    """A requirement is one sentence with a shall, and says why it is."""
+    found: list[Finding] = []
+    for requirement in model.requirements.values():
+        parts = {
+            "sentence with 'shall'": " shall " in requirement.text,
+            "@rationale": requirement.rationale,
+            "@source": requirement.source,
+            f"@priority ({', '.join(PRIORITIES)})": requirement.priority in PRIORITIES,
+        }
+        found += [
+            Finding(
+                requirement.place,
+                "req-text",
+                f"{requirement.id} has no {part}",
+                "write it below the @requirement",
+            )
+            for part, there in parts.items()
+            if not there
+        ]
+    return found
+
+
+def _attributes(model: Model, _facts: Facts) -> Iterator[Finding]:
+    """Level, product and method of verification have known values that fit the requirement."""
+    for requirement in model.requirements.values():
+        wrong = []
+        if requirement.level not in LEVELS:
+            wrong.append(f"no @level ({', '.join(LEVELS)})")
+        if requirement.method not in METHODS:
+            wrong.append(f"no @method ({', '.join(METHODS)})")
+        elif not _has_way(requirement):
+            wrong.append(f"the @method {requirement.method} and nothing that shows it")
+        if not requirement.products:
+            wrong.append("no @product (all, or names of products)")
+        unknown = set(requirement.products) - {"all", *PRODUCTS}
+        wrong += [f"a @product {name}, which does not exist" for name in sorted(unknown)]
+        for words in wrong:
+            text = f"{requirement.id} has {words}"
+            yield Finding(
+                requirement.place, "req-attribute", text, "write it below the @requirement"
+            )
+
+
+def _has_way(requirement: Requirement) -> bool:
+    if requirement.method == "test":
+        return bool(requirement.verified_by)
+    return requirement.method == "inspection" or bool(
+        requirement.evidence or requirement.verified_by
+    )
+
+
+def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Each source is a reference to something that exists."""
+    protocol = facts.root / "docs" / "protocol.rst"
+    names = {
+        "paper": {place.id for place in model.paper_places},
+        "goal": set(model.safety.goals),
+        "protocol": set(headings(protocol)),
+        "data sheet": set(model.safety.data_sheets),
+    }
+    for requirement in model.requirements.values():
+        for source in requirement.sources:
+            if not source.kind:
+                text = f"the source of {requirement.id} has no kind: {source.name}"
+                mend = f"begin it with one of: {', '.join(f'{kind}:' for kind in SOURCE_KINDS)}"
+            elif source.kind in names and source.name not in names[source.kind]:
+                named = f"{source.kind}: {source.name}"
+                text = f"{requirement.id} has the source {named}, which does not exist"
+                mend = "correct the name"
+            elif source.kind == "goal" and source.name not in requirement.goals:
+                text = f"{requirement.id} has the source {source.name} and no @goal {source.name}"
+                mend = "write the @goal, or remove the source"
+            else:
+                continue
+            yield Finding(requirement.place, "req-source", text, mend)
+
+
+def headings(page: Path) -> list[str]:
+    """The headings of a hand-written page."""
+    lines = page.read_text(encoding="utf-8").splitlines() if page.exists() else []
+    return [
+        above.strip()
+        for above, line in pairwise(lines)
+        if above.strip() and re.fullmatch(r"[=\-~]{3,}", line)
+    ]
+
+
+def _without(model: Model) -> list[Finding]:
+    """Methods and tests that serve no requirement, and are not justified."""
+    justified = {name for item in model.justified for name in item.covers}
+    methods = [
+        Finding(
+            method.place,
+            "req-method",
+            f"{method.id} serves no requirement",
+            "tag it with @satisfies, use it in a tree, or justify it in design/justified.toml",
+        )
+        for _, method in methods_without(model)
+        if method.id not in justified
+    ]
+    tests = [
+        Finding(
+            test.place,
+            "req-test",
+            f"{test.id} verifies no requirement",
+            "tag it with @verifies, or justify it in design/justified.toml",
+        )
+        for test in tests_without(model)
+        if test.id not in justified
+    ]
+    return methods + tests
+
+
+def _unneeded(model: Model) -> list[Finding]:
+    return [
+        Finding(
+            item.place,
+            "req-justified",
+            f"no {item.kind} needs this: {', '.join(spare)}",
+            "remove the names, or correct them",
+        )
+        for item in model.justified
+        if (spare := _spare(item)) and not (item.kind == "line" and model.stale_on(HOST))
+    ]
+
+
+def _spare(item: Justified) -> list[str]:
+    """The names that nothing needs. A path is needed when anything is."""
+    if not item.covers:
+        return item.names
+    return [name for name in item.names if "/" not in name and name not in item.covers]
+
+
+def _stale(model: Model) -> list[Finding]:
+    return [
+        Finding(
+            Place(f"{RESULTS}/{RUNS[binding]}.json", 1),
+            "req-stale",
+            f"there are no test results of the {binding}"
+            if made_from is None
+            else f"the test results of the {binding} are older than the sources",
+            "run ./wr test",
+        )
+        for binding, made_from in model.results_hashes.items()
+        if model.stale_on(binding)
+    ]
+
+
+def _requirements(model: Model) -> list[Finding]:
+    found: list[Finding] = []
+    for requirement in model.requirements.values():
+        if requirement.by_calls and not requirement.satisfied_by:
+            found.append(
+                Finding(
+                    requirement.place,
+                    "req-satisfied",
+                    f"no method satisfies {requirement.id}",
+                    f"tag the method that does the work with @satisfies {requirement.id}",
+                )
+            )
+        if not requirement.evidence and not requirement.verified_by:
+            found.append(
+                Finding(
+                    requirement.place,
+                    "req-verified",
+                    f"no test verifies {requirement.id}",
+                    f"tag a test with @verifies {requirement.id}",
+                )
+            )
+    return found
+
+
+def unmet(model: Model) -> list[Finding]:
+    """Evidence that is missing or beyond its bound. The other checks are part of the evidence."""
+    return [
+        Finding(
+            evidence.place,
+            "req-evidence",
+            f"{requirement.id} is not met: {reason}",
+            "correct what is measured, or let the tool measure it in this run",
+        )
+        for requirement in model.requirements.values()
+        for evidence in requirement.evidence
+        for reason in reasons(evidence)
+    ]
+
+
+def _results(model: Model) -> list[Finding]:
+    words = {"failed": "failed", "skipped": "was skipped", None: "did not run"}
+    return [
+        Finding(
+            test.place,
+            "req-passed",
+            f"{test.id} {words[one.result]} on the {binding}, and it verifies "
+            f"{', '.join(test.verifies)}",
+            "correct the code or the test, then run ./wr test",
+        )
+        for test in model.tests.values()
+        for binding, one in test.results.items()
+        if test.verifies and one.result != "passed" and not one.stale
+    ]
+
+
+def _unknown(model: Model, facts: Facts) -> list[Finding]:
+    tagged: list[tuple[Place, str]] = []
+    for machine in model.machines.values():
+        for transition in machine.transitions:
+            tagged += [(transition.place, name) for name in transition.requirements]
+    for scenario in model.closed_loop:
+        names = [figure.requirement for figure in scenario.figures if figure.requirement]
+        tagged += [(facts.declared.entries.line_in(scenario.place, name), name) for name in names]
+    return [
+        Finding(place, "req-unknown", f"there is no requirement {name}", "correct the id")
+        for place, name in tagged
+        if name not in model.requirements
+    ]
+
+
+def _tagged(model: Model, facts: Facts) -> Iterator[Finding]:
+    """A tag names one requirement that exists: a text behind the id would be lost."""
+    for comment in facts.comments.below(TAGGED):
+        for tag in comment.tags:
+            if tag.name in _VERBS.values():
+                if tag.argument not in model.requirements:
+                    text = f"there is no requirement {tag.argument}"
+                    yield Finding(tag.place, "req-unknown", text, "correct the id")
+                if tag.text:
+                    text = f"this @{tag.name} names more than one requirement"
+                    yield Finding(tag.place, "req-unknown", text, "write a tag for each")
+
+
+def _twice(facts: Facts) -> Iterator[Finding]:
+    """Each requirement has an id of its own."""
+    seen: set[str] = set()
+    for comment in facts.comments.below(("requirements",)):
+        for tag in comment.of("requirement"):
+            if tag.argument in seen:
+                text = f"{tag.argument} is the id of another requirement already"
+                yield Finding(tag.place, "req-text", text, "give it an id of its own")
+            seen.add(tag.argument)
+
+
+def _tags(model: Model) -> list[Finding]:
+    """A test that is named after a requirement verifies it."""
+    found: list[Finding] = []
+    for test in model.tests.values():
+        match = re.match(r"(N?FR)_?(\d+)_", test.name)
+        if match is None:
+            continue
+        name = f"{match[1]}-{match[2]}"
+        if name not in test.verifies:
+            found.append(
+                Finding(
+                    test.place,
+                    "req-name",
+                    f"{test.id} is named after {name} and does not verify it",
+                    f"write @verifies {name} above it, or rename it",
+                )
+            )
+    return found
+
+
+def _lines(model: Model) -> list[Finding]:
+    """Each line of a method is executed by tests of its requirements, or justified."""
+    if model.stale_on(HOST):
+        return []
+    return [
+        Finding(
+            gap.place,
+            "req-line",
+            f"no test of {', '.join(gap.requirements) or 'any requirement'} executes "
+            f"{_listed(gap.lines)} of {gap.method}",
+            "test it for its requirement, remove it, or justify it in design/justified.toml",
+        )
+        for gap in model.line_gaps
+        if not gap.reason
+    ]
+
+
+def _listed(lines: list[int]) -> str:
+    return f"line{'s' if len(lines) > 1 else ''} {', '.join(map(str, lines))}"
+
+
+def _suspects(model: Model) -> list[Finding]:
+    found = [
+        Finding(
+            one.place,
+            f"suspect-{one.kind}",
+            f"{one.name} {one.text}"
+            if one.kind == "requirement"
+            else f"{one.name}, which {_VERBS[one.kind]} {requirement.id}, {one.text}",
+            f"look at it: ./wr review {requirement.id}",
+        )
+        for requirement in model.requirements.values()
+        for one in requirement.suspicions
+    ]
+    return found + [
+        Finding(
+            Place(str(REVIEWS), 1),
+            "suspect-requirement",
+            f"{name} was reviewed and is no more",
+            "remove its entry",
+        )
+        for name in model.reviews_of_nothing
+    ]

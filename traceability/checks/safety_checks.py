@@ -1,0 +1,209 @@
+"""hazard-*: the safety case is whole, and its links lead both ways."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from traceability.model.design_model import Model
+from traceability.reading.declared_safety import SCENARIOS
+from traceability.reading.source_facts import Facts
+from traceability.schema import Assumption, Finding, Hazard, Place, SafetyGoal
+
+ID = {"HZ": "hazard", "SG": "safety goal", "AU": "assumption of use"}
+PRIORITIES = ("low", "medium", "high")
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    parts = (
+        _names,
+        _hazards,
+        _goals,
+        _times,
+        _requirements,
+        _listed_requirements,
+        _scenarios,
+        _listed_scenarios,
+        _assumptions,
+        _priorities,
+    )
+    if not model.safety.goals and not model.safety.hazards:
+        return []
+    return [finding for part in parts for finding in part(model, facts)]
+
+
+def _names(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Ids have their form, and what an entry names exists."""
+    case = model.safety
+    kinds = (("HZ", case.hazards), ("SG", case.goals), ("AU", case.assumptions))
+    for prefix, items in kinds:
+        for item in items.values():
+            if not re.fullmatch(rf"{prefix}-\d+", item.id):
+                text = f"{item.id} is no id of a {ID[prefix]}"
+                yield Finding(
+                    _at(facts, item), "hazard-name", text, f"call it {prefix}- and a number"
+                )
+    for hazard in case.hazards.values():
+        for name, known in (
+            *((name, name in case.goals) for name in hazard.goals),
+            *((name, name in case.assumptions) for name in hazard.assumptions),
+        ):
+            if not known:
+                yield _unknown(facts, hazard, name)
+    for goal in case.goals.values():
+        for name in goal.safe_states:
+            if name not in case.safe_states:
+                yield _unknown(facts, goal, name)
+
+
+def _at(facts: Facts, item: Assumption | Hazard | SafetyGoal) -> Place:
+    """The line with the id of an entry."""
+    return facts.declared.entries.line_in(item.place, item.id)
+
+
+def _unknown(facts: Facts, item: Hazard | SafetyGoal, name: str) -> Finding:
+    place = facts.declared.entries.line_in(item.place, name)
+    return Finding(
+        place, "hazard-name", f"{item.id} names {name}, which is not declared", "correct the name"
+    )
+
+
+def _hazards(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Each hazard has a goal or an assumption, and a place in the risk graph."""
+    for hazard in model.safety.hazards.values():
+        if not hazard.goals and not hazard.assumptions:
+            text = f"{hazard.id} has no safety goal and no assumption of use"
+            mend = "name the goal that averts it, or the assumption that covers it"
+            yield Finding(_at(facts, hazard), "hazard-covered", text, mend)
+        if not hazard.level:
+            risk = f"{hazard.severity}, {hazard.exposure}, {hazard.avoidance}"
+            text = f"the risk graph has no level for {risk} of {hazard.id}"
+            mend = "write S0 to S3, E0 to E4 and C0 to C3, or complete the graph"
+            yield Finding(_at(facts, hazard), "hazard-covered", text, mend)
+
+
+def _goals(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Each goal has a hazard, requirements and a safe state."""
+    for goal in model.safety.goals.values():
+        parts = {
+            "hazard": (goal.hazards, "name it in the goals of a hazard, or remove it"),
+            "requirement": (goal.requirements, "list the requirements that have its @goal"),
+            "safe state": (goal.safe_states, "name a safe state that is declared"),
+        }
+        for part, (there, mend) in parts.items():
+            if not there:
+                yield Finding(_at(facts, goal), "hazard-goal", f"{goal.id} has no {part}", mend)
+
+
+def _times(model: Model, facts: Facts) -> Iterator[Finding]:
+    """The time of a goal follows from its formula, and the firmware reacts within it."""
+    for goal in model.safety.goals.values():
+        if goal.computed is None:
+            text = f"the formula of {goal.id} has no value: {goal.formula}"
+            yield Finding(_at(facts, goal), "hazard-time", text, "write a formula of numbers")
+        elif goal.time > goal.computed + 1e-9 or goal.time < 0.9 * goal.computed:
+            text = f"{goal.id} has {goal.time:g} s, and its formula gives {goal.computed:.3g} s"
+            mend = "round the value of the formula down, or correct the formula"
+            yield Finding(_at(facts, goal), "hazard-time", text, mend)
+        if goal.reaction > goal.time:
+            needed, allowed = f"{goal.reaction:g} s", f"{goal.time:g} s"
+            text = f"the firmware needs {needed} for {goal.id}, which allows {allowed}"
+            mend = "react sooner, or derive another time"
+            yield Finding(_at(facts, goal), "hazard-time", text, mend)
+
+
+def _requirements(model: Model, _facts: Facts) -> Iterator[Finding]:
+    """Each requirement with a goal is listed by it."""
+    for requirement in model.requirements.values():
+        for name in requirement.goals:
+            goal = model.safety.goals.get(name)
+            if goal is None:
+                text = f"{requirement.id} names {name}, and there is no such goal"
+                yield Finding(requirement.place, "hazard-requirement", text, "correct the @goal")
+            elif requirement.id not in goal.requirements:
+                text = f"{requirement.id} serves {name}, which does not list it"
+                mend = f"add it to the requirements of {name} in design/safety_case.toml"
+                yield Finding(requirement.place, "hazard-requirement", text, mend)
+
+
+def _listed_requirements(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Each requirement that a goal lists exists and names the goal."""
+    for goal in model.safety.goals.values():
+        for name in goal.requirements:
+            requirement = model.requirements.get(name)
+            if requirement is None:
+                text, mend = f"{goal.id} lists {name}, which does not exist", "correct the id"
+            elif goal.id not in requirement.goals:
+                text = f"{goal.id} lists {name}, which does not name it"
+                mend = f"write @goal {goal.id} below {name}, or remove it from the list"
+            else:
+                continue
+            place = facts.declared.entries.line_in(goal.place, name)
+            yield Finding(place, "hazard-requirement", text, mend)
+
+
+def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
+    """Each fault scenario names a goal that lists it, and passed in this run."""
+    for scenario in model.safety.scenarios.values():
+        where, check = scenario.place, "hazard-scenario"
+        if not scenario.goals:
+            mend = "write a comment '# goal SG-1' with its goal near its first line"
+            yield Finding(where, check, f"the scenario {scenario.name} names no goal", mend)
+        for name in scenario.goals:
+            goal = model.safety.goals.get(name)
+            if goal is None:
+                text = f"the scenario {scenario.name} names {name}, and there is no such goal"
+                yield Finding(where, check, text, "correct the id")
+            elif scenario.name not in goal.scenarios:
+                text = f"the scenario {scenario.name} is about {name}, which does not list it"
+                mend = f"add it to the scenarios of {name} in design/safety_case.toml"
+                yield Finding(where, check, text, mend)
+        if not scenario.tests:
+            text = f"no test plays the scenario {scenario.name}"
+            yield Finding(where, check, text, "play it in a test of tests/")
+        elif scenario.state in ("failed", "unverified"):
+            word = "failed" if scenario.state == "failed" else "did not pass"
+            text = f"the scenario {scenario.name} {word} in {', '.join(scenario.tests)}"
+            yield Finding(
+                where, check, text, "correct the firmware or the scenario, then run ./wr test"
+            )
+
+
+def _listed_scenarios(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Each scenario that a goal lists exists and names the goal."""
+    for goal in model.safety.goals.values():
+        for name in goal.scenarios:
+            scenario = model.safety.scenarios.get(name)
+            place = facts.declared.entries.line_in(goal.place, name)
+            if scenario is None:
+                text = f"{goal.id} lists the scenario {name}, which is not in {SCENARIOS}"
+                yield Finding(place, "hazard-scenario", text, "correct the name")
+            elif goal.id not in scenario.goals:
+                text = f"{goal.id} lists the scenario {name}, which does not name it"
+                mend = f"write '# goal {goal.id}' into the scenario, or remove it from the list"
+                yield Finding(place, "hazard-scenario", text, mend)
+
+
+def _assumptions(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Each assumption covers a hazard."""
+    for assumption in model.safety.assumptions.values():
+        if not assumption.hazards:
+            text = f"{assumption.id} covers no hazard"
+            mend = "name it in the assumptions of a hazard, or remove it"
+            yield Finding(_at(facts, assumption), "hazard-assumption", text, mend)
+
+
+def _priorities(model: Model, _facts: Facts) -> Iterator[Finding]:
+    """A requirement is at least as important as the goals that it serves."""
+    case = model.safety
+    for requirement in model.requirements.values():
+        wanted = [
+            case.priorities[case.goals[name].level]
+            for name in requirement.goals
+            if name in case.goals and case.goals[name].level in case.priorities
+        ]
+        least = max(wanted, key=PRIORITIES.index, default="low")
+        present = requirement.priority
+        if present in PRIORITIES and PRIORITIES.index(present) < PRIORITIES.index(least):
+            text = f"{requirement.id} has the priority {present}, and its goals demand {least}"
+            yield Finding(requirement.place, "hazard-priority", text, f"write @priority {least}")

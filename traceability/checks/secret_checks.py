@@ -1,0 +1,141 @@
+"""secret-open and secret-hidden: what a module hides, no other one reaches."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from traceability.model.design_model import Model
+from traceability.reading.source_facts import Facts
+from traceability.schema import Finding, Place
+from traceability.sources import DESIGN, files_below
+
+INCLUDE = re.compile(r"\s*#\s*include\s*<([a-z_./]+)>")
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    return _open(model, facts) + _given_out(model, facts) + _hidden(model, facts)
+
+
+def _open(model: Model, facts: Facts) -> list[Finding]:
+    """Public data, and friends: both let others past the interface."""
+    found: list[Finding] = []
+    for module in model.modules.values():
+        if module.datatype:
+            continue
+        for field in facts.classes[module.name].fields:
+            if field.access == "public" and not field.constant:
+                text = f"{module.name}::{field.name} is public data"
+                mend = "make it private, and give it an operation"
+                found.append(Finding(field.place, "secret-open", text, mend))
+    for friend in facts.syntax.friends:
+        module_, other = friend.by.split("::")[0], friend.target.split("::")[0]
+        if module_ != other:
+            text = f"{module_} lets its friend {other} see what it hides"
+            mend = "remove the friend: let it use the interface"
+            found.append(Finding(friend.place, "secret-open", text, mend))
+    return found
+
+
+def _given_out(model: Model, facts: Facts) -> list[Finding]:
+    """An operation whose result refers to a number of the module, through which it can change."""
+    results: dict[str, list[str]] = {}
+    for flow in facts.syntax.flows:
+        results.setdefault(flow.into, []).extend(flow.sources)
+    found: list[Finding] = []
+    for module in model.modules.values():
+        fact = facts.classes[module.name]
+        own = {
+            f"field {module.name}::{field.name}": field.name
+            for field in fact.fields
+            if not field.refers and not field.constant and not field.classes
+        }
+        for method in [] if module.datatype else fact.methods:
+            refers = re.search(r"[&*]$", method.result) and not method.result.startswith("const ")
+            if method.access != "public" or not refers:
+                continue
+            for member in filter(None, map(own.get, results.get(f"result {method.id}", []))):
+                text = f"{method.id} lets who calls it change the private {member}"
+                mend = "give a value, or a reference to const"
+                found.append(Finding(method.place, "secret-open", text, mend))
+    return found
+
+
+@dataclass
+class Hidden:
+    """Something that a secret names, and the files that may name it: of a module, or a folder."""
+
+    name: str
+    owner: str
+    place: Place
+    files: tuple[str, ...]
+
+    def allows(self, file: str) -> bool:
+        return file.startswith(self.files)
+
+
+def _hidden(model: Model, facts: Facts) -> list[Finding]:
+    found: list[Finding] = []
+    for hidden in _declared(model):
+        uses = _uses(hidden.name, facts)
+        if uses is None or not any(hidden.allows(place.file) for place in uses):
+            text = f"{hidden.owner} hides {hidden.name}, and does not use it"
+            mend = "name a header, a constant, a function or a type of its own"
+            found.append(Finding(hidden.place, "secret-hidden", text, mend))
+            continue
+        first = {(p.file, p.line): p for p in uses if not hidden.allows(p.file)}
+        found += [
+            Finding(
+                place,
+                "secret-hidden",
+                f"{hidden.name} is named here, and it is a secret of {hidden.owner}",
+                f"call an operation of {hidden.owner}, or change the secret",
+            )
+            for place in first.values()
+        ]
+    return found
+
+
+def _declared(model: Model) -> Iterator[Hidden]:
+    for module in model.modules.values():
+        stem = module.header.removesuffix(".hpp")
+        for name in module.hides:
+            yield Hidden(name, module.name, module.place, (f"{stem}.hpp", f"{stem}.cpp"))
+    for logic in model.logic_modules.values():
+        folder = str(Path(logic.place.file).parent)
+        for name in logic.hides:
+            yield Hidden(name, logic.id, logic.place, (f"{folder}/",))
+
+
+def _uses(name: str, facts: Facts) -> list[Place] | None:
+    """Where a header, class, or member is named; None when there is none of the name."""
+    if name.endswith(".hpp"):
+        headers = [f"{folder}/{name}" for folder in DESIGN if (facts.root / folder / name).exists()]
+        includes = [one.place for one in facts.syntax.includes if one.target in headers]
+        return includes if headers else None
+    if name in facts.classes:
+        own = facts.classes[name].place
+        return [own, *(one.place for one in facts.syntax.names if one.target == name)]
+    owner, _, member = name.rpartition("::")
+    fields = facts.classes[owner].fields if owner in facts.classes else []
+    places = [field.place for field in fields if field.name == member]
+    places += [
+        one.place
+        for one in facts.syntax.names
+        if one.member in (name, member) and (one.member == name or one.target == owner)
+    ]
+    places += [body.place for body in facts.bodies.get(name, [])]
+    return places or _standard(name, facts.root)
+
+
+def _standard(name: str, root: Path) -> list[Place] | None:
+    """Where a header of the library is included."""
+    found = [
+        Place(str(path.relative_to(root)), number)
+        for path in files_below(root, DESIGN, (".cpp", ".hpp"))
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
+        if (match := INCLUDE.match(line)) and match[1] == name
+    ]
+    return found or None

@@ -1,0 +1,57 @@
+"""stack-*: the stack that the image needs at most is known, and is there."""
+
+from __future__ import annotations
+
+from traceability.model.design_model import Model
+from traceability.model.stack import DECLARED
+from traceability.reading.source_facts import Facts
+from traceability.schema import Finding, Place, StackProof
+
+SCRIPT = Place("src/k64/start_up/k64.ld", 1)
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    if model.stack is None:
+        return []
+    return _calls(model.stack) + _cycles(model.stack, facts) + _bound(model.stack)
+
+
+def _calls(proof: StackProof) -> list[Finding]:
+    mend = f"call an object that a builder gives, or declare the call in {DECLARED}"
+    found = [
+        Finding(place, "stack-call", f"nobody knows what {function} calls here", mend)
+        for function, place in proof.unresolved
+    ]
+    if proof.untold:
+        text = f"the compiler told nothing of {len(proof.untold)} functions, as {min(proof.untold)}"
+        mend = "remove build/k64 and build again, without a cache of compilations"
+        found.append(Finding(SCRIPT, "stack-call", text, mend))
+    return found
+
+
+def _cycles(proof: StackProof, facts: Facts) -> list[Finding]:
+    mend = "write a loop with a bound"
+    found = []
+    for cycle in proof.cycles:
+        bodies = [body for name in cycle for body in facts.bodies.get(name, [])]
+        place = bodies[0].place if bodies else SCRIPT
+        text = f"recursion: {' > '.join([*cycle, cycle[0]])}"
+        found.append(Finding(place, "stack-recursion", text, mend))
+    return found
+
+
+def _bound(proof: StackProof) -> list[Finding]:
+    found = []
+    for function in proof.dynamic:
+        text = f"the frame of {function} has no bound"
+        mend = "give each array a size that is known when it is compiled"
+        found.append(Finding(SCRIPT, "stack-bound", text, mend))
+    if proof.proven and proof.total > proof.limit:
+        text = f"the stack has {proof.limit} bytes, and {proof.total} may be needed"
+        mend = "raise stackSize, or shorten the deepest chain on the page Execution"
+        found.append(Finding(SCRIPT, "stack-bound", text, mend))
+    if proof.seen is not None and proof.seen > proof.total:
+        text = f"a run used {proof.seen} bytes of the stack, more than the proven {proof.total}"
+        mend = "find the call that the proof does not know"
+        found.append(Finding(SCRIPT, "stack-bound", text, mend))
+    return found

@@ -1,0 +1,281 @@
+"""fsm-*: a machine is declared as the code is, and the tests make each of its transitions."""
+
+from __future__ import annotations
+
+import re
+
+from traceability.model.design_model import Model
+from traceability.model.state_machines import Change, MachineCode, is_stay, read_machine
+from traceability.reading.source_facts import Facts
+from traceability.schema import Finding, Requirement, StateMachine, Transition
+
+_WITH_UNIT = re.compile(
+    r"(?<![\w.])\d[\d.]*\s*(?:[mu]?s|mm?|m?[VA]|%|rpm|cycles|degrees?|steps/s)(?!\w)"
+)
+_ALIKE = (
+    "another transition of this state has the same event, and no guard tells the two apart",
+    "leave one of the two, or give each a guard of its own",
+)
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    found = _machines_missing(model, facts)
+    for machine in model.machines.values():
+        problems = _declared(machine, model, facts)
+        found += problems
+        if not problems:
+            code = read_machine(machine, facts)
+            found += _code(machine, code, facts)
+            found += [] if model.results_stale else _seen(machine) + _shown(machine, model, facts)
+    return found
+
+
+def _machines_missing(model: Model, facts: Facts) -> list[Finding]:
+    declared = {machine.application for machine in model.machines.values()}
+    return [
+        Finding(
+            application.place,
+            "fsm-declared",
+            f"the states of {application.id} have no state machine",
+            "declare its states and transitions in design/fsm",
+        )
+        for application in model.patterns.values()
+        if application.pattern == "State"
+        and application.id in facts.declared.applications
+        and application.id not in declared
+    ]
+
+
+def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
+    """The names that a machine is made of."""
+
+    def finding(text: str, mend: str, name: str, step: Transition | None = None) -> Finding:
+        place = facts.declared.entries.line_in(step.place if step else machine.place, name)
+        return Finding(place, "fsm-declared", text, mend)
+
+    known = facts.declared.applications.get(machine.application)
+    if known is None or known.pattern != "State":
+        text = f"{machine.id} names no application of the State pattern: {machine.application}"
+        return [finding(text, "correct the application", "application")]
+    found: list[Finding] = []
+    wanted = set(known.roles.get("Concrete State", []))
+    for name in sorted(wanted ^ set(machine.states.values())):
+        text = (
+            f"{machine.id} has no state for {name}, a Concrete State of {known.id}"
+            if name in wanted
+            else f"{machine.id} has a state {name}, which is no Concrete State of {known.id}"
+        )
+        found.append(finding(text, "correct the states of the machine", f'"{name}"'))
+    base = known.roles.get("State", [""])[0]
+    for event, operation in machine.events.items():
+        if facts.method(base, operation) is None:
+            text = f"the event '{event}' calls {base}::{operation}, which does not exist"
+            found.append(finding(text, "name the operation of the state that is called", event))
+    if machine.initial not in machine.states:
+        text = f"the initial state {machine.initial} is no state of {machine.id}"
+        found.append(finding(text, "name one of its states", "initial"))
+    for step in machine.transitions:
+        names = [name for name in (step.source, step.target) if name not in machine.states]
+        found += [
+            finding(f"there is no state {name}", "correct the name", name, step) for name in names
+        ]
+        if step.event not in machine.events:
+            text = f"the event '{step.event}' has no operation"
+            mend = "name it in [events], or correct the event"
+            found.append(finding(text, mend, step.event, step))
+        if not step.requirements:
+            text = f"{words(step)} serves no requirement"
+            found.append(finding(text, "name the requirements of it", "requirements", step))
+        found += [
+            finding(text, mend, word, step)
+            for text, mend, word in _asked_for(step, machine, model, facts)
+        ]
+    return (
+        found
+        + [
+            finding(*_ALIKE, "from", step)
+            for number, step in enumerate(machine.transitions)
+            if _like_another(step, number, machine)
+        ]
+        + [
+            finding(f"no transition is made on the event '{event}'", "remove it", event)
+            for event in machine.events
+            if event not in {step.event for step in machine.transitions}
+        ]
+    )
+
+
+def _asked_for(
+    step: Transition, machine: StateMachine, model: Model, facts: Facts
+) -> list[tuple[str, str, str]]:
+    """What is wrong with the requirements of a transition: text, mending, the word in question."""
+    asked = [model.requirements[name] for name in step.requirements if name in model.requirements]
+    found = [
+        (f"there is no requirement {name}", "correct the id", name)
+        for name in step.requirements
+        if name not in model.requirements
+    ]
+    ends = {machine.states[name] for name in (step.source, step.target) if name in machine.states}
+    family = ends.union(*(facts.classes[end].bases for end in ends if end in facts.classes))
+    found += [
+        (
+            f"no method of {' or '.join(sorted(ends))} serves {one.id}, which is said to ask for "
+            f"{words(step)}",
+            "name the requirement that asks for it, or tag the method",
+            one.id,
+        )
+        for one in asked
+        if not any(method.split("::")[0] in family for method in _serving(one))
+    ]
+    mend = "write the figure of the requirement"
+    return found + [
+        (
+            f"the figure '{figure[0]}' of {words(step)} stands in none of its requirements",
+            mend,
+            figure[0],
+        )
+        for part in (step.event, step.guard, step.action)
+        for figure in _not_asked(part, asked)
+    ]
+
+
+def _serving(requirement: Requirement) -> list[str]:
+    """The methods that satisfy a requirement, and those of its tree."""
+    found = list(requirement.satisfied_by)
+    work = [requirement.tree] if requirement.tree else []
+    while work:
+        node = work.pop()
+        found += [node.label, node.resolved or ""]
+        work += node.children
+    return found
+
+
+def _like_another(step: Transition, number: int, machine: StateMachine) -> bool:
+    """Whether nothing tells a transition from another one of its state and its event."""
+    others = [
+        (other.guard, place)
+        for place, other in enumerate(machine.transitions)
+        if place != number and (other.source, other.event) == (step.source, step.event)
+    ]
+    same = any(guard == step.guard and place < number for guard, place in others)
+    return same or (not step.guard and any(guard for guard, _ in others))
+
+
+def words(step: Transition) -> str:
+    guard = f" [{step.guard}]" if step.guard else ""
+    return f"{step.source} > {step.target} on {step.event}{guard}"
+
+
+def _code(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Finding]:
+    if not code.composition or not code.holders:
+        what = "class of the robot that holds all its states" if code.holders else "Context"
+        text = f"the code has no {what}, so the transitions of {machine.id} cannot be compared"
+        return [Finding(machine.place, "fsm-code", text, "compose the states in one class")]
+    found = _initial(machine, code, facts)
+    for state in machine.states:
+        for operation in code.operations:
+            found += _operation(machine, code, state, operation)
+    return found
+
+
+def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Finding]:
+    if code.initial == {machine.initial}:
+        return []
+    given = ", ".join(sorted(code.initial)) or "no state"
+    text = f"{code.composition} begins with {given}, and the machine with {machine.initial}"
+    mend = "correct 'initial', or give the first state to the Context"
+    place = facts.declared.entries.line_in(machine.place, "initial")
+    return [Finding(place, "fsm-code", text, mend)]
+
+
+def _operation(
+    machine: StateMachine, code: MachineCode, state: str, operation: str
+) -> list[Finding]:
+    """Changes and rows of one operation of one state: as many of each for every target."""
+    rows = [
+        step
+        for step in machine.transitions
+        if step.source == state and machine.events[step.event] == operation
+    ]
+    changes = code.of(state, operation)
+    found: list[Finding] = []
+    for target in {change.target for change in changes} | {row.target for row in rows}:
+        here = [row for row in rows if row.target == target and not is_stay(row)]
+        made = [change for change in changes if change.target == target]
+        if len(made) > len(here):
+            found += [_undeclared(machine, change) for change in made[len(here) :]]
+        elif len(here) > len(made):
+            found += [_not_made(row, state, operation) for row in here[len(made) :]]
+    if not code.stays(state, operation):
+        found += [
+            Finding(
+                row.place,
+                "fsm-code",
+                f"{state}::{operation} always changes the state, so {words(row)} cannot stay",
+                "remove the transition, or correct the code",
+            )
+            for row in rows
+            if is_stay(row)
+        ]
+    return found
+
+
+def _undeclared(machine: StateMachine, change: Change) -> Finding:
+    where = f"{change.source}::{change.operation}"
+    if not change.target:
+        text = f"{where} changes to a state that the composition does not tell"
+        return Finding(change.place, "fsm-code", text, "hand over a successor that a builder gave")
+    text = (
+        f"{where} changes {change.source} to {change.target}, which {machine.id} does not declare"
+    )
+    return Finding(
+        change.place,
+        "fsm-code",
+        text,
+        f"declare the transition in {machine.place.file}, or remove it",
+    )
+
+
+def _not_made(row: Transition, state: str, operation: str) -> Finding:
+    text = f"{words(row)} is declared, but {state}::{operation} does not make it"
+    return Finding(row.place, "fsm-code", text, "correct the code, or remove the transition")
+
+
+def _seen(machine: StateMachine) -> list[Finding]:
+    found = [
+        Finding(
+            step.place,
+            "fsm-seen",
+            f"no passing test makes the transition {words(step)}",
+            "test it through its Context, or remove it",
+        )
+        for step in machine.transitions
+        if not step.tests
+    ]
+    for change, tests in machine.undeclared.items():
+        source, operation, target = change.split(" ")
+        text = f"{tests[0]} makes {source} change to {target} in {operation}, which is not declared"
+        mend = "declare the transition, or correct the code"
+        found.append(Finding(machine.place, "fsm-seen", text, mend))
+    return found
+
+
+def _shown(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
+    """A requirement of a transition is one whose tests make it."""
+    return [
+        Finding(
+            facts.declared.entries.line_in(step.place, name),
+            "fsm-seen",
+            f"no passing test of {name} makes the transition {words(step)}",
+            f"correct the requirement, or let a test of {name} make it",
+        )
+        for step in machine.transitions
+        for name in step.requirements
+        if step.tests and set(model.requirements[name].verified_by).isdisjoint(step.tests)
+    ]
+
+
+def _not_asked(text: str, requirements: list[Requirement]) -> list[re.Match[str]]:
+    """The figures with a unit in a text that none of the requirements has."""
+    asked = {re.sub(r"\s+", " ", one) for r in requirements for one in _WITH_UNIT.findall(r.text)}
+    return [one for one in _WITH_UNIT.finditer(text) if re.sub(r"\s+", " ", one[0]) not in asked]

@@ -1,0 +1,105 @@
+"""tree-*: the intended invocations are possible, and were made."""
+
+from __future__ import annotations
+
+from traceability.model.design_model import Model
+from traceability.model.trees import accepted
+from traceability.reading.source_facts import Facts
+from traceability.reading.traces import nodes_of
+from traceability.schema import Finding, Place, Requirement, TreeNode
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    found = [
+        Finding(place, "tree-node", text, mend) for place, text, mend in facts.declared.tree_errors
+    ]
+    for name, (place, _) in facts.declared.trees.items():
+        if name not in model.requirements:
+            found.append(
+                Finding(place, "tree-node", f"there is no requirement {name}", "correct the id")
+            )
+    for requirement in model.requirements.values():
+        if requirement.tree is None:
+            if not requirement.by_calls:
+                continue
+            found.append(
+                Finding(
+                    requirement.place,
+                    "tree-missing",
+                    f"{requirement.id} has no tree of invocations",
+                    "write it in design/trees",
+                )
+            )
+            continue
+        found += _nodes(requirement)
+        found += _edges(requirement.tree, requirement, facts)
+        if not model.results_stale:
+            found += _executed(requirement, model)
+    return found
+
+
+def _nodes(requirement: Requirement) -> list[Finding]:
+    assert requirement.tree is not None
+    return [
+        Finding(
+            node.place,
+            "tree-node",
+            f"there is no method {node.label} (tree of {requirement.id})",
+            "name a method that the class has or inherits",
+        )
+        for node in nodes_of(requirement.tree)
+        if node.resolved is None
+    ]
+
+
+def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> list[Finding]:
+    found: list[Finding] = []
+    for child in node.children:
+        if child.reachable is False and child.otherwise:
+            kind, mark = (
+                ("a post", "with 'post '") if child.kind == "call" else ("a call", "as one")
+            )
+            text = f"{node.label} reaches {child.label} by {kind} (tree of {requirement.id})"
+            found.append(Finding(child.place, "tree-static", text, f"write it {mark}"))
+        elif child.reachable is False and node.resolved and child.resolved:
+            verb = "posts" if child.kind == "post" else "calls"
+            tree = f"{child.place.file}:{child.place.line}"
+            found.append(
+                Finding(
+                    _body_place(node, facts),
+                    "tree-static",
+                    f"{node.label} never {verb} {child.label}, as the tree of {requirement.id} "
+                    f"says ({tree})",
+                    "restore the call, or change the tree",
+                )
+            )
+        found += _edges(child, requirement, facts)
+    return found
+
+
+def _body_place(node: TreeNode, facts: Facts) -> Place:
+    for method in sorted(accepted(node, facts)):
+        for body in facts.bodies.get(method, []):
+            return Place(body.place.file, body.place.line)
+    return node.place
+
+
+def _executed(requirement: Requirement, model: Model) -> list[Finding]:
+    assert requirement.tree is not None
+    passed = [name for name in requirement.verified_by if model.tests[name].gave("passed")]
+    nodes = nodes_of(requirement.tree)
+    if not passed or any(node.resolved is None or not node.reachable for node in nodes):
+        return []
+    if requirement.runs:
+        return []
+    # A test that passed without a recording leaves no node measured: the root is then the place.
+    failed = next((node for node in nodes if node.ran is False), requirement.tree)
+    return [
+        Finding(
+            failed.place,
+            "tree-dynamic",
+            f"no passing test of {requirement.id} made the call of {failed.label} in this place "
+            f"of the tree",
+            "correct the tree, or test the requirement so that the calls are made",
+        )
+    ]

@@ -1,0 +1,233 @@
+"""uses-*: logic modules use only what the design allows, without cycles."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from traceability.model.design_model import Model
+from traceability.reading.source_facts import Facts
+from traceability.reading.syntax import includes_of
+from traceability.reading.translation_units import is_board
+from traceability.schema import AllowedUse, Finding, Use, is_extension
+from traceability.sources import DESIGN, files_below
+
+VIRTUAL_BOARD = "sim/emulator/"
+# Compositions of drivers of their own, which run on the virtual K64.
+PROGRAMS = ("tests/k64/program/", "tests/usual_design/k64/")
+OF_FIRMWARE = tuple(f"{name}/" for name in DESIGN)
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    allowed = [use for use in model.uses if _is_allowed(model, use)]
+    return (
+        _forbidden(model)
+        + _extensions(model)
+        + _apart(facts)
+        + _unused(model)
+        + _idle_cycles(model, facts)
+        + _cycles(allowed, facts)
+        + _board(facts.root)
+    )
+
+
+def _board(root: Path) -> list[Finding]:
+    """Simulators and tests see no driver, and the virtual K64 nothing of the firmware."""
+    found: list[Finding] = []
+    for path in files_below(root, ("sim", "tests"), (".cpp", ".hpp", ".h")):
+        file = str(path.relative_to(root))
+        for include in includes_of(root, file):
+            if is_board(include.target) and not file.startswith(PROGRAMS):
+                text = f"{file} includes {include.target}, which only the composition sees"
+                mend = "test the image on the virtual K64 instead"
+            elif file.startswith(VIRTUAL_BOARD) and include.target.startswith(OF_FIRMWARE):
+                text = f"the virtual K64 includes {include.target} of the firmware"
+                mend = "write what it needs from the manual of the part: a mistake is not shared"
+            else:
+                continue
+            found.append(Finding(include.place, "uses-board", text, mend))
+    return found
+
+
+def _covers(allowed: AllowedUse, use: Use) -> bool:
+    return allowed.source in ("*", use.source) and allowed.target == use.target
+
+
+def _is_allowed(model: Model, use: Use) -> bool:
+    return any(_covers(allowed, use) for allowed in model.allowed_uses)
+
+
+def _forbidden(model: Model) -> list[Finding]:
+    return [
+        Finding(
+            place,
+            "uses-allowed",
+            f"{use.source} uses {use.target}, which design/uses.toml does not allow",
+            "remove the include or the call, or allow the use with a reason",
+        )
+        for use in model.uses
+        if not _is_allowed(model, use)
+        for place in use.places
+    ]
+
+
+def _extensions(model: Model) -> list[Finding]:
+    """The robot knows no extension, whatever is allowed; an extension names those that it needs."""
+    # An extension may build on another one where the design says why; the robot never does.
+    builds_on = {(one.source, one.target) for one in model.allowed_uses if is_extension(one.source)}
+    return [
+        Finding(
+            place,
+            "uses-extension",
+            f"{use.source} uses the extension {use.target}",
+            "remove the include or the call: only a composition of the extension binds it",
+        )
+        for use in model.uses
+        if is_extension(use.target)
+        and _extension(use.source) != _extension(use.target)
+        and (use.source, use.target) not in builds_on
+        for place in use.places
+    ]
+
+
+def _extension(logic: str) -> list[str]:
+    """The extension that a logic module belongs to; one of the robot belongs to none."""
+    return logic.split("/")[:2] if is_extension(logic) else []
+
+
+def _unused(model: Model) -> list[Finding]:
+    return [
+        Finding(
+            allowed.place,
+            "uses-unused",
+            f"{allowed.source} does not use {allowed.target}",
+            "remove the entry",
+        )
+        for allowed in model.allowed_uses
+        if not any(_covers(allowed, use) for use in model.uses)
+    ] + _allowed_twice(model)
+
+
+def _allowed_twice(model: Model) -> list[Finding]:
+    everybody = {one.target for one in model.allowed_uses if one.source == "*"}
+    return [
+        Finding(
+            allowed.place,
+            "uses-unused",
+            f"every module may use {allowed.target}, and {allowed.source} has an entry of its own",
+            "remove one of the two",
+        )
+        for allowed in model.allowed_uses
+        if allowed.source != "*" and allowed.target in everybody
+    ]
+
+
+def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
+    """Cycles of uses that are allowed; one that is not is a finding already."""
+    declared = {frozenset(cycle.modules) for cycle in facts.declared.cycles}
+    found: list[Finding] = []
+    for use in uses:
+        top, other = use.source.split("/")[0], use.target.split("/")[0]
+        if top != other:
+            graph = _graph(uses, depth=1)
+            if top in _reached(graph, other):
+                found.append(_finding(use, f"{top} and {other} use each other"))
+            continue
+        graph = _graph(uses, depth=9)
+        loop = _reached(graph, use.target)
+        if use.source in loop:
+            members = {m for m in loop if use.source in _reached(graph, m)}
+            if not any(members <= cycle for cycle in declared):
+                names = ", ".join(sorted(members))
+                found.append(_finding(use, f"undeclared cycle of {names}"))
+    return found
+
+
+def _apart(facts: Facts) -> list[Finding]:
+    """Where a module names one that it is to know nothing of, or the other way round."""
+    pairs = {
+        (one, other): rule
+        for rule in facts.declared.apart
+        for module in rule.modules
+        for other_module in rule.others
+        for one, other in ((module, other_module), (other_module, module))
+    }
+    named = [
+        (user, fact.target.split("::", maxsplit=1)[0], fact.place)
+        for user, facts_of in facts.names_of.items()
+        for fact in facts_of
+    ]
+    named += [
+        (user, facts.written_in.get(include.target, ""), include.place)
+        for user, includes in facts.includes_of.items()
+        for include in includes
+    ]
+    found = {
+        (place.file, place.line, user, target): Finding(
+            place,
+            "uses-apart",
+            f"{user} names {target}, and design/uses.toml keeps them apart",
+            "let the value go through a pipe",
+        )
+        for user, target, place in named
+        if (user, target) in pairs
+    }
+    unknown = [
+        Finding(rule.place, "uses-apart", f"there is no module {name}", "correct the name")
+        for rule in facts.declared.apart
+        for name in (*rule.modules, *rule.others)
+        if name not in facts.classes
+    ]
+    return [*found.values(), *unknown]
+
+
+def _idle_cycles(model: Model, facts: Facts) -> list[Finding]:
+    """A declared cycle that the uses do not form."""
+    graph = _graph(model.uses, depth=9)
+    return [
+        Finding(
+            cycle.place,
+            "uses-unused",
+            f"{one} is in no cycle with {cycle.modules[0]}",
+            "remove it from the cycle",
+        )
+        for cycle in facts.declared.cycles
+        for one in cycle.modules
+        if one not in _reached(graph, cycle.modules[0])
+        or cycle.modules[0] not in _reached(graph, one)
+    ] + [
+        Finding(
+            cycle.place,
+            "uses-unused",
+            f"{one} does not lie within {cycle.within}",
+            "correct the folder",
+        )
+        for cycle in facts.declared.cycles
+        for one in cycle.modules
+        if one.split("/")[0] != cycle.within
+    ]
+
+
+def _finding(use: Use, text: str) -> Finding:
+    mend = "remove one of the uses, or declare the cycle in design/uses.toml"
+    return Finding(use.places[0], "uses-cycle", text, mend)
+
+
+def _graph(uses: list[Use], depth: int) -> dict[str, set[str]]:
+    graph: dict[str, set[str]] = {}
+    for use in uses:
+        source = "/".join(use.source.split("/")[:depth])
+        target = "/".join(use.target.split("/")[:depth])
+        if source != target:
+            graph.setdefault(source, set()).add(target)
+    return graph
+
+
+def _reached(graph: dict[str, set[str]], start: str) -> set[str]:
+    """The start and all that it uses, directly or not."""
+    found, work = {start}, [start]
+    while work:
+        for target in graph.get(work.pop(), set()):
+            if target not in found:
+                found.add(target)
+                work.append(target)
+    return found

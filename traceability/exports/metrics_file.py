@@ -1,0 +1,33 @@
+"""The metrics of a run for other programs: ``build/metrics.json``."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from traceability.model.design_model import Model
+from traceability.model.metrics import figures
+from traceability.schema import Finding
+
+METRICS = Path("build/metrics.json")
+
+
+def write_metrics(root: Path, model: Model, measured: dict[str, Any] | None = None) -> Path:
+    """Writes the figures. ``measured`` adds what other steps of the run found, by key."""
+    path = root / METRICS
+    path.parent.mkdir(parents=True, exist_ok=True)
+    found = figures(root, model) | (measured or {})
+    text = json.dumps(found, indent=1, sort_keys=True) + "\n"
+    if not path.exists() or path.read_text(encoding="utf-8") != text:
+        path.write_text(text, encoding="utf-8")
+    return path
+
+
+def site_figures(site: Path, findings: Iterable[Finding]) -> dict[str, Any]:
+    """The figures of the built site, from the findings of its links."""
+    return {
+        "site.pages": len(list(site.rglob("*.html"))),
+        "site.dead_links": sum(1 for finding in findings if finding.check == "link-site"),
+    }

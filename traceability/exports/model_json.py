@@ -1,0 +1,80 @@
+"""What other programs read: the model and its schema."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import types
+import typing
+from typing import Any
+
+from traceability.model.design_model import Model
+
+MODEL = "model.json"
+SCHEMA = "model.schema.json"
+DIALECT = "https://json-schema.org/draft/2020-12/schema"
+APART = {"facts"}  # what the model was made from; no document reads it
+PLAIN: dict[type, str] = {str: "string", int: "integer", float: "number", bool: "boolean"}
+
+
+def model_text(model: Model) -> str:
+    """The model as JSON. Places, names and texts are those of the pages."""
+    data = dataclasses.asdict(dataclasses.replace(model, facts=None))
+    return json.dumps({key: value for key, value in data.items() if key not in APART}, indent=1)
+
+
+def schema_text() -> str:
+    return json.dumps(model_schema(), indent=1)
+
+
+def model_schema() -> dict[str, Any]:
+    """The schema, made from the classes of the model."""
+    definitions: dict[str, Any] = {}
+    top = _class(Model, definitions)
+    return (
+        {"$schema": DIALECT, "title": "Model of the weeding robot's software"}
+        | top
+        | {"$defs": dict(sorted(definitions.items()))}
+    )
+
+
+def _class(kind: type, definitions: dict[str, Any]) -> dict[str, Any]:
+    hints = typing.get_type_hints(kind)
+    fields = [one.name for one in dataclasses.fields(kind) if one.name not in APART]
+    described = {
+        "type": "object",
+        "properties": {name: _type(hints[name], definitions) for name in fields},
+        "required": fields,
+        "additionalProperties": False,
+    }
+    words = (kind.__doc__ or "").strip()
+    if not words.startswith(f"{kind.__name__}("):
+        described["description"] = " ".join(words.split())
+    return described
+
+
+def _type(kind: Any, definitions: dict[str, Any]) -> dict[str, Any]:
+    if kind in PLAIN:
+        return {"type": PLAIN[kind]}
+    if isinstance(kind, type) and dataclasses.is_dataclass(kind):
+        name = kind.__name__
+        if name not in definitions:
+            definitions[name] = {}  # a class may hold others of its kind
+            definitions[name] = _class(kind, definitions)
+        return {"$ref": f"#/$defs/{name}"}
+    return _composed(kind, [_type(one, definitions) for one in typing.get_args(kind)])
+
+
+def _composed(kind: Any, parts: list[dict[str, Any]]) -> dict[str, Any]:
+    """The schema of what is made of other types."""
+    found: dict[Any, dict[str, Any]] = {
+        types.NoneType: {"type": "null"},
+        types.UnionType: {"anyOf": parts},
+        list: {"type": "array", "items": parts[0] if parts else {}},
+        tuple: {"type": "array", "prefixItems": parts, "minItems": len(parts), "items": False},
+        dict: {"type": "object", "additionalProperties": parts[-1] if parts else {}},
+    }
+    origin = typing.get_origin(kind) or kind
+    if origin not in found:
+        raise TypeError(f"the schema cannot tell what {kind} is")
+    return found[origin]

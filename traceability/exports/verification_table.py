@@ -1,0 +1,90 @@
+"""The verification of each requirement for other programs: JSON, and JUnit."""
+
+from __future__ import annotations
+
+import json
+import xml.etree.ElementTree as ET
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from traceability.model.design_model import Model
+from traceability.reading.results import RESULTS
+from traceability.reading.traces import nodes_of
+from traceability.schema import Requirement
+
+JSON, JUNIT = "verification.json", "verification.xml"
+
+
+def write_exports(root: Path, site: Path, model: Model) -> None:
+    """The same table for other programs: JSON, and JUnit with a test case for each requirement."""
+    texts = {
+        JSON: json.dumps(table(model), indent=1) + "\n",
+        JUNIT: ET.tostring(junit(model), encoding="unicode") + "\n",
+    }
+    for folder in (root / RESULTS, site):
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, text in texts.items():
+            (folder / name).write_text(text, encoding="utf-8")
+
+
+def table(model: Model) -> dict[str, Any]:
+    return {
+        "commit": model.commit,
+        "sources": model.sources_hash,
+        "requirements": [row(model, item) for item in model.requirements.values()],
+        "justified": [asdict(gap) for gap in model.line_gaps if gap.reason],
+    }
+
+
+def row(model: Model, requirement: Requirement) -> dict[str, Any]:
+    nodes = nodes_of(requirement.tree) if requirement.tree else []
+    return {
+        "id": requirement.id,
+        "section": requirement.section,
+        "state": requirement.state,
+        "level": requirement.level,
+        "products": requirement.products,
+        "method": requirement.method,
+        "partly": requirement.partly,
+        "goals": requirement.goals,
+        "reasons": requirement.reasons,
+        "suspect": [f"{one.kind} {one.name} {one.text}" for one in requirement.suspicions],
+        "review": requirement.review
+        and {"reviewer": requirement.review.reviewer, "date": requirement.review.date},
+        "satisfied_by": requirement.satisfied_by,
+        "tests": {
+            name: {binding: one.result for binding, one in model.tests[name].results.items()}
+            for name in requirement.verified_by
+        },
+        "tree": [
+            {"node": one.label, "reachable": one.reachable, "executed": one.executed}
+            for one in nodes
+        ],
+        "coverage": {
+            binding: [asdict(method) for method in methods]
+            for binding, methods in requirement.coverage.items()
+        },
+        "evidence": [asdict(one) | {"holds": one.holds} for one in requirement.evidence],
+    }
+
+
+def junit(model: Model) -> ET.Element:
+    top = ET.Element("testsuites", name="requirements")
+    sections: dict[str, ET.Element] = {}
+    for requirement in model.requirements.values():
+        if requirement.section not in sections:
+            sections[requirement.section] = ET.SubElement(
+                top, "testsuite", name=requirement.section
+            )
+        suite = sections[requirement.section]
+        case = ET.SubElement(suite, "testcase", classname=requirement.section, name=requirement.id)
+        if requirement.state != "verified":
+            texts = [*requirement.reasons, *filter(None, [requirement.partly])]
+            texts += [f"{s.name} {s.text}" for s in requirement.suspicions]
+            failure = ET.SubElement(case, "failure", message=requirement.state)
+            failure.text = "\n".join(texts)
+    for suite in [*sections.values(), top]:
+        suite.set("tests", str(len(list(suite.iter("testcase")))))
+        suite.set("failures", str(len(list(suite.iter("failure")))))
+    return top

@@ -1,0 +1,110 @@
+"""The model: everything that checks, pages, charts and exports are made from.
+
+It is built once per run (``traceability.model.build``) from the comments, the syntax tree, the
+declarations in ``design/``, test results, traces, coverage and sizes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from traceability.reading.source_facts import Facts
+from traceability.schema import (
+    AllowedUse,
+    Apart,
+    ArchitectureElement,
+    ArchitectureGroup,
+    BeliefSource,
+    BoardBelief,
+    BoardFinding,
+    Connection,
+    Constant,
+    Cycle,
+    DriverFault,
+    ExecutionContext,
+    Finding,
+    Function,
+    Justified,
+    LikelyChange,
+    LineGap,
+    LogicModule,
+    LoopScenario,
+    MessageField,
+    Module,
+    Mutant,
+    Mutation,
+    PaperElement,
+    PaperPlace,
+    PatternApplication,
+    Requirement,
+    SafetyCase,
+    SharedMember,
+    SharedPipe,
+    StackProof,
+    StateMachine,
+    Test,
+    Use,
+)
+
+
+@dataclass
+class Model:
+    commit: str
+    version: str
+    sources_hash: str
+    results_hashes: dict[str, str | None]  # binding with tests -> sources of its last run
+    logic_modules: dict[str, LogicModule] = field(default_factory=dict)
+    modules: dict[str, Module] = field(default_factory=dict)
+    functions: dict[str, Function] = field(default_factory=dict)
+    constants: dict[str, Constant] = field(default_factory=dict)  # by the names that texts use
+    patterns: dict[str, PatternApplication] = field(default_factory=dict)
+    requirements: dict[str, Requirement] = field(default_factory=dict)
+    tests: dict[str, Test] = field(default_factory=dict)
+    justified: list[Justified] = field(default_factory=list)
+    mutation: Mutation | None = None  # of these sources
+    machines: dict[str, StateMachine] = field(default_factory=dict)
+    contexts: dict[str, ExecutionContext] = field(default_factory=dict)
+    stack: StackProof | None = None  # of the image, when it was built from the present sources
+    pipes: list[SharedPipe] = field(default_factory=list)
+    shared: list[SharedMember] = field(default_factory=list)
+    uses: list[Use] = field(default_factory=list)
+    allowed_uses: list[AllowedUse] = field(default_factory=list)
+    allowed_cycles: list[Cycle] = field(default_factory=list)
+    kept_apart: list[Apart] = field(default_factory=list)
+    architecture: list[ArchitectureElement] = field(default_factory=list)
+    messages: list[MessageField] = field(default_factory=list)
+    groups: list[ArchitectureGroup] = field(default_factory=list)
+    connections: list[Connection] = field(default_factory=list)
+    paper: list[PaperElement] = field(default_factory=list)
+    paper_places: list[PaperPlace] = field(default_factory=list)
+    changes: dict[str, LikelyChange] = field(default_factory=dict)  # by application
+    board_findings: dict[str, BoardFinding] = field(default_factory=dict)
+    beliefs: list[BoardBelief] = field(default_factory=list)
+    belief_sources: dict[str, BeliefSource] = field(default_factory=dict)
+    driver_faults: list[DriverFault] | None = None  # of these sources
+    # File of the drivers -> line -> whether the tests executed it on the virtual K64.
+    board_lines: dict[str, dict[int, bool]] | None = None
+    line_gaps: list[LineGap] = field(default_factory=list)
+    reviews_of_nothing: list[str] = field(default_factory=list)  # requirements that are no more
+    # What the design asks for, be it written or not.
+    designed_modules: list[str] = field(default_factory=list)
+    designed_applications: dict[str, str] = field(default_factory=dict)  # id -> pattern
+    closed_loop: list[LoopScenario] = field(default_factory=list)
+    safety: SafetyCase = field(default_factory=SafetyCase)
+    findings: list[Finding] = field(default_factory=list)
+    files: list[str] = field(default_factory=list)  # sources that get a source page
+    facts: Facts | None = field(default=None, repr=False)  # for the checks; no document reads it
+
+    def stale_on(self, binding: str) -> bool:
+        """Whether the results of a binding are missing or older than the sources."""
+        return self.results_hashes.get(binding) != self.sources_hash
+
+    @property
+    def results_stale(self) -> bool:
+        """Whether those of any binding are."""
+        return any(self.stale_on(binding) for binding in self.results_hashes)
+
+    def mutants_of(self, requirement: str) -> list[Mutant]:
+        """Returns the mutants in the methods of a requirement's tree that its tests decide on."""
+        tried = self.mutation.tried if self.mutation else []
+        return [mutant for mutant in tried if requirement in mutant.own]

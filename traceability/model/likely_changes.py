@@ -1,0 +1,86 @@
+"""The likely changes: what each application of a pattern absorbs, and what it leaves alone.
+
+What a change adds is declared for each pattern in ``design/changes.toml``. Which modules it edits,
+and which requirements and tests it touches, is read off the code: a new class is made known where
+the present ones are named, and nowhere else.
+"""
+
+from __future__ import annotations
+
+from traceability.model.design_model import Model
+from traceability.reading.change_texts import ChangeTexts, Particular, Recipe
+from traceability.reading.traces import nodes_of
+from traceability.schema import LikelyChange, PatternApplication
+
+
+def add_changes(model: Model, texts: ChangeTexts) -> None:
+    for application in model.patterns.values():
+        recipe = texts.recipes.get(application.pattern)
+        if recipe:
+            particular = texts.particulars.get(application.id, Particular())
+            model.changes[application.id] = _change(model, application, recipe, particular)
+
+
+def _change(
+    model: Model, application: PatternApplication, recipe: Recipe, particular: Particular
+) -> LikelyChange:
+    altered = _bound(application, recipe.alters)
+    derives = particular.derives or (_bound(application, [recipe.derives]) if recipe.adds else [])
+    edits = _naming(model, altered) if recipe.adds else altered
+    requirements = _requirements(model, dict.fromkeys([*derives, *altered]))
+    return LikelyChange(
+        application=application.id,
+        pattern=application.pattern,
+        hidden_by=application.module,
+        altered=altered,
+        role=recipe.adds,
+        derives=derives,
+        logic=model.modules[altered[0]].logic if altered else "",
+        edits=edits,
+        untouched=[name for name in _designed(model) if name not in edits],
+        requirements=requirements,
+        tests=_tests(model, requirements),
+        steps=[*recipe.steps, *particular.steps],
+        examples=particular.examples,
+    )
+
+
+def _bound(application: PatternApplication, roles: list[str]) -> list[str]:
+    """The modules of the design that play one of the roles."""
+    found = [one.module for one in application.roles if one.role in roles]
+    return list(dict.fromkeys(found))
+
+
+def _designed(model: Model) -> list[str]:
+    return [m.name for m in model.modules.values() if not m.datatype and not m.extension]
+
+
+def _naming(model: Model, present: list[str]) -> list[str]:
+    """The modules outside that name a present one: the new one is made known there."""
+    kin = {base for name in present if name in model.modules for base in model.modules[name].bases}
+    found = {
+        user
+        for name in present
+        if name in model.modules
+        for user in model.modules[name].used_by
+        if user not in present and user not in kin
+    }
+    return [name for name in _designed(model) if name in found]
+
+
+def _requirements(model: Model, modules: dict[str, None]) -> list[str]:
+    """Requirements that a method of the modules satisfies, or whose tree runs through one."""
+    return [
+        requirement.id
+        for requirement in model.requirements.values()
+        if any(method.partition("::")[0] in modules for method in requirement.satisfied_by)
+        or any(
+            node.module in modules
+            for node in (nodes_of(requirement.tree) if requirement.tree else [])
+        )
+    ]
+
+
+def _tests(model: Model, requirements: list[str]) -> list[str]:
+    found = [test for name in requirements for test in model.requirements[name].verified_by]
+    return list(dict.fromkeys(found))

@@ -1,0 +1,69 @@
+"""The reverse direction: which methods and tests serve no requirement."""
+
+from __future__ import annotations
+
+from traceability.model.design_model import Model
+from traceability.reading.traces import nodes_of
+from traceability.schema import Justified, Method, Module, Test
+
+
+def serving_methods(model: Model) -> set[str]:
+    """The methods that are tagged with a requirement or stand in a tree, and what these stand for.
+
+    An operation of an abstraction serves with all methods that override it, and a constructor with
+    its module.
+    """
+    methods = {item.id: item for module in model.modules.values() for item in module.methods}
+    found = {item.id for item in methods.values() if item.satisfies}
+    for requirement in model.requirements.values():
+        if requirement.tree is not None:
+            found |= {node.resolved for node in nodes_of(requirement.tree) if node.resolved}
+    above = {item.id: item.overrides for item in methods.values() if item.overrides}
+
+    def top(name: str) -> str:
+        return top(above[name]) if name in above else name
+
+    serving = {top(name) for name in found}
+    found |= {name for name in methods if top(name) in serving}
+    for module in model.modules.values():
+        if any(item.id in found for item in module.methods):
+            found |= {item.id for item in module.methods if item.kind == "constructor"}
+    return found
+
+
+def methods_without(model: Model) -> list[tuple[Module, Method]]:
+    """Public methods of design modules that serve no requirement."""
+    serving = serving_methods(model)
+    return [
+        (module, method)
+        for module in model.modules.values()
+        if not module.datatype
+        for method in module.methods
+        if method.access == "public" and method.id not in serving
+    ]
+
+
+def tests_without(model: Model) -> list[Test]:
+    return [test for test in model.tests.values() if not test.verifies]
+
+
+def justify(model: Model, declared: list[Justified]) -> None:
+    """Notes which methods, tests and lines each justification is needed for."""
+    model.justified = declared
+    methods = [method.id for _, method in methods_without(model)]
+    tests = tests_without(model)
+    for item in model.justified:
+        if item.kind == "method":
+            item.covers = [name for name in methods if name in item.names]
+        elif item.kind == "line":
+            gaps = [gap for gap in model.line_gaps if gap.method in item.names]
+            item.covers = [gap.method for gap in gaps]
+            for gap in gaps:
+                gap.reason = item.why
+        else:
+            places = tuple(name for name in item.names if "/" in name)
+            item.covers = [
+                test.id
+                for test in tests
+                if test.id in item.names or test.place.file.startswith(places)
+            ]

@@ -1,0 +1,388 @@
+"""State machines: what the code can change, and which changes the tests make.
+
+A machine is declared in ``design/fsm``. Its states are the Concrete States of an application of the
+State pattern. Here the changes are found a second time, in the bodies of the states; and a third
+time, in the recorded calls of the tests.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from traceability.model.design_model import Model
+from traceability.reading.ast_facts import ANY_CLASS, CallFact
+from traceability.reading.result_cache import code_of, kept
+from traceability.reading.source_facts import Facts
+from traceability.reading.traces import Traces
+from traceability.schema import HOST, Place, StateMachine, Transition
+
+
+@dataclass
+class Change:
+    """A change of state that an operation of a state can make."""
+
+    source: str  # name of the state
+    operation: str
+    target: str  # "" when the code does not tell
+    place: Place
+    path: tuple[str, ...]  # methods of the state between its operation and the change
+    sometimes: bool
+
+
+@dataclass
+class MachineCode:
+    """A machine as the syntax tree has it."""
+
+    holders: dict[str, str] = field(default_factory=dict)  # Context -> its method that changes
+    operations: list[str] = field(default_factory=list)  # that the Context may call on a state
+    runs: dict[str, dict[str, str]] = field(default_factory=dict)  # state -> operation -> method
+    changes: list[Change] = field(default_factory=list)
+    initial: set[str] = field(default_factory=set)
+    composition: str = ""  # class that holds all states
+
+    def of(self, source: str, operation: str) -> list[Change]:
+        return [c for c in self.changes if (c.source, c.operation) == (source, operation)]
+
+    def stays(self, source: str, operation: str) -> bool:
+        """Whether the state can remain when the operation runs."""
+        return all(change.sometimes for change in self.of(source, operation))
+
+
+def is_stay(step: Transition) -> bool:
+    return step.source == step.target
+
+
+def read_machine(machine: StateMachine, facts: Facts) -> MachineCode:
+    code = MachineCode()
+    known = facts.declared.applications.get(machine.application)
+    bases = known.roles.get("State", []) if known else []
+    if not known or not bases or bases[0] not in facts.classes:
+        return code
+    base = bases[0]
+    contexts = known.roles.get("Context", [])
+    code.holders = _holders(base, contexts, facts)
+    code.operations = _operations(base, facts)
+    code.composition = _composition(machine, facts)
+    for state, module in machine.states.items():
+        found = {name: facts.method(module, name) for name in code.operations}
+        code.runs[state] = {name: one.id for name, one in found.items() if one}
+    reader = _Changes(machine, base, code, facts)
+    for state in machine.states:
+        for operation in code.operations:
+            code.changes += reader.of(state, operation)
+    code.initial = reader.initial()
+    return code
+
+
+def _holders(base: str, contexts: list[str], facts: Facts) -> dict[str, str]:
+    """The Contexts with a member that refers to the State, and the method that assigns it."""
+    found: dict[str, str] = {}
+    for context in contexts:
+        fields = {
+            f"{context}::{member.name}"
+            for member in (facts.classes[context].fields if context in facts.classes else [])
+            if member.refers and member.classes == [base]
+        }
+        for body in facts.syntax.bodies:
+            constructor = body.id == f"{body.owner}::{body.owner}"
+            if not constructor and any(name in fields for name, _ in body.assigns):
+                found.setdefault(context, body.id)
+    return found
+
+
+def _operations(base: str, facts: Facts) -> list[str]:
+    """The operations of the State that its heirs may override."""
+    return [m.name for m in facts.classes[base].methods if m.virtual and "~" not in m.name]
+
+
+def _composition(machine: StateMachine, facts: Facts) -> str:
+    """The class of the robot that holds all states by value."""
+    for fact in facts.classes.values():
+        held = {kind for member in fact.fields if not member.refers for kind in member.classes}
+        if set(machine.states.values()) <= held and fact.place.file.startswith("src/"):
+            return fact.name
+    return ""
+
+
+class _Changes:
+    """Follows the operations of a state to the changes that they make."""
+
+    def __init__(
+        self,
+        machine: StateMachine,
+        base: str,
+        code: MachineCode,
+        facts: Facts,
+    ) -> None:
+        self.base = base
+        self.code = code
+        self.facts = facts
+        self.references = facts.references
+        self.names = {module: state for state, module in machine.states.items()}
+        self.states = machine.states
+        self.family = {base, *facts.heirs.get(base, [])}
+        methods = set(code.holders.values())
+        # In a template the operation has no class.
+        self.changers = methods | {f"{ANY_CLASS}::{one.rpartition('::')[2]}" for one in methods}
+
+    def of(self, state: str, operation: str) -> list[Change]:
+        method = self.code.runs[state].get(operation)
+        if method is None:
+            return []
+        return [
+            Change(state, operation, target, place, path, sometimes)
+            for target, place, path, sometimes in self._below(method, (), {})
+        ]
+
+    def _below(
+        self, method: str, path: tuple[str, ...], given: dict[str, list[str]]
+    ) -> Iterator[tuple[str, Place, tuple[str, ...], bool]]:
+        """Target, place, way and whether it is made sometimes only, of each change."""
+        for body in self.references.own_bodies(method):
+            for call in body.calls:
+                args = [[p for one in arg for p in given.get(one, [one])] for arg in call.args]
+                if call.target in self.changers:
+                    for target in self._targets(args[0] if args else []):
+                        yield target, call.place, path, call.sometimes
+                elif self._is_own(call, body.place.file) and call.target not in path:
+                    inner = {f"param {call.target} {k}": arg for k, arg in enumerate(args)}
+                    for target, place, way, rarely in self._below(
+                        call.target, (*path, call.target), inner
+                    ):
+                        yield target, place, way, rarely or call.sometimes
+
+    def _is_own(self, call: CallFact, file: str) -> bool:
+        """A call of the state on itself, of a method that no heir may replace; or of a function
+        beside it."""
+        beside = self.references.own_bodies(call.target)
+        if beside and all(not one.owner and one.place.file == file for one in beside):
+            return True
+        on_itself = not call.on or all(one.startswith("this ") for one in call.on)
+        return on_itself and not call.virtual and call.target.rpartition("::")[0] in self.family
+
+    def _targets(self, places: list[str]) -> list[str]:
+        found = {
+            self.names[one.kind]
+            for one in self.references.objects(places, self.base)
+            if one.name.startswith(f"{self.code.composition}::") and one.kind in self.names
+        }
+        return sorted(found) or [""]
+
+    def initial(self) -> set[str]:
+        """The states that the composition gives to something that is not a state."""
+        members = {
+            f"field {self.code.composition}::{member.name}": self.names[kind]
+            for fact in [self.facts.classes.get(self.code.composition)]
+            for member in (fact.fields if fact else [])
+            for kind in member.classes
+            if kind in self.names and not member.refers
+        }
+        found: set[str] = set()
+        for flow in self.facts.syntax.flows:
+            word, _, into = flow.into.partition(" ")
+            owner = into.split(" ")[0].rpartition("::")[0]
+            changer = into.split(" ")[0] in self.code.holders.values()
+            to_state = owner in self.family or changer
+            if word == "param" and flow.file.startswith("src/") and not to_state:
+                found |= {members[one] for one in flow.sources if one in members}
+        return found
+
+
+# ---- what the tests showed ---------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Seen:
+    """A change, or a stay, that a recorded test made."""
+
+    source: str
+    operation: str
+    target: str
+    path: tuple[str, ...] = ()
+
+
+class Watcher:
+    """Follows the state of a Context through the recorded calls of a test.
+
+    Only calls below a method of the Context count: there the present state is called. The state
+    after a change is known when the next call fits one state only.
+    """
+
+    def __init__(self, code: MachineCode, operations: set[str], family: set[str]) -> None:
+        self.code = code
+        self.runners: dict[str, set[str]] = {}  # method -> states whose operation it is
+        for state, methods in code.runs.items():
+            for operation in operations & set(methods):
+                self.runners.setdefault(methods[operation], set()).add(state)
+        every = {f"{name}::{operation}" for name in family for operation in operations}
+        self.foreign = every - set(self.runners)  # of states that are not the machine's
+        self.helpers = {method for change in code.changes for method in change.path}
+        self.changers = set(code.holders.values())
+        self.constructors = {f"{name}::{name}" for name in code.holders}
+
+    def known(self) -> list[object]:
+        """What decides on what is seen."""
+        runners = [(method, sorted(states)) for method, states in sorted(self.runners.items())]
+        others = (self.foreign, self.helpers, self.changers, self.constructors)
+        return [runners, self.code.runs, self.code.holders, *(sorted(one) for one in others)]
+
+    def turns(self, method: str) -> bool:
+        """Whether its call may change what is known of the state."""
+        return method in self.changers | self.constructors | self.foreign
+
+    def concerns(self, method: str) -> bool:
+        known = method in self.runners or method in self.foreign or method in self.helpers
+        return known or method.rpartition("::")[0] in self.code.holders
+
+    def watch(self, calls: Iterator[tuple[str, bool]]) -> list[Seen]:
+        """``calls`` are methods, each with whether it is entered or left."""
+        run = _Run(self)
+        for method, entered in calls:
+            if entered:
+                run.enter(method)
+            else:
+                run.leave()
+        return run.found
+
+
+class _Run:
+    """What is known while a recording is read."""
+
+    def __init__(self, watcher: Watcher) -> None:
+        self.watcher = watcher
+        self.found: list[Seen] = []
+        self.stack: list[str] = []
+        self.running: int | None = None  # depth of the operation of a state that runs
+        self.changed: tuple[str, ...] | None = None  # the way to the change that it made
+        self._forget()
+
+    def _forget(self) -> None:
+        self.present = set(self.watcher.code.runs)
+        self.pending: Seen | None = None
+
+    def enter(self, method: str) -> None:
+        holders = self.watcher.code.holders
+        below = any(one.rpartition("::")[0] in holders for one in self.stack)
+        self.stack.append(method)
+        if method in self.watcher.constructors:
+            self._forget()
+        elif method in self.watcher.changers:
+            self._change()
+        elif self.running is None and below and method in self.watcher.runners:
+            self._begin(method)
+        elif self.running is None and below and method in self.watcher.foreign:
+            self._forget()
+
+    def _change(self) -> None:
+        if self.running is None:
+            self._forget()
+        else:
+            between = self.stack[self.running + 1 : -1]
+            self.changed = tuple(one for one in between if one in self.watcher.helpers)
+
+    def _begin(self, method: str) -> None:
+        """An operation of the present state begins: it tells which state that is."""
+        states = self.watcher.runners[method]
+        if not self.present & states:
+            self._forget()
+        self.present &= states
+        if self.pending and len(self.present) == 1:
+            self.found.append(replace(self.pending, target=next(iter(self.present))))
+            self.pending = None
+        self.running = len(self.stack) - 1
+
+    def leave(self) -> None:
+        method = self.stack.pop() if self.stack else ""
+        if len(self.stack) != self.running:
+            return
+        operation = method.rpartition("::")[2]
+        source = next(iter(self.present)) if len(self.present) == 1 else ""
+        if self.changed is not None:
+            self._forget()
+            self.pending = Seen(source, operation, "", self.changed) if source else None
+        elif source:
+            self.found.append(Seen(source, operation, source))
+        self.running, self.changed = None, None
+
+
+def add_machines(model: Model, facts: Facts, recordings: dict[str, Traces], cache: Path) -> None:
+    """Each transition with its places in the code and the passing tests that show it."""
+    codes = {name: read_machine(m, facts) for name, m in model.machines.items()}
+    for name, machine in model.machines.items():
+        for step in machine.transitions:
+            step.changes = [one.place for one in matching(machine, step, codes[name])]
+    for name, code in codes.items():
+        events = set(model.machines[name].events.values())
+        watcher = Watcher(code, events, _family(name, model, facts))
+        _note_all(model, name, code, watch_all(watcher, recordings[HOST], cache / f"{name}.pickle"))
+
+
+def matching(machine: StateMachine, step: Transition, code: MachineCode) -> list[Change]:
+    """The changes in the code that a transition declares: the first row has the first one."""
+    operation = machine.events.get(step.event, "")
+    changes = [c for c in code.of(step.source, operation) if c.target == step.target]
+    rows = [
+        one
+        for one in machine.transitions
+        if (one.source, one.event, one.target) == (step.source, step.event, step.target)
+    ]
+    if len(rows) == len(changes):
+        return [changes[next(i for i, row in enumerate(rows) if row is step)]]
+    return changes
+
+
+def watch_all(watcher: Watcher, traces: Traces, cache: Path) -> dict[str, list[Seen]]:
+    """What each recording shows."""
+    names = {a: m for a, m in traces.symbols.items() if watcher.concerns(m)}
+    runners = traces.addresses(watcher.runners.keys())
+    turning = {a for a, m in names.items() if watcher.turns(m)}
+
+    def watch() -> dict[str, list[Seen]]:
+        return {
+            recording: list(dict.fromkeys(watcher.watch(traces.calls(recording, names, turning))))
+            for recording in sorted(traces.tests)
+            if not runners.isdisjoint(traces.events(recording))
+        }
+
+    parts = [
+        traces.state,
+        names,
+        sorted(turning),
+        watcher.known(),
+        *code_of("model/state_machines", "reading/traces"),
+    ]
+    return kept(cache, parts, watch)
+
+
+def _note_all(model: Model, name: str, code: MachineCode, seen: dict[str, list[Seen]]) -> None:
+    """Only what a passing test shows counts."""
+    for test in model.tests.values():
+        result = test.results.get(HOST)
+        for recording in result.recordings if result and result.result == "passed" else []:
+            _note(model.machines[name], code, seen.get(recording, []), test.id)
+
+
+def _family(name: str, model: Model, facts: Facts) -> set[str]:
+    known = facts.declared.applications.get(model.machines[name].application)
+    bases = known.roles.get("State", []) if known else []
+    return {one for base in bases for one in (base, *facts.heirs.get(base, []))}
+
+
+def _note(machine: StateMachine, code: MachineCode, seen: list[Seen], test: str) -> None:
+    for one in seen:
+        shown = False
+        for step in machine.transitions:
+            if (step.source, step.target) != (one.source, one.target):
+                continue
+            if machine.events.get(step.event) != one.operation:
+                continue
+            paths = {change.path for change in matching(machine, step, code)}
+            if is_stay(step) or one.path in paths:
+                shown = True
+                if test not in step.tests:
+                    step.tests.append(test)
+        if not shown and one.source != one.target:
+            undeclared = (one.source, one.operation, one.target)
+            machine.undeclared.setdefault(" ".join(undeclared), []).append(test)

@@ -1,0 +1,54 @@
+"""Folds recorded calls to the level of modules: calls from one module into another are left."""
+
+from __future__ import annotations
+
+from traceability.reading.traces import Row
+from traceability.schema import FoldedCall, TreeNode
+
+Edges = dict[tuple[str, str], list[str]]  # module, module -> requirements that declare it
+
+
+def starts(nodes: list[TreeNode], placed: dict[int, int]) -> list[int]:
+    """Where the runs of a tree begin: at its root, and at what its threads do."""
+    return [
+        placed[id(node)]
+        for node in nodes
+        if id(node) in placed and (node is nodes[0] or node.kind == "post")
+    ]
+
+
+def fold(rows: list[Row], firsts: list[int], edges: Edges) -> list[FoldedCall]:
+    """The calls within some rows. What an interrupt called meanwhile is left out."""
+    paths: dict[tuple[str, ...], FoldedCall] = {}
+    end = 0
+    for first in firsts:
+        if first < end and rows[first].activation == rows[firsts[0]].activation:
+            continue  # it lies within the one before
+        end = max(end, rows[first].end)
+        _fold_one(rows, first, edges, paths)
+    numbers = {path: number for number, path in enumerate(paths)}
+    order = sorted(paths, key=lambda path: [numbers[path[:n]] for n in range(1, len(path) + 1)])
+    return [paths[path] for path in order]
+
+
+def _fold_one(
+    rows: list[Row], first: int, edges: Edges, paths: dict[tuple[str, ...], FoldedCall]
+) -> None:
+    path_of: dict[int, tuple[str, ...]] = {}
+    for index in range(first, rows[first].end):
+        row = rows[index]
+        if row.activation != rows[first].activation:
+            continue
+        module = row.method.split("::")[0]
+        above = path_of.get(row.parent, ())
+        if above and above[-1] == module:
+            path_of[index] = above
+            continue
+        path = path_of[index] = (*above, module)
+        if path not in paths:
+            declared = edges.get((above[-1], module), []) if above else []
+            paths[path] = FoldedCall(len(above), module, [], 0, declared)
+        call = paths[path]
+        call.count += 1
+        if row.method not in call.methods:
+            call.methods.append(row.method)

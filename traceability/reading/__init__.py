@@ -1,0 +1,1 @@
+"""Reads sources, comments, declarations and results. No judgement is made here."""

@@ -1,0 +1,225 @@
+"""What is known of the code: classes, methods, calls, names and includes, each at its place."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from traceability.reading.flow import FlowFact
+from traceability.schema import Place
+
+ANY_CLASS = "?"  # the class of a call that depends on the parameters of a template
+
+
+@dataclass
+class MethodFact:
+    id: str
+    owner: str
+    name: str
+    signature: str
+    access: str
+    kind: str
+    result: str
+    params: list[tuple[str, str]]  # name, type
+    place: Place
+    end: int
+    virtual: bool = False
+    pure: bool = False
+    final: bool = False
+    deleted: bool = False
+    defaulted: bool = False
+    overrides: str | None = None
+    comment: int = 0  # line where its comment begins; 0 without one
+
+
+@dataclass
+class FieldFact:
+    name: str
+    type: str
+    classes: list[str]  # classes of the project in the type
+    refers: bool  # pointer or reference, not a value
+    static: bool
+    place: Place
+    access: str = "public"
+    constant: bool = False
+    comment: int = 0
+
+
+@dataclass
+class SilentFact:
+    """A declaration in a header that others can use, and that has no comment."""
+
+    name: str
+    place: Place  # with an end where it is a variable: a comment may stand behind the value
+
+
+@dataclass
+class ClassFact:
+    """A class, struct, enum or alias of the project; ``name`` is without the namespace."""
+
+    name: str
+    qualified: str
+    kind: str
+    place: Place
+    end: int
+    abstract: bool = False
+    local: bool = False  # in an anonymous namespace, or in a function
+    access: str = "invalid"  # of a nested class
+    bases: list[str] = field(default_factory=list)
+    base_places: list[Place] = field(default_factory=list)
+    methods: list[MethodFact] = field(default_factory=list)
+    fields: list[FieldFact] = field(default_factory=list)
+    values: list[FieldFact] = field(default_factory=list)  # of an enumeration
+    parameters: list[str] = field(default_factory=list)  # of a template
+    comment: int = 0
+
+
+@dataclass
+class CallFact:
+    target: str
+    virtual: bool
+    place: Place
+    declared: str = ""  # the file that declares a function outside classes
+    on: list[str] = field(default_factory=list)  # what a method is called on, see flow
+    args: list[list[str]] = field(default_factory=list)  # what each argument names
+    sometimes: bool = False  # below a condition, or after one that may have left the function
+
+
+@dataclass
+class BodyFact:
+    """A function with a body. A function outside classes has no owner."""
+
+    id: str
+    owner: str
+    place: Place
+    end: int
+    overrides: str | None = None
+    local: bool = False  # no other file can call it
+    calls: list[CallFact] = field(default_factory=list)
+    assigns: list[tuple[str, int]] = field(default_factory=list)  # Class::field, line
+    touches: dict[str, bool] = field(default_factory=dict)  # Class::field -> whether it is changed
+
+
+@dataclass
+class NameFact:
+    """A class is named in the code of another one. ``how``: type, member, construct, base.
+
+    What a namespace holds has no class; its ``member`` has the name of the namespace.
+    """
+
+    by: str
+    target: str
+    how: str
+    place: Place
+    member: str = ""
+    file: str = ""  # where the class is defined, when the unit sees that
+
+
+@dataclass
+class BlockFact:
+    """A namespace below that of the project, declared in ``file``, is opened or used at a place."""
+
+    block: str
+    file: str
+    place: Place
+    declares: bool
+
+
+@dataclass
+class IncludeFact:
+    target: str
+    place: Place
+
+
+@dataclass
+class ConstantFact:
+    """A constant, or an operation that returns one, under a name that texts can use."""
+
+    name: str
+    number: int
+    unit: str
+    place: Place
+
+
+@dataclass
+class Syntax:
+    classes: list[ClassFact] = field(default_factory=list)
+    bodies: list[BodyFact] = field(default_factory=list)
+    names: list[NameFact] = field(default_factory=list)
+    includes: list[IncludeFact] = field(default_factory=list)
+    blocks: list[BlockFact] = field(default_factory=list)
+    casts: list[Place] = field(default_factory=list)  # numbers made into addresses
+    instructions: list[Place] = field(default_factory=list)  # of an assembler
+    volatile: list[Place] = field(default_factory=list)  # memory that changes by itself
+    objects: list[FieldFact] = field(default_factory=list)  # that can change, and no class holds
+    flows: list[FlowFact] = field(default_factory=list)
+    constants: dict[str, int] = field(default_factory=dict)  # var -> value of a plain number
+    values: list[ConstantFact] = field(default_factory=list)
+    variables: dict[str, FieldFact] = field(default_factory=dict)  # file:name or function name
+    friends: list[NameFact] = field(default_factory=list)  # a class lets another one in
+    silent: list[SilentFact] = field(default_factory=list)
+    errors: list[tuple[Place, str]] = field(default_factory=list)
+
+    def merge(self, other: Syntax) -> None:
+        self.classes += other.classes
+        self.bodies += other.bodies
+        self.names += other.names
+        self.includes += other.includes
+        self.blocks += other.blocks
+        self.casts += other.casts
+        self.instructions += other.instructions
+        self.volatile += other.volatile
+        self.objects += other.objects
+        self.flows += other.flows
+        self.constants |= other.constants
+        self.values += other.values
+        self.variables |= other.variables
+        self.friends += other.friends
+        self.silent += other.silent
+        self.errors += other.errors
+
+
+def _placed(item: dict[str, Any]) -> dict[str, Any]:
+    return item | {"place": Place(**item["place"])}
+
+
+def _class_from(item: dict[str, Any]) -> ClassFact:
+    methods = [MethodFact(**_placed(method)) for method in item["methods"]]
+    for method in methods:
+        method.params = [(name, kind) for name, kind in method.params]
+    parts: dict[str, Any] = {
+        "base_places": [Place(**place) for place in item["base_places"]],
+        "methods": methods,
+        "fields": [FieldFact(**_placed(member)) for member in item["fields"]],
+        "values": [FieldFact(**_placed(member)) for member in item["values"]],
+    }
+    return ClassFact(**_placed(item) | parts)
+
+
+def _body_from(item: dict[str, Any]) -> BodyFact:
+    parts: dict[str, Any] = {
+        "calls": [CallFact(**_placed(call)) for call in item["calls"]],
+        "assigns": [(name, line) for name, line in item["assigns"]],
+    }
+    return BodyFact(**_placed(item) | parts)
+
+
+def facts_from(data: dict[str, Any]) -> Syntax:
+    return Syntax(
+        classes=[_class_from(item) for item in data["classes"]],
+        bodies=[_body_from(item) for item in data["bodies"]],
+        names=[NameFact(**_placed(item)) for item in data["names"]],
+        includes=[IncludeFact(**_placed(item)) for item in data["includes"]],
+        blocks=[BlockFact(**_placed(item)) for item in data["blocks"]],
+        casts=[Place(**place) for place in data["casts"]],
+        instructions=[Place(**place) for place in data["instructions"]],
+        volatile=[Place(**place) for place in data["volatile"]],
+        objects=[FieldFact(**_placed(item)) for item in data["objects"]],
+        flows=[FlowFact(**item) for item in data["flows"]],
+        constants=data["constants"],
+        values=[ConstantFact(**_placed(item)) for item in data["values"]],
+        variables={name: FieldFact(**_placed(item)) for name, item in data["variables"].items()},
+        friends=[NameFact(**_placed(item)) for item in data["friends"]],
+        silent=[SilentFact(**_placed(item)) for item in data["silent"]],
+        errors=[(Place(**place), text) for place, text in data["errors"]],
+    )

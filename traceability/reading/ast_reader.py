@@ -1,0 +1,684 @@
+"""Walks the syntax tree of one unit and notes the facts of its files."""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from clang import cindex
+from clang.cindex import AccessSpecifier, Cursor, CursorKind, LinkageKind, StorageClass, TypeKind
+
+from traceability.reading import flow
+from traceability.reading.ast_facts import (
+    ANY_CLASS,
+    BlockFact,
+    BodyFact,
+    CallFact,
+    ClassFact,
+    ConstantFact,
+    FieldFact,
+    MethodFact,
+    NameFact,
+    SilentFact,
+    Syntax,
+)
+from traceability.reading.clang_names import (
+    CLASSES,
+    FUNCTIONS,
+    NAMESPACE,
+    class_name,
+    function_id,
+    is_function,
+    namespace_of,
+    qualified_name,
+)
+from traceability.reading.constants import constant_names, constants_of
+from traceability.schema import Place
+
+_NAMES = {
+    CursorKind.TYPE_REF,
+    CursorKind.TEMPLATE_REF,
+    CursorKind.MEMBER_REF_EXPR,
+    CursorKind.DECL_REF_EXPR,
+    CursorKind.CALL_EXPR,
+}
+
+_DESCRIBED = {
+    *(CursorKind.FIELD_DECL, CursorKind.VAR_DECL, CursorKind.ENUM_DECL),
+    *(CursorKind.TYPE_ALIAS_DECL, CursorKind.TYPEDEF_DECL, CursorKind.TYPE_ALIAS_TEMPLATE_DECL),
+    *(FUNCTIONS - {CursorKind.DESTRUCTOR}),
+}
+_TEMPLATE_PARAMETERS = {
+    CursorKind.TEMPLATE_TYPE_PARAMETER,
+    CursorKind.TEMPLATE_NON_TYPE_PARAMETER,
+    CursorKind.TEMPLATE_TEMPLATE_PARAMETER,
+}
+_REFERRING = {TypeKind.POINTER, TypeKind.LVALUEREFERENCE}
+_LOCAL = {LinkageKind.INTERNAL, LinkageKind.UNIQUE_EXTERNAL, LinkageKind.NO_LINKAGE}
+_CASTS = {
+    CursorKind.CXX_REINTERPRET_CAST_EXPR,
+    CursorKind.CSTYLE_CAST_EXPR,
+    CursorKind.CXX_FUNCTIONAL_CAST_EXPR,
+}
+_DECLARED = {CursorKind.VAR_DECL, CursorKind.PARM_DECL, CursorKind.FIELD_DECL}
+_WRAPPING = {CursorKind.UNEXPOSED_EXPR, CursorKind.PAREN_EXPR, CursorKind.UNARY_OPERATOR}
+_HOLDERS = ("optional", "array", "pair", "tuple", "variant")  # of the library: by value
+_COPIES = ("memcpy", "memmove", "__builtin_memcpy", "__builtin_memmove")
+_MAKERS = ("construct_at", "make_optional", "make_unique", "make_shared")
+_NUMBERS = {
+    TypeKind.INT, TypeKind.UINT, TypeKind.LONG, TypeKind.ULONG, TypeKind.LONGLONG,
+    TypeKind.ULONGLONG, TypeKind.SHORT, TypeKind.USHORT, TypeKind.ENUM, TypeKind.DEPENDENT,
+}  # fmt: skip
+
+
+_CONSTANTS = {
+    CursorKind.VAR_DECL,
+    CursorKind.ENUM_CONSTANT_DECL,
+    CursorKind.CXX_METHOD,
+    CursorKind.FUNCTION_DECL,
+}
+
+
+class Reader:
+    """Walks one unit and keeps the facts of the wanted files."""
+
+    def __init__(self, root: Path, files: set[str]) -> None:
+        self.root = f"{root}/"
+        self.files = files
+        self.facts = Syntax()
+        self.flow = flow.FlowReader(self.place)
+        self.facts.flows = self.flow.flows
+        self.function = ""  # the last one that was entered
+        self.chances = 0  # conditions around the statement
+        self.left = False  # whether a condition before it may have left the function
+
+    def relative(self, name: str) -> str | None:
+        return name.removeprefix(self.root) if name.startswith(self.root) else None
+
+    def place(self, cursor: Cursor) -> Place | None:
+        file = cursor.location.file
+        relative = self.relative(file.name) if file else None
+        return Place(relative, cursor.location.line) if relative else None
+
+    def walk(self, cursor: Cursor, body: BodyFact | None, owner: str) -> None:
+        before: Cursor | None = None
+        for child in cursor.get_children():
+            if before is not None and before.kind == CursorKind.MEMBER_REF:
+                self.flow.given(before, child, self.place(before) or Place("", 1))
+            before = child
+            if cursor.kind == CursorKind.TRANSLATION_UNIT:
+                place = self.place(child)
+                if place is None or place.file not in self.files:
+                    continue
+            self.visit(child, body, owner)
+
+    def visit(self, cursor: Cursor, body: BodyFact | None, owner: str) -> None:
+        kind = cursor.kind
+        place = self.place(cursor)
+        if place is None:
+            return
+        self.silence(cursor, body, place)
+        if kind in CLASSES and cursor.is_definition():
+            fact = self.class_fact(cursor, place)
+            self.facts.classes.append(fact)
+            if body is None:
+                owner = fact.name
+            else:
+                fact.name = f"{body.id}()::{fact.name}"
+        elif kind in (CursorKind.ENUM_DECL, CursorKind.TYPE_ALIAS_DECL) and body is None:
+            if cursor.spelling and cursor.semantic_parent.kind == CursorKind.NAMESPACE:
+                self.facts.classes.append(self.type_fact(cursor, place))
+        elif body is None and is_function(cursor):
+            owner = class_name(cursor.semantic_parent)
+            if cursor.is_definition():
+                body = self.body_fact(cursor, place, owner)
+                self.facts.bodies.append(body)
+                self.function = self.flow.function(cursor)
+                self.chances, self.left = 0, False
+        elif kind == CursorKind.CXX_BASE_SPECIFIER:
+            self.name(owner, cursor.referenced, "base", place)
+            return
+        self.values(cursor, place)
+        self.address(cursor, place)
+        self.uses(cursor, body, owner, place)
+        self.flow.note(cursor, self.function, place)
+        if kind == CursorKind.VAR_DECL:
+            self.object(cursor, body, place)
+            if body is None:
+                self.constant(cursor)
+        if body is not None:
+            self.assignment(cursor, body, place)
+            self.touch(cursor, body)
+            self.left = self.left or (kind == CursorKind.RETURN_STMT and self.chances > 0)
+        self.chances += kind in flow.CHANCES
+        self.walk(cursor, body, owner)
+        self.chances -= kind in flow.CHANCES
+
+    def values(self, cursor: Cursor, place: Place) -> None:
+        """Notes the constants of a declaration under all names that a text can use."""
+        if cursor.kind not in _CONSTANTS:
+            return
+        for end, number, unit in constants_of(cursor):
+            for name in constant_names(cursor, place.file):
+                fact = ConstantFact(f"{name}{end}", number, unit, place)
+                if fact not in self.facts.values:
+                    self.facts.values.append(fact)
+
+    def silence(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
+        """A declaration without a comment that others can use.
+
+        An enumerator needs one where another one has one.
+        """
+        if body is not None or not place.file.endswith(".hpp") or not _is_open(cursor):
+            return
+        name = "::".join(filter(None, (namespace_of(cursor), class_name(cursor.lexical_parent))))
+        name = f"{name}::{cursor.spelling}".removeprefix("::")
+        if cursor.kind in _DESCRIBED and not comment_line(cursor):
+            exempt = cursor.is_deleted_method() or _overridden(cursor) is not None
+            if not exempt:
+                variable = cursor.kind in (CursorKind.FIELD_DECL, CursorKind.VAR_DECL)
+                end = cursor.extent.end.line if variable else None
+                self.facts.silent.append(SilentFact(name, Place(place.file, place.line, end)))
+        if cursor.kind == CursorKind.ENUM_DECL:
+            values = list(cursor.get_children())
+            bare_ones = [value for value in values if not comment_line(value)]
+            for value in bare_ones if len(bare_ones) < len(values) else []:
+                at = self.place(value) or place
+                self.facts.silent.append(SilentFact(f"{name}::{value.spelling}", at))
+
+    def constant(self, cursor: Cursor) -> None:
+        value = next((c for c in cursor.get_children() if not c.kind.is_reference()), None)
+        while value is not None and value.kind == CursorKind.UNEXPOSED_EXPR:
+            value = next(value.get_children(), None)
+        if value is not None and value.kind == CursorKind.INTEGER_LITERAL:
+            digits = next((token.spelling for token in value.get_tokens()), "").rstrip("uUlL")
+            with contextlib.suppress(ValueError):  # one that Python writes in another way
+                self.facts.constants[self.flow.node(cursor)] = int(digits.replace("'", ""), 0)
+
+    def object(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
+        """One that can change and lives as long as the program."""
+        inside = cursor.semantic_parent.kind in CLASSES
+        lasts = cursor.storage_class == StorageClass.STATIC if body else not inside
+        held = self.field_fact(cursor, place)
+        if lasts and not held.constant and "&" not in held.type:
+            marks = [p for p in cursor.get_children() if p.kind == CursorKind.UNEXPOSED_ATTR]
+            placed = any("section" in _words(mark) for mark in marks)  # it outlives a reset
+            self.facts.objects += [] if placed else [held]
+
+    def touch(self, cursor: Cursor, body: BodyFact) -> None:
+        if cursor.kind == CursorKind.MEMBER_REF_EXPR:
+            name = self.flow.node(cursor.referenced)
+            if name.startswith("field "):
+                body.touches.setdefault(name.removeprefix("field "), False)
+        for name in self.flow.written(cursor):
+            body.touches[name] = True
+
+    def uses(self, cursor: Cursor, body: BodyFact | None, owner: str, place: Place) -> None:
+        if cursor.kind == CursorKind.FRIEND_DECL and owner:
+            self.friend(cursor, owner, place)
+        elif cursor.kind == CursorKind.VAR_DECL:
+            self.variable(cursor, owner, place)
+        elif cursor.kind in _NAMES:
+            self.reference(cursor, body, owner, place)
+        if cursor.kind == CursorKind.CALL_EXPR and cursor.spelling == "emplace" and body:
+            self.emplacement(cursor, body, owner, place)
+
+    def reference(self, cursor: Cursor, body: BodyFact | None, owner: str, place: Place) -> None:
+        target = cursor.referenced or flow.method_in_template(cursor)
+        if target is None:
+            self.unresolved(cursor, body, place)
+            return
+        if self.place(target) is None:
+            if cursor.kind == CursorKind.CALL_EXPR:
+                self.made_by_library(cursor, target, owner, place)
+            return
+        self.block(target.semantic_parent, place, declares=False)
+        if cursor.kind in (CursorKind.TYPE_REF, CursorKind.TEMPLATE_REF):
+            self.name(owner, target, "type", place)
+            for meant in aliased(target):
+                self.name(owner, meant, "type", place)
+            return
+        parent = target.semantic_parent
+        if cursor.kind != CursorKind.CALL_EXPR:
+            self.name(owner, parent, "member", place, target.spelling)
+            if not class_name(parent) and target.kind in (CursorKind.VAR_DECL, *FUNCTIONS):
+                member = "::".join(filter(None, (namespace_of(parent), target.spelling)))
+                self.facts.names.append(NameFact(owner, "", "member", place, member))
+            if cursor.kind == CursorKind.DECL_REF_EXPR:
+                self.named(target, body, place)
+            return
+        if target.kind == CursorKind.CONSTRUCTOR:
+            self.name(owner, parent, "construct", place)
+        if target.kind in FUNCTIONS:
+            args = self.flow.arguments(cursor, target, place)
+            call = self.call(target, body, place, virtual=_is_dynamic(cursor))
+            if call is not None:
+                call.on, call.args = self.flow.receiver(cursor), args
+                call.sometimes = self.chances > 0 or self.left
+
+    def made_by_library(self, cursor: Cursor, target: Cursor, owner: str, place: Place) -> None:
+        """The library makes what it holds by value, and what it is told to make."""
+        constructs = target.kind == CursorKind.CONSTRUCTOR and target.spelling in _HOLDERS
+        if not constructs and target.spelling not in _MAKERS:
+            return
+        kind = cursor.type.get_canonical()
+        kind = kind.get_pointee() if kind.kind == TypeKind.POINTER else kind
+        count = max(0, kind.get_num_template_arguments())
+        for made in (kind, *map(kind.get_template_argument_type, range(count))):
+            self.name(owner, made.get_declaration(), "construct", place)
+
+    def named(self, target: Cursor, body: BodyFact | None, place: Place) -> None:
+        """Whoever has the address of a function may call it. The name in a call is not counted."""
+        known = [] if body is None else [c.target for c in body.calls[-3:] if c.place == place]
+        if target.kind in FUNCTIONS and function_id(target) not in known:
+            self.call(target, body, place, virtual=False)
+
+    def call(
+        self, target: Cursor, body: BodyFact | None, place: Place, *, virtual: bool
+    ) -> CallFact | None:
+        if body is None:
+            return None
+        first = None if class_name(target.semantic_parent) else self.place(target.canonical)
+        call = CallFact(function_id(target), virtual, place, first.file if first else "")
+        body.calls.append(call)
+        return call
+
+    def unresolved(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
+        """In a template a call of what depends on the parameters has a name only."""
+        if body is not None and cursor.kind == CursorKind.MEMBER_REF_EXPR:
+            name = [token.spelling for token in cursor.get_tokens()][-1:]
+            body.calls += [CallFact(f"{ANY_CLASS}::{one}", False, place) for one in name]
+
+    def variable(self, cursor: Cursor, owner: str, place: Place) -> None:
+        """A variable that is no reference is an object of its class, or holds one."""
+        held = self.field_fact(cursor, place)
+        if not held.refers and not cursor.type.is_const_qualified():
+            inner = owner.split("::", maxsplit=1)[0]
+            classes = [name for name in held.classes if name.split("::", maxsplit=1)[0] != inner]
+            self.facts.names += [NameFact(owner, name, "construct", place) for name in classes]
+        if held.classes:
+            self.facts.variables[self.flow.node(cursor).removeprefix("var ")] = held
+
+    def friend(self, cursor: Cursor, owner: str, place: Place) -> None:
+        """A friend that the class defines itself is a part of it."""
+        for part in cursor.get_children():
+            inside = part.is_definition() or "default" in _words(part)
+            if part.kind in FUNCTIONS and not inside:
+                self.facts.friends.append(NameFact(owner, function_id(part), "friend", place))
+            elif part.kind == CursorKind.CLASS_TEMPLATE:
+                self.facts.friends.append(NameFact(owner, class_name(part), "friend", place))
+            named = part.referenced if part.kind == CursorKind.TYPE_REF else None
+            if named is not None and self.place(named) is not None:
+                self.facts.friends.append(NameFact(owner, class_name(named), "friend", place))
+
+    def address(self, cursor: Cursor, place: Place) -> None:
+        if cursor.kind in (CursorKind.ASM_STMT, CursorKind.MS_ASM_STMT) or _is_bare_asm(cursor):
+            self.facts.instructions.append(place)
+        if _makes_address(cursor):
+            self.facts.casts.append(place)
+        if cursor.kind in _DECLARED and _is_volatile(cursor):
+            self.facts.volatile.append(place)
+        bits = cursor.kind == CursorKind.CALL_EXPR and cursor.spelling == "bit_cast"
+        if bits or cursor.kind in _CASTS:
+            value = next(reversed(list(cursor.get_children())), cursor)
+            kinds = [one.type.get_canonical().kind for one in (cursor, value)]
+            if kinds[0] == TypeKind.POINTER and kinds[1] in _NUMBERS:
+                self.facts.casts.append(place)
+        elif cursor.kind == CursorKind.NAMESPACE:
+            self.block(cursor, place, declares=True)
+        elif cursor.kind == CursorKind.NAMESPACE_REF:
+            self.block(cursor.referenced, place, declares=False)
+
+    def block(self, cursor: Cursor | None, place: Place, *, declares: bool) -> None:
+        """Notes a namespace that lies in that of the project, and what its header holds."""
+        while cursor is not None and cursor.kind != CursorKind.NAMESPACE:
+            cursor = cursor.semantic_parent
+        name = namespace_of(cursor)
+        at = self.place(cursor) if cursor is not None and name else None
+        if at is not None:
+            fact = BlockFact(name, at.file, place, declares)
+            if fact not in self.facts.blocks[-4:]:
+                self.facts.blocks.append(fact)
+
+    def emplacement(self, cursor: Cursor, body: BodyFact, owner: str, place: Place) -> None:
+        """``field_.emplace(...)`` constructs the class that the field holds by value."""
+        held = next((part for part in cursor.walk_preorder() if self.is_field(part)), None)
+        if held is None:
+            return
+        args = [self.flow.sources(value) for value in cursor.get_arguments()]
+        for name in self.field_fact(held.referenced, place).classes:
+            constructor = f"{name}::{name.rsplit('::', maxsplit=1)[-1]}"
+            for number, sources in enumerate(args):
+                self.flow.add(f"param {constructor} {number}", sources, place)
+            body.calls.append(CallFact(constructor, False, place))
+            if name.split("::", maxsplit=1)[0] != owner.split("::", maxsplit=1)[0]:
+                self.facts.names.append(NameFact(owner, name, "construct", place))
+
+    def is_field(self, cursor: Cursor) -> bool:
+        if cursor.kind != CursorKind.MEMBER_REF_EXPR or cursor.referenced is None:
+            return False
+        return bool(cursor.referenced.kind == CursorKind.FIELD_DECL)
+
+    def name(
+        self, owner: str, target: Cursor | None, how: str, place: Place, member: str = ""
+    ) -> None:
+        if target is None or self.place(target) is None:
+            return
+        named = class_name(target)
+        if named and named.split("::")[0] != owner.split("::", maxsplit=1)[0]:
+            known = target.get_definition()
+            at = self.place(known) if known is not None else None
+            file = at.file if at else ""
+            self.facts.names.append(NameFact(owner, named, how, place, member, file))
+
+    def assignment(self, cursor: Cursor, body: BodyFact, place: Place) -> None:
+        if cursor.kind == CursorKind.CALL_EXPR and cursor.spelling in ("swap", "exchange"):
+            for part in cursor.walk_preorder():
+                if self.is_field(part):
+                    owner = class_name(part.referenced.semantic_parent)
+                    body.assigns.append((f"{owner}::{part.spelling}", place.line))
+            return
+        if cursor.kind == CursorKind.VAR_DECL:
+            left = self.other_name_of(cursor)
+        else:
+            left = self.left_side(cursor)
+        if left is not None and left.referenced is not None:
+            changed = f"{class_name(left.referenced.semantic_parent)}::{left.spelling}"
+            body.assigns.append((changed, place.line))
+
+    def left_side(self, cursor: Cursor) -> Cursor | None:
+        """The member that an assignment changes."""
+        operator = cursor.kind == CursorKind.CALL_EXPR and cursor.spelling == "operator="
+        if not operator and cursor.kind != CursorKind.BINARY_OPERATOR:
+            return None
+        side = next(cursor.get_children(), None)
+        if side is None or (not operator and _operator_after(cursor, side) != "="):
+            return None
+        left = bare(side)
+        if left is not None and left.spelling == "operator=":  # called by its name
+            left = bare(next(left.get_children(), None))
+        return left if left is not None and left.kind == CursorKind.MEMBER_REF_EXPR else None
+
+    def other_name_of(self, variable: Cursor) -> Cursor | None:
+        """The member that a variable refers to: it can be changed by that name."""
+        kind = variable.type.get_canonical()
+        meant = kind.get_pointee()
+        if kind.kind not in _REFERRING or meant.is_const_qualified():
+            return None
+        given = [bare(part) for part in variable.get_children() if not part.kind.is_reference()]
+        held = next((one for one in given if one is not None and self.is_field(one)), None)
+        same = held is not None and held.type.get_canonical().spelling == meant.spelling
+        return held if same else None
+
+    def class_fact(self, cursor: Cursor, place: Place) -> ClassFact:
+        name = class_name(cursor)
+        fact = ClassFact(
+            name=name,
+            qualified=qualified_name(cursor),
+            kind="struct" if cursor.kind == CursorKind.STRUCT_DECL else "class",
+            place=place,
+            end=cursor.extent.end.line,
+            abstract=cursor.is_abstract_record(),
+            local=is_local(cursor),
+            access=cursor.access_specifier.name.lower(),
+            comment=comment_line(cursor),
+        )
+        for child in cursor.get_children():
+            at = self.place(child) or place
+            if child.kind == CursorKind.CXX_BASE_SPECIFIER:
+                base = unaliased(child)
+                if base is not None and self.place(base) is not None:
+                    fact.bases.append(class_name(base))
+                    fact.base_places.append(at)
+            elif is_function(child):
+                fact.methods.append(self.method_fact(child, at, name))
+            elif child.kind in (CursorKind.FIELD_DECL, CursorKind.VAR_DECL):
+                fact.fields.append(self.field_fact(child, at))
+            elif child.kind in _TEMPLATE_PARAMETERS:
+                fact.parameters.append(child.spelling)
+        return fact
+
+    def type_fact(self, cursor: Cursor, place: Place) -> ClassFact:
+        """An enumeration or an alias."""
+        kind = "enum" if cursor.kind == CursorKind.ENUM_DECL else "alias"
+        end, comment = cursor.extent.end.line, comment_line(cursor)
+        fact = ClassFact(cursor.spelling, qualified_name(cursor), kind, place, end, comment=comment)
+        for child in cursor.get_children() if kind == "enum" else ():
+            if child.kind == CursorKind.ENUM_CONSTANT_DECL:
+                value = self.field_fact(child, self.place(child) or place)
+                value.type = ""
+                fact.values.append(value)
+        return fact
+
+    def field_fact(self, cursor: Cursor, place: Place) -> FieldFact:
+        spelling = cursor.type.spelling
+        classes = [
+            class_name(part.referenced)
+            for part in cursor.walk_preorder()
+            if part.kind in (CursorKind.TYPE_REF, CursorKind.TEMPLATE_REF)
+            and part.referenced is not None
+            and self.place(part.referenced) is not None
+        ]
+        return FieldFact(
+            name=cursor.spelling,
+            type=spelling,
+            classes=[name for name in dict.fromkeys(classes) if name],
+            refers=any(mark in spelling for mark in ("&", "*", "reference_wrapper")),
+            static=cursor.kind == CursorKind.VAR_DECL,
+            place=place,
+            access=cursor.access_specifier.name.lower(),
+            constant=cursor.type.is_const_qualified(),
+            comment=comment_line(cursor) or cursor.extent.end.line,  # it may be behind the value
+        )
+
+    def method_fact(self, cursor: Cursor, place: Place, owner: str) -> MethodFact:
+        params = [(item.spelling, _short(item.type.spelling)) for item in _arguments_of(cursor)]
+        above = _overridden(cursor)
+        name = function_id(cursor).rsplit("::", 1)[-1]
+        constructor = (
+            cursor.kind == CursorKind.CONSTRUCTOR or name == owner.rsplit("::", maxsplit=1)[-1]
+        )
+        virtual = cursor.is_virtual_method()
+        pure = cursor.is_pure_virtual_method()
+        if constructor:
+            kind = "constructor"
+        elif above is not None:
+            kind = "override"
+        elif pure:
+            kind = "pure"
+        elif virtual:
+            kind = "virtual"
+        else:
+            kind = "static" if cursor.is_static_method() else "plain"
+        destructor = cursor.kind == CursorKind.DESTRUCTOR
+        result = "" if constructor or destructor else _short(cursor.result_type.spelling)
+        return MethodFact(
+            id=f"{owner}::{name}",
+            owner=owner,
+            name=name,
+            signature=_signature(cursor, kind, result, params),
+            access=cursor.access_specifier.name.lower(),
+            kind=kind,
+            result=result,
+            params=params,
+            place=place,
+            end=cursor.extent.end.line,
+            virtual=virtual,
+            pure=pure,
+            final=any(part.kind == CursorKind.CXX_FINAL_ATTR for part in cursor.get_children()),
+            deleted=cursor.is_deleted_method(),
+            defaulted=cursor.is_default_method(),
+            overrides=function_id(above) if above is not None else None,
+            comment=comment_line(cursor),
+        )
+
+    def body_fact(self, cursor: Cursor, place: Place, owner: str) -> BodyFact:
+        above = _overridden(cursor) if owner else None
+        return BodyFact(
+            id=function_id(cursor),
+            owner=owner,
+            place=Place(place.file, place.line, cursor.extent.end.line),
+            end=cursor.extent.end.line,
+            overrides=function_id(above) if above is not None else None,
+            local=is_local(cursor),
+        )
+
+
+def bare(cursor: Cursor | None) -> Cursor | None:
+    """An expression without brackets, and without what takes or follows its address."""
+    while cursor is not None and cursor.kind in _WRAPPING:
+        cursor = next(cursor.get_children(), None)
+    return cursor
+
+
+def _words(cursor: Cursor) -> list[str]:
+    return [token.spelling for token in cursor.get_tokens()]
+
+
+def _is_bare_asm(cursor: Cursor) -> bool:
+    """An instruction outside of a function."""
+    bare_kind = cursor.kind == CursorKind.UNEXPOSED_DECL
+    return bare_kind and _words(cursor)[:1] in (["asm"], ["__asm__"], ["__asm"])
+
+
+def _makes_address(cursor: Cursor) -> bool:
+    """A pointer that shares its bits with something else, is copied, or begins at nothing."""
+    if cursor.kind == CursorKind.UNION_DECL:
+        return any(part.get_canonical().kind == TypeKind.POINTER for part in _types_in(cursor))
+    if cursor.kind == CursorKind.CXX_STATIC_CAST_EXPR:
+        return any(part.kind == CursorKind.CXX_NULL_PTR_LITERAL_EXPR for part in _parts(cursor))
+    if cursor.kind == CursorKind.CALL_EXPR and cursor.spelling in _COPIES:
+        target = next(cursor.get_arguments(), None)
+        while target is not None and target.kind == CursorKind.UNEXPOSED_EXPR:
+            target = next(target.get_children(), None)
+        kind = target.type.get_canonical().get_pointee() if target is not None else None
+        return kind is not None and kind.kind == TypeKind.POINTER
+    return False
+
+
+def _is_volatile(cursor: Cursor) -> bool:
+    """Whether what is declared is, or leads to, memory that changes by itself."""
+    kind = cursor.type.get_canonical()
+    while kind.kind in _REFERRING:
+        kind = kind.get_pointee()
+    return bool(kind.is_volatile_qualified())
+
+
+def _types_in(union: Cursor) -> list[Any]:
+    return [one.type for one in union.get_children() if one.kind == CursorKind.FIELD_DECL]
+
+
+def _parts(cursor: Cursor) -> Iterator[Cursor]:
+    """What is cast, without what the compiler puts around it."""
+    for child in cursor.get_children():
+        yield child
+        if child.kind == CursorKind.UNEXPOSED_EXPR:
+            yield from child.get_children()
+
+
+def is_local(cursor: Cursor) -> bool:
+    return bool(cursor.linkage in _LOCAL)
+
+
+def aliased(cursor: Cursor) -> Iterator[Cursor]:
+    """The classes that an alias means: its own, and those of its parameters."""
+    if cursor.kind in (CursorKind.TYPE_ALIAS_DECL, CursorKind.TYPEDEF_DECL):
+        meant = cursor.underlying_typedef_type.get_canonical()
+        count = max(0, meant.get_num_template_arguments())
+        for part in (meant, *map(meant.get_template_argument_type, range(count))):
+            yield (part.get_pointee() if part.kind in _REFERRING else part).get_declaration()
+
+
+def unaliased(cursor: Cursor) -> Cursor | None:
+    """The class that a base means."""
+    named = cursor.referenced
+    if named is not None and named.kind in (CursorKind.TYPE_ALIAS_DECL, CursorKind.TYPEDEF_DECL):
+        return cursor.type.get_canonical().get_declaration()
+    return named
+
+
+def _arguments_of(cursor: Cursor) -> Iterator[Cursor]:
+    for child in cursor.get_children():
+        if child.kind == CursorKind.PARM_DECL:
+            yield child
+
+
+def _short(type_name: str) -> str:
+    return type_name.replace(f"{NAMESPACE}::", "").replace(" &", "&").replace(" *", "*")
+
+
+def _signature(cursor: Cursor, kind: str, result: str, params: list[tuple[str, str]]) -> str:
+    name = function_id(cursor).rsplit("::", 1)[-1]
+    inner = ", ".join(f"{type_name} {param}".strip() for param, type_name in params)
+    before = {"virtual": "virtual ", "pure": "virtual ", "static": "static "}.get(kind, "")
+    after = " const" if cursor.is_const_method() else ""
+    after += " override" if kind == "override" else ""
+    after += " = 0" if cursor.is_pure_virtual_method() else ""
+    shown = f"{result} " if result else ""
+    return f"{before}{shown}{name}({inner}){after}"
+
+
+def _operator_after(cursor: Cursor, left: Cursor) -> str:
+    end = left.extent.end.offset
+    for token in cursor.get_tokens():
+        if token.extent.start.offset >= end:
+            return str(token.spelling)
+    return ""
+
+
+def comment_line(cursor: Cursor) -> int:
+    """Where the comment of a declaration begins; 0 without one in its own file."""
+    start = _library().clang_Cursor_getCommentRange(cursor).start
+    same = start.file is not None and start.file.name == cursor.location.file.name
+    return int(start.line) if same else 0
+
+
+def _is_open(cursor: Cursor) -> bool:
+    """Whether other files can use a declaration: a member of public classes, or of none."""
+    if cursor.access_specifier not in (AccessSpecifier.PUBLIC, AccessSpecifier.INVALID):
+        return False
+    above = cursor.lexical_parent
+    if above is None or above.kind in (CursorKind.NAMESPACE, CursorKind.TRANSLATION_UNIT):
+        return cursor.semantic_parent is None or cursor.semantic_parent.kind not in CLASSES
+    return above.kind in CLASSES and _is_open(above)
+
+
+def _library() -> Any:
+    library = cindex.conf.lib
+    if not hasattr(_library, "bound"):
+        library.clang_Cursor_getCommentRange.argtypes = [Cursor]
+        library.clang_Cursor_getCommentRange.restype = cindex.SourceRange
+        library.clang_Cursor_isDynamicCall.argtypes = [Cursor]
+        library.clang_Cursor_isDynamicCall.restype = ctypes.c_int
+        pointer = ctypes.POINTER(Cursor)
+        library.clang_getOverriddenCursors.argtypes = [
+            Cursor,
+            ctypes.POINTER(pointer),
+            ctypes.POINTER(ctypes.c_uint),
+        ]
+        library.clang_disposeOverriddenCursors.argtypes = [pointer]
+        # A mark on this very function, so that the binding is done once.
+        _library.bound = True  # type: ignore[attr-defined]
+    return library
+
+
+def _is_dynamic(cursor: Cursor) -> bool:
+    return bool(_library().clang_Cursor_isDynamicCall(cursor))
+
+
+def _overridden(cursor: Cursor) -> Cursor | None:
+    """The first method that this one overrides, of the nearest base."""
+    found = ctypes.POINTER(Cursor)()
+    count = ctypes.c_uint()
+    library = _library()
+    library.clang_getOverriddenCursors(cursor, ctypes.byref(found), ctypes.byref(count))
+    if not count.value:
+        return None
+    above = Cursor()
+    ctypes.memmove(ctypes.byref(above), ctypes.byref(found[0]), ctypes.sizeof(Cursor))
+    above._tu = cursor._tu
+    library.clang_disposeOverriddenCursors(found)
+    return above

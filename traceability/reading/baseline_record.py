@@ -1,0 +1,126 @@
+"""The usual design beside that of the robot: what each costs, and what likely changes touch."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from traceability.reading.results import RESULTS, read_json
+from traceability.reading.task_record import BASELINE, is_fresh
+
+FOLDER = Path("tests/usual_design")
+RESULT = RESULTS / "usual_design.json"
+SCENARIO = FOLDER / "steps.scenario"
+CHANGES = FOLDER / "changes"
+USUAL, PATTERNS = "usual", "patterns"
+DESIGNS = {USUAL: "usual design", PATTERNS: "pattern design"}
+TITLES = {
+    "bluetooth": "a Bluetooth reading mode, without authentication",
+    "waiting_k": "a state that warns, WaitingK",
+    "wheel_algorithm": "a new algorithm of the wheel",
+}
+# At most so much more than the usual design [per cent].
+TARGETS = {"report_avg": 5, "cycle_avg": 5, "flash": 10}
+
+
+@dataclass(frozen=True)
+class Row:
+    """A figure of both designs."""
+
+    key: str
+    title: str
+    unit: str
+
+
+ROWS = (
+    Row("report_avg", "from clock pulse to report, mean", "instructions"),
+    Row("report_max", "from clock pulse to report, most", "instructions"),
+    Row("cycle_avg", "whole cycle of 100 ms, mean", "instructions"),
+    Row("cycle_max", "whole cycle of 100 ms, most", "instructions"),
+    Row("flash", "flash of the image", "bytes"),
+    Row("own_flash", "flash without what both share", "bytes"),
+    Row("ram", "RAM of the image, without the stack", "bytes"),
+    Row("own_ram", "RAM without what both share", "bytes"),
+    Row("stack", "stack, deepest use seen", "bytes"),
+    Row("functions", "functions", ""),
+    Row("complexity_max", "cyclomatic complexity of a function, most", ""),
+    Row("complexity_mean", "cyclomatic complexity of a function, mean", ""),
+    Row("complexity_sum", "cyclomatic complexity, sum of all functions", ""),
+    Row("files", "files", ""),
+    Row("lines", "lines of code, without comments and empty lines", ""),
+)
+
+
+@dataclass
+class Touched:
+    """What a patch does, counted from its text."""
+
+    files_changed: list[str] = field(default_factory=list)
+    files_added: list[str] = field(default_factory=list)
+    lines_touched: int = 0  # of existing files: removed or changed
+    lines_added: int = 0
+    code_added: int = 0  # of these, what is neither empty nor a comment
+
+    def as_json(self) -> dict[str, Any]:
+        return dict(vars(self))
+
+
+def count_patch(text: str) -> Touched:
+    """Counts the files and lines of a patch in git's format."""
+    touched = Touched()
+    added = False
+    for line in text.splitlines():
+        if line.startswith("--- "):
+            added = line == "--- /dev/null"
+        elif line.startswith("+++ "):
+            (touched.files_added if added else touched.files_changed).append(line[6:])
+        elif line.startswith("-"):
+            touched.lines_touched += 1
+        elif line.startswith("+"):
+            touched.lines_added += 1
+            words = line[1:].strip()
+            touched.code_added += bool(words) and not words.startswith("//")
+    return touched
+
+
+def patch_of(change: str, design: str) -> Path:
+    return CHANGES / change / f"{design}.patch"
+
+
+def changes_of(root: Path) -> list[str]:
+    """The likely changes: each is a folder with a patch for each design, and a test."""
+    return sorted(path.name for path in (root / CHANGES).glob("*") if path.is_dir())
+
+
+def read_comparison(root: Path) -> dict[str, Any] | None:
+    """The figures, when they were measured with the present sources."""
+    found = read_json(root / RESULT)
+    return found if isinstance(found, dict) and is_fresh(root, BASELINE) else None
+
+
+def more(figures: dict[str, dict[str, float]], key: str) -> float | None:
+    """How much more the pattern design has than the usual one [per cent]."""
+    usual, patterns = figures[USUAL][key], figures[PATTERNS][key]
+    return 100 * (patterns / usual - 1) if usual else None
+
+
+def verdict(figures: dict[str, dict[str, float]], key: str) -> bool | None:
+    """Whether a target is met; None for a figure without one."""
+    found = more(figures, key)
+    return None if key not in TARGETS or found is None else found <= TARGETS[key]
+
+
+def beside(functions: dict[str, dict[str, float]], least: float) -> list[dict[str, Any]]:
+    """The functions of both designs, that with the greatest difference first.
+
+    A function whose figures differ by less than a limit in both designs is left out.
+    """
+    names: Iterable[str] = functions[USUAL].keys() | functions[PATTERNS].keys()
+    rows = []
+    for name in names:
+        usual, patterns = (functions[design].get(name, 0.0) for design in (USUAL, PATTERNS))
+        if abs(patterns - usual) >= least:
+            rows.append({"name": name, USUAL: usual, PATTERNS: patterns})
+    return sorted(rows, key=lambda row: (-abs(row[PATTERNS] - row[USUAL]), row["name"]))

@@ -1,0 +1,248 @@
+"""The four scenarios of the paper: what it measured, and what was measured here."""
+
+from __future__ import annotations
+
+import statistics
+import subprocess
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+from pathlib import Path
+from typing import Any
+
+from traceability.reading import task_record
+from traceability.reading.products import DEFAULT, image_of
+from traceability.reading.results import RESULTS, read_json
+from traceability.reading.task_record import is_fresh
+
+BENCH = RESULTS / "bench.json"
+PAPER_BENCH = RESULTS / "bench_paper.json"  # of the product without safety functions
+FOLDER = Path("sim/scenario/bench")
+IMAGE = image_of(DEFAULT, ".bin")
+ELF = image_of(DEFAULT, ".elf")
+MANUAL, SLOW = "no-wait-states", "slow-flash"
+TIMINGS = {
+    MANUAL: "no wait states",
+    SLOW: "slow flash",
+}
+CYCLES = 1000
+PERIOD_MS = 100
+SPEED_LEAST, SPEED_GOAL = 30, 100  # times real time
+SHARE = 10  # the target: this part of the paper's time
+LIBRARY = "C and C++ library"
+LINES = {
+    31: "serial port to the PC",
+    39: "first converter",
+    48: "clock pulse",
+    49: "beat of 1 ms",
+    60: "remote control",
+    62: "Hall sensors",
+    64: "main thread",
+    73: "second converter",
+    75: "thread of wheel 0",
+    76: "thread of wheel 1",
+    77: "thread of wheel 2",
+    78: "thread of wheel 3",
+}
+FIRST_LINE = 16  # number of the exception of interrupt line 0
+
+
+@dataclass(frozen=True)
+class Paper:
+    """A scenario as the paper's table words it, with the times that it found [ms]."""
+
+    name: str
+    title: str
+    words: str
+    average: float
+    maximum: float
+
+
+SCENARIOS = (
+    Paper(
+        "velocity",
+        "0 rpm for 500 cycles, then 50 rpm",
+        "During the first 500 cycles, the wheel velocity setpoints are equal to 0 rpm; after that, "
+        "they are increased to 50 rpm.",
+        2.12,
+        3.28,
+    ),
+    Paper(
+        "velocity_and_steering",
+        "50 rpm, steering between the extremes",
+        "During all cycles, the wheel velocity setpoints are equal to 50 rpm while the steering "
+        "setpoints constantly go back and forth between the extreme left and right positions.",
+        2.39,
+        3.43,
+    ),
+    Paper(
+        "steps",
+        "0 to 300 rpm and back, in steps of 50",
+        "The wheel velocity setpoints are increased by 50 rpm from 0 rpm to 300 rpm; after that, "
+        "they are decreased by the same value until 0.",
+        2.65,
+        3.59,
+    ),
+    Paper(
+        "steps_and_steering",
+        "as before, steering between the extremes",
+        "The wheel velocity setpoints are as in the previous test while the steering setpoints "
+        "constantly go back and forth between the extreme left and right positions.",
+        2.67,
+        3.72,
+    ),
+)
+
+
+def read_bench(root: Path) -> dict[str, Any] | None:
+    """The record of the last run, when it belongs to the present sources."""
+    return _read(root, BENCH)
+
+
+def read_paper_bench(root: Path) -> dict[str, Any] | None:
+    """The same of the product without safety functions."""
+    return _read(root, PAPER_BENCH)
+
+
+def _read(root: Path, path: Path) -> dict[str, Any] | None:
+    record = read_json(root / path)
+    return record if isinstance(record, dict) and is_fresh(root, task_record.BENCH) else None
+
+
+def bench_metrics(record: dict[str, Any] | None) -> list[dict[str, Any]] | None:
+    """The figures of each scenario for build/metrics.json."""
+    if record is None:
+        return None
+    return [
+        {
+            "name": name,
+            "avg_ms": runs[MANUAL]["report_ms"]["average"],
+            "max_ms": runs[MANUAL]["report_ms"]["maximum"],
+            "bound_avg_ms": runs[SLOW]["report_ms"]["average"],
+            "bound_max_ms": runs[SLOW]["report_ms"]["maximum"],
+        }
+        for name, runs in record["scenarios"].items()
+    ]
+
+
+# ---- from what the board program measured -------------------------------------
+
+
+def figures(raw: dict[str, Any]) -> dict[str, Any]:
+    """The figures of one run, from what the board program measured."""
+    if len(raw["reported"]) != CYCLES or not all(raw["reported"]):
+        raise ValueError(f"{sum(raw['reported'])} cycles with a report, not {CYCLES}")
+    per_ms = raw["clock_hz"] / 1000
+    times = [cycles / per_ms for cycles in raw["report_cycles"]]
+    starts = raw["start_cycles"]
+    return {
+        "instructions": spread(raw["instructions"], 0),
+        "report_instructions": spread(raw["report_instructions"], 0),
+        "report_ms": spread(times, 4),
+        "load": spread([100 * cycles / per_ms / PERIOD_MS for cycles in raw["awake_cycles"]], 3),
+        "start_us": spread([1000 * cycles / per_ms for cycles in starts], 2),
+        "jitter_us": round(1000 * (max(starts) - min(starts)) / per_ms, 2),
+        "latency": latencies(raw["exceptions"], per_ms),
+        "exceptions": exceptions(raw["exceptions"], per_ms),
+        "times_us": [round(1000 * time) for time in times],
+    }
+
+
+def spread(values: Sequence[float], digits: int) -> dict[str, float]:
+    return {
+        "average": round(statistics.fmean(values), digits),
+        "minimum": round(min(values), digits),
+        "maximum": round(max(values), digits),
+    }
+
+
+def latencies(raw: dict[str, dict[str, int]], per_ms: float) -> dict[str, dict[str, Any]]:
+    """Priority -> the longest time from a request to its handler, and whose it was."""
+    requested = [(int(number), one) for number, one in raw.items() if one["requests"]]
+    requested.sort(key=lambda item: item[1]["priority"])
+    found = {}
+    for priority, group in groupby(requested, key=lambda item: item[1]["priority"]):
+        number, worst = max(group, key=lambda item: item[1]["worst_latency"])
+        us = round(1000 * worst["worst_latency"] / per_ms, 2)
+        found[str(priority)] = {"us": us, "who": who(number)}
+    return found
+
+
+def exceptions(raw: dict[str, dict[str, int]], per_ms: float) -> list[dict[str, Any]]:
+    """What each interrupt and thread costs in a cycle on average, dearest first."""
+    rows = [
+        {
+            "who": who(int(number)),
+            "entries": round(one["entries"] / CYCLES, 2),
+            "instructions": round(one["instructions"] / CYCLES),
+            "us": round(1000 * one["cycles"] / per_ms / CYCLES, 2),
+            "report_us": round(1000 * one["report_cycles"] / per_ms / CYCLES, 2),
+        }
+        for number, one in raw.items()
+    ]
+    return sorted(rows, key=lambda row: -float(row["us"]))
+
+
+def who(exception: int) -> str:
+    if exception == 0:
+        return "idle, and entry and exit of interrupts"
+    return LINES.get(exception - FIRST_LINE, f"exception {exception}")
+
+
+# ---- which module executed the instructions ----------------------------------
+
+
+Frames = list[tuple[str, str]]  # function and file, the innermost first
+
+
+def profile(raw: dict[str, Any], root: Path) -> dict[str, list[list[Any]]]:
+    """Average instructions in a cycle, of modules and functions: in all, and up to the report."""
+    counts = {int(address): tuple(pair) for address, pair in raw["profile"].items()}
+    return profile_of(counts, frames_of(root / ELF, counts))
+
+
+def profile_of(
+    counts: dict[int, tuple[int, ...]], frames: dict[int, Frames]
+) -> dict[str, list[list[Any]]]:
+    found: dict[str, list[list[Any]]] = {}
+    for kind, place in (("modules", 0), ("functions", 1)):
+        rest: Counter[str] = Counter()
+        report: Counter[str] = Counter()
+        for address, (other, to_report) in counts.items():
+            name = owner(frames[address])[place]
+            rest[name] += other + to_report
+            report[name] += to_report
+        found[kind] = [
+            [name, round(count / CYCLES, 1), round(report[name] / CYCLES, 1)]
+            for name, count in sorted(rest.items(), key=lambda item: (-item[1], item[0]))
+        ]
+    return found
+
+
+def owner(frames: Frames) -> tuple[str, str]:
+    """Module and function of an instruction: the innermost of the project that it belongs to."""
+    for function, file in frames:
+        if {"src", "extensions"}.intersection(Path(file).parts):
+            return Path(file).name.split(".")[0], function
+    return LIBRARY, frames[-1][0] if frames else "?"
+
+
+def frames_of(elf: Path, addresses: Iterable[int]) -> dict[int, Frames]:
+    """The functions that each instruction was made from, those inlined into others first."""
+    words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-f", "-i", "-C"]
+    asked = "\n".join(f"{address:#x}" for address in addresses)
+    said = subprocess.run(words, input=asked, capture_output=True, text=True, check=True).stdout
+    return read_frames(said.splitlines())
+
+
+def read_frames(lines: Sequence[str]) -> dict[int, Frames]:
+    found: dict[int, Frames] = {}
+    current: Frames = []
+    rest = iter(lines)
+    for line in rest:
+        if line.startswith("0x"):
+            current = found.setdefault(int(line, 16), [])
+        else:
+            current.append((line, next(rest).rsplit(":", 1)[0]))
+    return found

@@ -1,0 +1,65 @@
+"""Which lines of the design were executed on the virtual K64.
+
+The drivers are built for the K64 only, so no coverage of this machine tells of them. A test on
+the virtual K64 leaves one bit for each half-word of the flash that it executed; the image knows
+the line that each of its instructions was made from.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from traceability.reading.traces import SOURCES
+from traceability.schema import VIRTUAL_K64
+from traceability.sources import DESIGN
+
+ELF = SOURCES[VIRTUAL_K64].executable
+FOLDERS = tuple(f"{name}/" for name in DESIGN)
+FILE = re.compile(r"^(\S+):(?:\[\++\])?$")
+ROW = re.compile(r"^\S+\s+(\d+|-)\s+0x([0-9a-f]+)")
+
+Stretch = tuple[str, int, int, int]  # file, line, first address, address after the last one
+
+
+def read_stretches(root: Path) -> list[Stretch]:
+    """The code of the image in stretches of one line of source each; none without an image."""
+    listing = subprocess.run(
+        ["arm-none-eabi-objdump", "--dwarf=decodedline", root / ELF],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    return list(stretches(listing.stdout.splitlines())) if listing.returncode == 0 else []
+
+
+def lines_executed(found: Iterable[Stretch], executed: bytes) -> dict[str, dict[int, bool]]:
+    """File -> line -> whether any instruction that was made from it was executed.
+
+    The bits end with the last instruction that was.
+    """
+    files: dict[str, dict[int, bool]] = {}
+    last = 8 * len(executed)
+    for file, line, first, end in found:
+        lines = files.setdefault(file, {})
+        halves = range(first // 2, min(end // 2, last))
+        hit = any(executed[half // 8] >> half % 8 & 1 for half in halves)
+        lines[line] = lines.get(line, False) or hit
+    return files
+
+
+def stretches(listing: Iterable[str]) -> Iterator[Stretch]:
+    """The code of the design as the linker left it, in stretches of one line of source each."""
+    file = ""
+    before: tuple[str, int, int] | None = None
+    dropped = False
+    for text in listing:
+        if match := FILE.match(text):
+            file = match[1]
+        elif match := ROW.match(text):
+            number, address = match[1], int(match[2], 16)
+            if before is None:
+                dropped = address == 0  # code that the linker left out keeps no address
+            elif address > before[2] and not dropped and before[0].startswith(FOLDERS):
+                yield (*before, address)
+            before = None if number == "-" else (file, int(number), address)

@@ -1,0 +1,170 @@
+"""The functions of an image with their frames and calls, as the compiler tells them.
+
+The compiler writes a graph for each unit (``-fcallgraph-info=su``): frames, direct calls, and the
+places of indirect ones. A function of the toolchain's libraries has none; its frame and calls are
+read from its instructions.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from traceability.schema import Place
+
+INDIRECT = "__indirect_call"
+NODE = re.compile(r'^node: \{ title: "(?P<title>[^"]+)" label: "(?P<label>[^"]*)"')
+EDGE = re.compile(
+    r'^edge: \{ sourcename: "(?P<source>[^"]+)" targetname: "(?P<target>[^"]+)"'
+    r'(?: label: "(?P<label>[^"]*)")?'
+)
+FRAME = re.compile(r"(?P<bytes>\d+) bytes \((?P<kind>[a-z,]+)\)")
+FUNCTION = re.compile(r"^[0-9a-f]+ <(?P<name>[^>]+)>:$")
+CALL = re.compile(r"\t(?:bl|b\.w|b\.n|b|cbz|cbnz|b[a-z]{2}\.[nw])\t.*<(?P<name>[^>+]+)>$")
+INDIRECT_CALL = re.compile(r"\tb(?:lx\t|x\t(?!lr))")
+PUSH = re.compile(r"\t(?:push|stmdb\tsp!,|v?push)\s*\{(?P<names>[^}]+)\}")
+BELOW = re.compile(r"\tsub(?:\.w|w)?\tsp, (?:sp, )?#(?P<bytes>\d+)")
+STORE = re.compile(r"\t(?:str|strd)(?:\.w)?\t.*\[sp, #-(?P<bytes>\d+)\]!")
+# The name of a method without what tells its overloads apart.
+SHORT = re.compile(r"(?:wr::)(?P<name>[\w:~]+(?:<[^()]*>[\w:~]*)*)\(")
+
+
+@dataclass
+class Function:
+    """``frame`` is in bytes. ``dynamic``: the frame has no bound that the compiler knows."""
+
+    symbol: str
+    name: str
+    frame: int
+    dynamic: bool = False
+    measured: bool = False  # from the instructions, not from the compiler
+    blind: bool = False  # its instructions call what only the compiler could tell
+    calls: list[str] = field(default_factory=list)  # symbols
+    indirect: list[Place] = field(default_factory=list)
+
+
+def read_graph(root: Path, elf: Path) -> dict[str, Function]:
+    """Symbol -> function, of all functions that the image holds.
+
+    ``root`` is the tree that the image was built from, below the folder of the image.
+    """
+    told: dict[str, Function] = {}
+    for file in sorted(elf.parent.rglob("*.ci")):
+        _read_unit(root, elf.parent, file.read_text(encoding="utf-8"), told)
+    listing = _run("arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(elf))
+    held = _read_listing(listing)
+    found = {
+        symbol: told.get(symbol) or told.get(_alias(symbol, told), function)
+        for symbol, function in held.items()
+    }
+    for function, name in zip(found.values(), _readable(list(found)), strict=True):
+        function.name = name
+        function.calls = [_alias(symbol, found) for symbol in function.calls]
+    return found
+
+
+def short_name(name: str) -> str:
+    """``Class::method`` of a readable name; the name itself when it is no function of ours."""
+    match = SHORT.search(name)
+    return match["name"] if match else name
+
+
+def uses_floats(elf: Path) -> bool:
+    """Whether the image has instructions of the floating-point unit."""
+    listing = _run("arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(elf))
+    return re.search(r"^\s*[0-9a-f]+:\tv[a-z]+", listing, re.MULTILINE) is not None
+
+
+def symbol_value(elf: Path, name: str) -> int:
+    """The value of a symbol, 0 when there is none."""
+    match = re.search(rf"^([0-9a-f]+) . {name}$", _run("arm-none-eabi-nm", str(elf)), re.MULTILINE)
+    return int(match[1], 16) if match else 0
+
+
+def _read_unit(root: Path, folder: Path, text: str, told: dict[str, Function]) -> None:
+    for line in text.splitlines():
+        if node := NODE.match(line):
+            if frame := FRAME.search(node["label"]):
+                _note_frame(told, _symbol(node["title"]), frame)
+        elif (edge := EDGE.match(line)) and (source := told.get(_symbol(edge["source"]))):
+            if edge["target"] == INDIRECT:
+                source.indirect.append(_place(root, folder, edge["label"] or ""))
+            else:
+                source.calls.append(_symbol(edge["target"]))
+
+
+def _symbol(title: str) -> str:
+    """A function that only its unit knows has the file before its symbol."""
+    return title.rpartition(":")[2]
+
+
+def _note_frame(told: dict[str, Function], symbol: str, frame: re.Match[str]) -> None:
+    """Functions of several units that share a name count as one, with the greater frame."""
+    function = told.setdefault(symbol, Function(symbol, "", 0))
+    function.frame = max(function.frame, int(frame["bytes"]))
+    function.dynamic |= "dynamic" in frame["kind"] and "bounded" not in frame["kind"]
+
+
+def _place(root: Path, folder: Path, label: str) -> Place:
+    """Compilers name files in full, or from the folder of the build that they run in."""
+    file, line, _column = label.rsplit(":", 2)
+    path = (folder / file).resolve()
+    return Place(str(path.relative_to(root)) if path.is_relative_to(root) else file, int(line))
+
+
+def _read_listing(listing: str) -> dict[str, Function]:
+    found: dict[str, Function] = {}
+    function = None
+    for line in listing.splitlines():
+        if start := FUNCTION.match(line):
+            function = Function(start["name"], "", 0, measured=True)
+            found[function.symbol] = function
+        elif function is not None:
+            if (call := CALL.search(line)) and call["name"] != function.symbol:
+                function.calls.append(call["name"])
+            function.blind |= INDIRECT_CALL.search(line) is not None
+            function.frame += _pushed(line)
+    return found
+
+
+def _pushed(line: str) -> int:
+    """How far an instruction moves the stack pointer down. All of a function count together."""
+    if push := PUSH.search(line):
+        names = [one.strip() for one in push["names"].split(",")]
+        return 4 * sum(_width(one) for one in names)
+    below = BELOW.search(line) or STORE.search(line)
+    return int(below["bytes"]) if below else 0
+
+
+def _width(names: str) -> int:
+    """The words of a register or of a range of registers, as ``r4-r7`` or ``d8``."""
+    first, _, last = names.partition("-")
+    count = int(last[1:]) - int(first[1:]) + 1 if last and last[1:].isdigit() else 1
+    return count * (2 if first.startswith("d") else 1)
+
+
+def _alias(symbol: str, found: dict[str, Function]) -> str:
+    """A constructor or destructor has several symbols for one body."""
+    if symbol in found:
+        return symbol
+    for one, other in (("C1E", "C2E"), ("C2E", "C1E"), ("D1E", "D2E"), ("D2E", "D1E")):
+        if (named := symbol.replace(one, other)) in found:
+            return named
+    return symbol
+
+
+def _readable(symbols: list[str]) -> list[str]:
+    done = subprocess.run(
+        ["arm-none-eabi-c++filt"],
+        input="\n".join(symbols),
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return done.stdout.splitlines()
+
+
+def _run(*command: str) -> str:
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout

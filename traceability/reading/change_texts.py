@@ -1,0 +1,60 @@
+"""Reads ``design/changes.toml``: the texts of the likely changes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from traceability.reading.toml_reader import Entries
+from traceability.schema import Place
+
+FILE = Path("design/changes.toml")
+
+
+@dataclass
+class Recipe:
+    """What a change of an application of one pattern takes. Roles are those of the pattern."""
+
+    alters: list[str]  # roles whose modules each hide one way that exists
+    adds: str = ""  # role of a new class
+    derives: str = ""  # role that a new class derives from
+    steps: list[str] = field(default_factory=list)
+    place: Place = field(default_factory=lambda: Place(str(FILE), 1))
+
+
+@dataclass
+class Particular:
+    """What is particular to one application."""
+
+    derives: list[str] = field(default_factory=list)
+    examples: list[str] = field(default_factory=list)
+    steps: list[str] = field(default_factory=list)
+    place: Place = field(default_factory=lambda: Place(str(FILE), 1))
+
+
+@dataclass
+class ChangeTexts:
+    recipes: dict[str, Recipe] = field(default_factory=dict)
+    particulars: dict[str, Particular] = field(default_factory=dict)
+
+
+def read_change_texts(root: Path, entries: Entries) -> ChangeTexts:
+    path = root / FILE
+    recipes = entries.tables(
+        path,
+        "recipe",
+        {"pattern": str, "alters": list},
+        {"adds": str, "derives": str, "steps": list},
+        own="pattern",
+    )
+    particulars = entries.tables(
+        path,
+        "application",
+        {"id": str},
+        {"derives": list, "examples": list, "steps": list},
+        own="id",
+    )
+    return ChangeTexts(
+        {item.pop("pattern"): Recipe(place=place, **item) for item, place in recipes},
+        {item.pop("id"): Particular(place=place, **item) for item, place in particulars},
+    )

@@ -1,0 +1,214 @@
+"""The runs in closed loop with the simulated robot: curves, and figures against their limits."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Sequence
+from numbers import Real
+from pathlib import Path
+from typing import Any
+
+from traceability.reading.results import RESULTS, read_json
+from traceability.reading.task_record import CLOSED_LOOP, is_fresh
+from traceability.reading.toml_reader import Entries, Keys
+from traceability.schema import (
+    HOST,
+    VIRTUAL_K64,
+    Curve,
+    LoopFigure,
+    LoopPlot,
+    LoopRun,
+    LoopScenario,
+    Place,
+)
+
+DECLARED = Path("design/closed_loop.toml")
+EXAMPLES = Path("sim/scenario/examples")
+OUTCOMES = RESULTS / "closed_loop.json"
+FOLDER = RESULTS / "closed_loop"
+SHORT = {HOST: "host", VIRTUAL_K64: "k64"}
+MEAN_MS = 1000
+CURVES = ("set_point", "measured", "truth")
+SCENARIO: Keys = {"name": str, "title": str, "says": str}
+PARTS: dict[str, tuple[Keys, Keys]] = {
+    "plot": (
+        {"title": str, "unit": str, "scale": Real},
+        {**dict.fromkeys(CURVES, str), "from": Real},
+    ),
+    "figure": (
+        {"title": str, "unit": str, "kind": str, "column": str}
+        | dict.fromkeys(("from", "to", "limit"), Real),
+        {"requirement": str} | dict.fromkeys(("target", "band", "scale"), Real),
+    ),
+}
+
+Rows = list[dict[str, str]]
+Points = list[tuple[float, float]]
+
+
+def csv_of(scenario: str, binding: str) -> Path:
+    """Where the reports of a run are written."""
+    return FOLDER / f"{scenario}-{SHORT[binding]}.csv"
+
+
+def declared(root: Path, entries: Entries | None = None) -> list[dict[str, Any]]:
+    """The scenarios with those of their plots and figures that have what each needs."""
+    entries = entries or Entries(root)
+    may: Keys = {"plot": list, "figure": list}
+    found = entries.tables(root / DECLARED, "scenario", SCENARIO, may, own="name")
+    for item, place in found:
+        for part, (needs, others) in PARTS.items():
+            item[part] = [
+                one
+                for one in item.get(part, [])
+                if entries.fits(
+                    one, entries.line_in(place, f'"{one.get("title", "")}"'), needs, others
+                )
+            ]
+    return [item for item, _ in found]
+
+
+def read_closed_loop(root: Path, entries: Entries | None = None) -> list[LoopScenario]:
+    """The scenarios; their curves and values are there when they ran with the present sources."""
+    outcomes = read_json(root / OUTCOMES)
+    fresh = isinstance(outcomes, dict) and is_fresh(root, CLOSED_LOOP)
+    runs = outcomes["runs"] if fresh else {}
+    return [_scenario(root, item, runs.get(item["name"], {})) for item in declared(root, entries)]
+
+
+def _scenario(root: Path, item: dict[str, Any], runs: dict[str, Any]) -> LoopScenario:
+    name = str(item["name"])
+    rows = {
+        binding: read_rows(root / csv_of(name, binding)) for binding in SHORT if binding in runs
+    }
+    return LoopScenario(
+        name,
+        item["title"],
+        item["says"],
+        str(EXAMPLES / f"{name}.scenario"),
+        _place(root, name),
+        [_plot(plot, rows) for plot in item.get("plot", [])],
+        [_figure(figure, rows) for figure in item.get("figure", [])],
+        {
+            binding: LoopRun(run["passed"], run["said"], run.get("stack"))
+            for binding, run in runs.items()
+        },
+    )
+
+
+def _place(root: Path, name: str) -> Place:
+    lines = (root / DECLARED).read_text(encoding="utf-8").splitlines()
+    number = lines.index(f'name = "{name}"')
+    return Place(str(DECLARED), max(n for n in range(number) if lines[n] == "[[scenario]]") + 1)
+
+
+def read_rows(path: Path) -> Rows:
+    if not path.is_file():
+        return []
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+# ---- curves ------------------------------------------------------------------
+
+
+def _plot(plot: dict[str, Any], rows: dict[str, Rows]) -> LoopPlot:
+    curves = []
+    for kind in CURVES:
+        if kind not in plot:
+            continue
+        for binding, table in rows.items():
+            points = [
+                (at / 1000, value * plot["scale"])
+                for at, value in column(table, plot[kind])
+                if at >= plot.get("from", 0)
+            ]
+            curves.append(Curve(kind, binding, points))
+    return LoopPlot(plot["title"], plot["unit"], curves)
+
+
+def column(rows: Rows, name: str) -> Points:
+    """The valid values of a column with their times [ms]: of the truth when it was read, of what a
+    report tells the clock pulse."""
+    return [
+        (float(row[time_column(name)]), float(row[name])) for row in rows if is_valid(row, name)
+    ]
+
+
+def time_column(name: str) -> str:
+    truth = name.startswith("true_") or name in ("way", "distance", "ground_speed", "slope")
+    return "at_ms" if truth else "time_ms"
+
+
+def is_valid(row: dict[str, str], name: str) -> bool:
+    """A report marks a value that is missing; all others are valid."""
+    wheel = int(name[-1]) if name[-1].isdigit() else 0
+    bits = {
+        f"velocity{wheel}": ("measured", 3 * wheel),
+        f"current{wheel}": ("measured", 3 * wheel + 1),
+        "steering": ("measured", 12),
+        f"tension{wheel}": ("applied", wheel),
+    }
+    if name not in bits:
+        return True
+    mask, bit = bits[name]
+    return bool(int(row[mask]) >> bit & 1)
+
+
+# ---- figures -----------------------------------------------------------------
+
+
+def _figure(figure: dict[str, Any], rows: dict[str, Rows]) -> LoopFigure:
+    values = {}
+    for binding, table in rows.items():
+        points = [
+            point
+            for point in column(table, figure["column"])
+            if figure["from"] <= point[0] <= figure["to"]
+        ]
+        values[binding] = measure(figure, points)
+    return LoopFigure(
+        figure["title"], figure["limit"], figure["unit"], figure.get("requirement", ""), values
+    )
+
+
+def measure(figure: dict[str, Any], points: Points) -> float | None:
+    """The value of a figure; None when there are no points, or it never settles."""
+    if not points:
+        return None
+    target = float(figure.get("target", 0))
+    scale = float(figure.get("scale", 1))
+    match figure["kind"]:
+        case "settling":
+            return settling(points, figure["from"], target, figure["band"] / 100)
+        case "overshoot":
+            return max(0.0, *(100 * (value / target - 1) for _, value in points))
+        case "mean_error":
+            return max(100 * abs(mean / target - 1) for mean in means(points))
+        case "error":
+            return scale * max(abs(value - target) for _, value in points)
+        case "peak":
+            return scale * max(abs(value) for _, value in points)
+    raise ValueError(f"{DECLARED}: unknown kind of figure {figure['kind']!r}")
+
+
+def settling(points: Points, start: float, target: float, band: float) -> float | None:
+    """Time from the start to the first value after which all are within the band."""
+    inside: float | None = None
+    for at, value in points:
+        if abs(value - target) > band * abs(target):
+            inside = None
+        elif inside is None:
+            inside = at
+    return None if inside is None else inside - start
+
+
+def means(points: Points) -> Sequence[float]:
+    """The mean of each second that begins at a point; that of all when there is no whole second."""
+    last = points[-1][0]
+    found: list[float] = []
+    for at, _ in points:
+        if at + MEAN_MS <= last or not found:
+            values = [value for when, value in points if at <= when < at + MEAN_MS]
+            found.append(sum(values) / len(values))
+    return found

@@ -1,0 +1,78 @@
+"""Reads what the paper names (``paper.toml``), and where it is here (``concordance.toml``)."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from traceability.reading.toml_reader import Entries
+from traceability.schema import PaperElement, PaperPlace, Place
+
+PAPER = Path("design/paper.toml")
+CONCORDANCE = Path("design/concordance.toml")
+
+
+@dataclass
+class Concordance:
+    """The places of the paper, what they name, and the entries of the concordance."""
+
+    places: list[PaperPlace] = field(default_factory=list)
+    named: dict[tuple[str, str], list[str]] = field(default_factory=dict)  # -> ids of places
+    lines: dict[tuple[str, str], Place] = field(default_factory=dict)  # where paper.toml names it
+    entries: list[PaperElement] = field(default_factory=list)
+
+
+def read_concordance(root: Path, entries: Entries) -> Concordance:
+    """An entry says where it is named as well; one that the paper does not name has no place."""
+    if not (root / PAPER).exists() or not (root / CONCORDANCE).exists():
+        return Concordance()
+    found = _paper(root, entries)
+    found.entries = _entries(root, entries)
+    for entry in found.entries:
+        entry.where = found.named.get((entry.kind, entry.name), [])
+    return found
+
+
+def _paper(root: Path, entries: Entries) -> Concordance:
+    found = Concordance()
+    entries.value(root / PAPER, "source", "")
+    lines = (root / PAPER).read_text(encoding="utf-8").splitlines()
+    needs = {"id": str, "kind": str, "title": str}
+    for item, header in entries.tables(root / PAPER, "place", needs, {"names": dict}, own="id"):
+        start = header.line  # the id stands below the header
+        place = Place(str(PAPER), start + 1)
+        found.places.append(PaperPlace(item["id"], item["kind"], item["title"], place))
+        own = (item["kind"], item["id"])
+        found.named[own] = []
+        found.lines[own] = place
+        for kind, names in item.get("names", {}).items():
+            for name in names:
+                found.named.setdefault((kind, name), []).append(item["id"])
+                found.lines.setdefault((kind, name), Place(str(PAPER), _line(lines, name, start)))
+    return found
+
+
+def _entries(root: Path, entries: Entries) -> list[PaperElement]:
+    path = root / CONCORDANCE
+    lines = path.read_text(encoding="utf-8").splitlines()
+    same = next((n for n, line in enumerate(lines) if line.startswith("[same]")), 0)
+    found = [
+        PaperElement(
+            kind, name, [f"{kind}:{name}"], place=Place(str(CONCORDANCE), _line(lines, name, same))
+        )
+        for kind, names in entries.value(path, "same", {}).items()
+        for name in names
+    ]
+    words_of = dict.fromkeys(("alias", "deviation", "note"), str)
+    needs = {"kind": str, "name": str, "here": list}
+    for item, place in entries.tables(path, "entry", needs, words_of):
+        words = {key: item.get(key, "") for key in words_of}
+        found.append(PaperElement(item["kind"], item["name"], item["here"], place=place, **words))
+    return found
+
+
+def _line(lines: list[str], name: str, start: int) -> int:
+    """The number of the line on which a name stands, at or after a line."""
+    wanted = re.compile(rf'"{re.escape(name)}"')
+    return next((n + 1 for n in range(start, len(lines)) if wanted.search(lines[n])), start + 1)

@@ -1,0 +1,144 @@
+"""The values of constants: of variables, values of enumerations, and operations that return one."""
+
+from __future__ import annotations
+
+import ctypes
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from clang import cindex
+from clang.cindex import Cursor, CursorKind, SourceLocation, SourceRange, TokenKind, TypeKind
+
+from traceability.reading.clang_names import class_name
+
+UNIT = re.compile(r"\[([^\]]+)\]")
+RANGE = " to "  # such brackets hold no unit
+UNSIGNED = {TypeKind.UCHAR, TypeKind.USHORT, TypeKind.UINT, TypeKind.ULONG, TypeKind.ULONGLONG}
+INTEGER = 1  # kind of an evaluated expression
+
+
+def constant_names(cursor: Cursor, file: str) -> list[str]:
+    """The names that a text can use: with the class, or with the file for one of a namespace."""
+    owner = class_name(cursor.semantic_parent)
+    if owner:
+        return [f"{owner}::{cursor.spelling}"]
+    return [cursor.spelling, f"{Path(file).stem}::{cursor.spelling}"]
+
+
+def constants_of(cursor: Cursor) -> Iterator[tuple[str, int, str]]:
+    """The constants that a declaration has: what follows its name, value and unit."""
+    if cursor.kind == CursorKind.ENUM_CONSTANT_DECL:
+        bits = 8 * cursor.semantic_parent.enum_type.get_size()
+        unsigned = cursor.semantic_parent.enum_type.get_canonical().kind in UNSIGNED
+        yield "", cursor.enum_value % (1 << bits) if unsigned else cursor.enum_value, ""
+        return
+    value = value_of(cursor)
+    if value is None:
+        return
+    found = number_of(value)
+    if found is not None:
+        number, unit = found
+        yield "", number, unit or unit_beside(cursor)
+        return
+    for member, part in members_of(value):
+        found = number_of(part)
+        if found is not None:
+            number, unit = found
+            yield f".{member.spelling}", number, unit or unit_in(member.referenced.raw_comment)
+
+
+def value_of(cursor: Cursor) -> Cursor | None:
+    """The expression that a constant has; of an operation, what its only statement returns."""
+    if cursor.kind == CursorKind.VAR_DECL:
+        return last_expression(cursor) if cursor.type.is_const_qualified() else None
+    body = next((c for c in cursor.get_children() if c.kind == CursorKind.COMPOUND_STMT), None)
+    statements = list(body.get_children()) if body is not None else []
+    if len(statements) != 1 or statements[0].kind != CursorKind.RETURN_STMT:
+        return None
+    return last_expression(statements[0])
+
+
+def last_expression(cursor: Cursor) -> Cursor | None:
+    found = [child for child in cursor.get_children() if child.kind.is_expression()]
+    return found[-1] if found else None
+
+
+def number_of(value: Cursor) -> tuple[int, str] | None:
+    """The number of an expression, and its unit if its type or its maker has one."""
+    if value.type.get_canonical().kind != TypeKind.RECORD:
+        number = evaluated(value)
+        return None if number is None else (number, "")
+    parts = [child for child in value.get_children() if child.kind.is_expression()]
+    if value.kind == CursorKind.CALL_EXPR and value.referenced is not None:
+        made = unit_of_function(value.referenced)
+        if made and len(parts) >= 1:
+            number = evaluated(parts[-1])
+            return None if number is None else (number, made)
+    unit = unit_of_type(value)
+    found = number_of(parts[0]) if len(parts) == 1 else None
+    return (found[0], found[1] or unit) if found is not None else None
+
+
+def members_of(value: Cursor) -> Iterator[tuple[Cursor, Cursor]]:
+    """The named members of an initialiser."""
+    while value.kind == CursorKind.UNEXPOSED_EXPR and len(list(value.get_children())) == 1:
+        value = next(value.get_children())
+    for part in value.get_children() if value.kind == CursorKind.INIT_LIST_EXPR else ():
+        inner = list(part.get_children())
+        if len(inner) == 2 and inner[0].kind == CursorKind.MEMBER_REF:
+            yield inner[0], inner[1]
+
+
+def unit_of_function(function: Cursor) -> str:
+    """The unit of the parameter of an operation that makes a quantity."""
+    if function.kind != CursorKind.FUNCTION_DECL:
+        return ""
+    return unit_in(function.raw_comment)
+
+
+def unit_of_type(value: Cursor) -> str:
+    """The unit of a type, as the comment above it states it."""
+    return unit_in(value.type.get_declaration().raw_comment)
+
+
+def unit_beside(cursor: Cursor) -> str:
+    """The unit in the comment above a constant, or in the one at the end of its line."""
+    if found := unit_in(cursor.raw_comment):
+        return found
+    unit, file, line = cursor.translation_unit, cursor.location.file, cursor.extent.end.line
+    start = SourceLocation.from_position(unit, file, line, 1)
+    end = SourceLocation.from_position(unit, file, line + 1, 1)
+    tokens = unit.get_tokens(extent=SourceRange.from_locations(start, end))
+    texts = [one.spelling for one in tokens if one.kind == TokenKind.COMMENT]
+    return unit_in(texts[0] if texts else None)
+
+
+def unit_in(comment: str | None) -> str:
+    found = UNIT.search(comment or "")
+    return found[1] if found and RANGE not in found[1] else ""
+
+
+def evaluated(expression: Cursor) -> int | None:
+    """The value of an expression that the compiler can compute."""
+    library = _library()
+    result = library.clang_Cursor_Evaluate(expression)
+    if not result:
+        return None
+    try:
+        if library.clang_EvalResult_getKind(result) != INTEGER:
+            return None
+        return int(library.clang_EvalResult_getAsLongLong(result))
+    finally:
+        library.clang_EvalResult_dispose(result)
+
+
+def _library() -> ctypes.CDLL:
+    library: ctypes.CDLL = cindex.conf.lib
+    library.clang_Cursor_Evaluate.argtypes = [Cursor]
+    library.clang_Cursor_Evaluate.restype = ctypes.c_void_p
+    library.clang_EvalResult_getKind.argtypes = [ctypes.c_void_p]
+    library.clang_EvalResult_getAsLongLong.argtypes = [ctypes.c_void_p]
+    library.clang_EvalResult_getAsLongLong.restype = ctypes.c_longlong
+    library.clang_EvalResult_dispose.argtypes = [ctypes.c_void_p]
+    return library

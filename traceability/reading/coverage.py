@@ -1,0 +1,170 @@
+"""Which lines and branches of the design each test executed, on this machine and on the K64.
+
+On this machine the counters of gcc tell it, see ``arcs``. On the virtual K64 each test leaves one
+bit for each half-word of the flash that it executed, see ``board_coverage``: lines, no branches.
+"""
+
+from __future__ import annotations
+
+import functools
+import json
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from traceability.reading.board_coverage import ELF, lines_executed, read_stretches
+from traceability.reading.gcov_arcs import Covered, Graph, read_graphs
+from traceability.reading.results import RESULTS, RUNS, read_json, run_hash
+from traceability.reading.traces import SOURCES
+from traceability.schema import HOST, VIRTUAL_K64
+from traceability.sources import DESIGN, file_hash
+
+HOST_BUILD = SOURCES[HOST].executable.parents[1]
+# Folders of programs that may lie beside that of the tests: no test runs what only they hold.
+OTHER_PROGRAMS = r".*/(usual_design_tests|change_\w+_tests|weeding_robot_host)\.dir"
+
+
+@dataclass
+class Coverage:
+    """What there is to execute on a binding, and what each recording executed of it."""
+
+    whole: Covered = field(default_factory=Covered)
+    recordings: dict[str, Covered] = field(default_factory=dict)
+
+    @property
+    def branched(self) -> bool:
+        """Whether branches are recorded."""
+        return any(self.whole.branches.values())
+
+    def of(self, recordings: list[str]) -> Covered:
+        """What some recordings executed together."""
+        union = Covered()
+        for name in recordings:
+            if name in self.recordings:
+                union.merge(self.recordings[name])
+        return union
+
+    def all(self) -> Covered:
+        return self.of(list(self.recordings))
+
+
+def read_coverage(root: Path, cache: Path) -> dict[str, Coverage]:
+    """The coverage of each binding, as the last run of its tests left it."""
+    readers = {HOST: _read_host, VIRTUAL_K64: _read_board}
+    found: dict[str, Coverage] = {}
+    for binding, reader in readers.items():
+        if not (root / RESULTS / f"{RUNS[binding]}.json").exists():
+            found[binding] = Coverage()  # the tests never ran, or run now
+            continue
+        known = cache / f"coverage-{RUNS[binding]}.json"
+        key = _key(root, binding)
+        record = read_json(known)
+        if isinstance(record, dict) and record.get("key") == key:
+            found[binding] = _loaded(record)
+            continue
+        found[binding] = reader(root)
+        cache.mkdir(parents=True, exist_ok=True)
+        known.write_text(json.dumps({"key": key, **_dumped(found[binding])}), encoding="utf-8")
+    return found
+
+
+def _key(root: Path, binding: str) -> str:
+    """Names the run of the tests, and how it is read."""
+    run = run_hash(root, binding)
+    here = Path(__file__).parent
+    parts = (__file__, here / "gcov_arcs.py", here / "board_coverage.py")
+    return " ".join([run, *(file_hash(Path(part)) for part in parts)])
+
+
+def _dumped(coverage: Coverage) -> dict[str, object]:
+    def texts(covered: Covered) -> list[object]:
+        return [
+            [file, sorted(lines), sorted(covered.branches.get(file, set()))]
+            for file, lines in covered.lines.items()
+        ]
+
+    named = {name: texts(covered) for name, covered in coverage.recordings.items()}
+    return {"whole": texts(coverage.whole), "recordings": named}
+
+
+def _loaded(record: dict[str, object]) -> Coverage:
+    def covered(texts: object) -> Covered:
+        assert isinstance(texts, list)
+        found = Covered()
+        for file, lines, branches in texts:
+            found.add(file, set(lines), {(line, number) for line, number in branches})
+        return found
+
+    recordings = record["recordings"]
+    assert isinstance(recordings, dict)
+    return Coverage(
+        covered(record["whole"]), {name: covered(texts) for name, texts in recordings.items()}
+    )
+
+
+def _read_host(root: Path) -> Coverage:
+    coverage = Coverage()
+    files = sorted((root / SOURCES[HOST].folder).glob("*.arcs"))
+    if not files:
+        return coverage
+    units = {
+        path.with_suffix(""): read_graphs(path)
+        for path in (root / HOST_BUILD).rglob("*.gcno")
+        if not re.match(f"{OTHER_PROGRAMS}/", str(path))
+    }
+    for graphs in units.values():
+        for graph in graphs.values():
+            coverage.whole.merge(_of_design(root, graph.whole()))
+    # The same function often runs in the same way: it is solved once.
+    known: dict[tuple[Path, str], Covered] = {}
+    for path in files:
+        covered = coverage.recordings[path.name.removesuffix(".arcs")] = Covered()
+        unit = Path()
+        for line in path.read_text(encoding="utf-8").splitlines():
+            if not line[0].isdigit():
+                unit = Path(line).with_suffix("")
+                continue
+            if (unit, line) not in known:
+                known[unit, line] = _executed(root, units.get(unit, {}), line)
+            covered.merge(known[unit, line])
+    return coverage
+
+
+def _executed(root: Path, graphs: dict[int, Graph], line: str) -> Covered:
+    number, *counters = map(int, line.split())
+    graph = graphs.get(number)
+    return Covered() if graph is None else _of_design(root, graph.executed(tuple(counters)))
+
+
+def _of_design(root: Path, covered: Covered) -> Covered:
+    """Only the files of the design, their paths relative to the root."""
+    found = Covered()
+    for path, lines in covered.lines.items():
+        if file := design_file(root, path):
+            found.add(file, lines, covered.branches[path])
+    return found
+
+
+@functools.cache
+def design_file(root: Path, file: str) -> str:
+    """The path below the root; empty for what is no file of the design."""
+    path = Path(file)
+    if not path.is_relative_to(root):
+        return ""
+    below = path.relative_to(root)
+    return str(below) if below.parts[0] in DESIGN else ""
+
+
+def _read_board(root: Path) -> Coverage:
+    coverage = Coverage()
+    files = sorted((root / SOURCES[VIRTUAL_K64].folder).glob("*.bits"))
+    if not files or not (root / ELF).is_file():
+        return coverage
+    found = read_stretches(root)
+    for file, line, _, _ in found:
+        coverage.whole.add(file, {line}, set())
+    for path in files:
+        covered = coverage.recordings[path.name.removesuffix(".bits")] = Covered()
+        for file, lines in lines_executed(found, path.read_bytes()).items():
+            covered.add(file, {line for line, hit in lines.items() if hit}, set())
+    return coverage

@@ -1,0 +1,408 @@
+"""Reads what ``design/`` declares: trees, state machines, architecture, uses, pattern tables."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from traceability.reading.change_texts import ChangeTexts, read_change_texts
+from traceability.reading.concordance import Concordance, read_concordance
+from traceability.reading.declared_safety import read_safety_case
+from traceability.reading.toml_reader import Entries, Problem
+from traceability.schema import (
+    AllowedUse,
+    Apart,
+    ArchitectureElement,
+    ArchitectureGroup,
+    BeliefSource,
+    BoardBelief,
+    BoardFinding,
+    Connection,
+    Cycle,
+    ExecutionContext,
+    Justified,
+    Place,
+    SafetyCase,
+    StateMachine,
+    Transition,
+    TreeNode,
+)
+from traceability.sources import files_below
+
+PACKAGE_DESIGN = Path(__file__).parents[2] / "design"
+
+
+@dataclass
+class ClauseText:
+    id: str
+    pattern: str
+    says: str
+    mend: str
+    about: list[str]  # roles whose modules the clause speaks of
+    place: Place
+
+
+@dataclass
+class KnownApplication:
+    """An application of the design, and the modules that play each of its roles."""
+
+    id: str
+    pattern: str
+    roles: dict[str, list[str]]
+    place: Place
+    replaces: list[str] = field(default_factory=list)  # operations that decorators do not forward
+
+
+@dataclass
+class KnownPattern:
+    """A pattern: the roles that each application binds, and how many applications there are."""
+
+    name: str
+    applications: int
+    roles: list[str]
+    place: Place
+
+
+@dataclass
+class SharedFunctions:
+    """A file that is no module: functions that the modules of a folder share."""
+
+    file: str
+    why: str
+    place: Place
+
+
+@dataclass
+class Block:
+    """A block of registers, and the modules that own it."""
+
+    name: str
+    owners: list[str]
+    place: Place
+
+
+@dataclass
+class PipeText:
+    """What a pipe of the robot is called."""
+
+    name: str
+    says: str
+    place: Place
+
+
+@dataclass
+class Protection:
+    """How a member that contexts share is protected."""
+
+    protection: str
+    why: str
+    place: Place
+
+
+@dataclass
+class Declared:
+    entries: Entries = field(default_factory=lambda: Entries(Path()))
+    machines: dict[str, StateMachine] = field(default_factory=dict)
+    architecture: list[ArchitectureElement] = field(default_factory=list)
+    groups: list[ArchitectureGroup] = field(default_factory=list)
+    connections: list[Connection] = field(default_factory=list)
+    allowed: list[AllowedUse] = field(default_factory=list)
+    cycles: list[Cycle] = field(default_factory=list)
+    trees: dict[str, tuple[Place, TreeNode | None]] = field(default_factory=dict)
+    tree_errors: list[tuple[Place, str, str]] = field(default_factory=list)  # what would mend it
+    applications: dict[str, KnownApplication] = field(default_factory=dict)
+    clauses: dict[str, ClauseText] = field(default_factory=dict)
+    patterns: list[KnownPattern] = field(default_factory=list)
+    apart: list[Apart] = field(default_factory=list)
+    shared: list[SharedFunctions] = field(default_factory=list)
+    names: dict[str, list[str]] = field(default_factory=dict)  # logic module -> its modules
+    name_places: dict[str, Place] = field(default_factory=dict)  # logic module -> its entry
+    total: int | None = None  # how many modules the design has
+    blocks: list[Block] = field(default_factory=list)
+    contexts: dict[str, ExecutionContext] = field(default_factory=dict)
+    ends: list[str] = field(default_factory=list)  # methods that end the firmware
+    pipes: dict[str, PipeText] = field(default_factory=dict)
+    protections: dict[str, Protection] = field(default_factory=dict)  # member, or Class::*
+    board_findings: dict[str, BoardFinding] = field(default_factory=dict)
+    beliefs: list[BoardBelief] = field(default_factory=list)
+    belief_sources: dict[str, BeliefSource] = field(default_factory=dict)
+    justified: list[Justified] = field(default_factory=list)
+    concordance: Concordance = field(default_factory=Concordance)
+    changes: ChangeTexts = field(default_factory=ChangeTexts)
+    safety: SafetyCase = field(default_factory=SafetyCase)
+
+
+# The files of a whole design, beside its trees and state machines.
+FILES = (
+    *("applications", "architecture", "board_beliefs", "board_findings", "changes"),
+    *("clauses", "closed_loop"),
+    *("concordance", "execution", "justified", "modules", "paper", "questions"),
+    *("register_owners", "safety_case", "stack", "uses"),
+)
+
+
+def read_declared(root: Path) -> Declared:
+    entries = Entries(root)
+    declared = Declared(entries=entries)
+    design = root / "design"
+    _machines(root, entries, declared)
+    _architecture(design / "architecture.toml", entries, declared)
+    _uses(design / "uses.toml", entries, declared)
+    for path in sorted((design / "trees").glob("*.tree")):
+        _trees(root, path, declared)
+    _patterns(design, entries, declared)
+    declared.blocks = [
+        Block(item["name"], item["owners"], place)
+        for item, place in entries.tables(
+            design / "register_owners.toml", "block", {"name": str, "owners": list}, own="name"
+        )
+    ]
+    _execution(design / "execution.toml", entries, declared)
+    for item, place in entries.tables(
+        design / "board_findings.toml", "finding", {"id": str, "says": str}, own="id"
+    ):
+        declared.board_findings[item["id"]] = BoardFinding(item["id"], item["says"], place)
+    _beliefs(design / "board_beliefs.toml", entries, declared)
+    declared.justified = [
+        Justified(kind, item["names"], item["why"], place)
+        for kind in ("method", "test", "line")
+        for item, place in entries.tables(
+            design / "justified.toml", kind, {"names": list, "why": str}
+        )
+    ]
+    declared.concordance = read_concordance(root, entries)
+    declared.changes = read_change_texts(root, entries)
+    declared.safety = read_safety_case(root, entries)
+    _modules(design / "modules.toml", entries, declared)
+    entries.others()
+    for path in files_below(root, ("design", "requirements"), (".toml",)):
+        entries.whole(path)  # others read it too
+    if declared.total is not None:
+        entries.absent(design / f"{name}.toml" for name in FILES)
+    return declared
+
+
+def _beliefs(path: Path, entries: Entries, declared: Declared) -> None:
+    declared.belief_sources = {
+        item["id"]: BeliefSource(item["id"], item["says"], item["outside"], place)
+        for item, place in entries.tables(
+            path, "source", {"id": str, "says": str, "outside": bool}, own="id"
+        )
+    }
+    needs = {"register": str, "value": str, "says": str, "source": str, "model": str}
+    declared.beliefs = [
+        BoardBelief(
+            item["register"],
+            item["value"],
+            item["says"],
+            item["source"],
+            item["model"],
+            item.get("shared", False),
+            place,
+        )
+        for item, place in entries.tables(path, "belief", needs, {"shared": bool})
+    ]
+
+
+def _architecture(path: Path, entries: Entries, declared: Declared) -> None:
+    needs = {"id": str, "kind": str, "name": str, "text": str, "modules": list}
+    declared.architecture = [
+        ArchitectureElement(
+            item["id"], item["kind"], item["name"], item["text"], item["modules"], place
+        )
+        for item, place in entries.tables(path, "element", needs, own="id")
+    ]
+    declared.groups = [
+        ArchitectureGroup(item["name"], item["module"], item["modules"], place)
+        for item, place in entries.tables(
+            path, "group", {"name": str, "module": str, "modules": list}, own="name"
+        )
+    ]
+    declared.connections = [
+        Connection(item["kind"], item["from"], item["to"], item.get("connector", ""), place)
+        for item, place in entries.tables(
+            path, "connection", {"kind": str, "from": str, "to": str}, {"connector": str}
+        )
+    ]
+
+
+def _uses(path: Path, entries: Entries, declared: Declared) -> None:
+    declared.allowed = _allowed(path, entries)
+    declared.cycles = [
+        Cycle(item["within"], item["modules"], item["pattern"], place)
+        for item, place in entries.tables(
+            path, "cycle", {"within": str, "modules": list, "pattern": str}
+        )
+    ]
+    declared.apart = [
+        Apart(item["modules"], item["others"], item["why"], place)
+        for item, place in entries.tables(
+            path, "apart", {"modules": list, "others": list, "why": str}
+        )
+    ]
+
+
+def _allowed(path: Path, entries: Entries) -> list[AllowedUse]:
+    """The tables ``[uses."user"]``, whose lines are ``"used" = "reason"``."""
+    tables = entries.value(path, "uses", {})
+    begin = Place(str(path.relative_to(entries.root)), 1)
+    found: list[AllowedUse] = []
+    if not entries.fits(tables, begin, dict.fromkeys(tables, dict), {}):
+        return found
+    for user, used in tables.items():
+        place = entries.line_in(begin, f'uses."{user}"')
+        if entries.fits(used, place, dict.fromkeys(used, str), {}):
+            found += [
+                AllowedUse(user, target, why, entries.line_in(place, f'"{target}"'))
+                for target, why in used.items()
+            ]
+    return found
+
+
+def _patterns(design: Path, entries: Entries, declared: Declared) -> None:
+    for item, place in entries.tables(
+        design / "applications.toml",
+        "application",
+        {"id": str, "pattern": str, "roles": dict},
+        {"replaces": list},
+        own="id",
+    ):
+        known = KnownApplication(
+            item["id"], item["pattern"], item["roles"], place, item.get("replaces", [])
+        )
+        declared.applications[known.id] = known
+    clauses = design / "clauses.toml"
+    needs = {"id": str, "pattern": str, "says": str, "mend": str, "about": list}
+    for item, place in entries.tables(clauses, "clause", needs, own="id"):
+        declared.clauses[item["id"]] = ClauseText(place=place, **item)
+    declared.patterns = [
+        KnownPattern(item["name"], item["applications"], item["roles"], place)
+        for item, place in entries.tables(
+            clauses, "pattern", {"name": str, "applications": int, "roles": list}, own="name"
+        )
+    ]
+
+
+def _modules(path: Path, entries: Entries, declared: Declared) -> None:
+    declared.total = entries.value(path, "total", None)
+    for item, place in entries.tables(
+        path, "logic", {"folder": str, "modules": list}, own="folder"
+    ):
+        declared.names[item["folder"]] = item["modules"]
+        declared.name_places[item["folder"]] = place
+    declared.shared = [
+        SharedFunctions(item["file"], item["why"], place)
+        for item, place in entries.tables(path, "shared", {"file": str, "why": str}, own="file")
+    ]
+
+
+def _machines(root: Path, entries: Entries, declared: Declared) -> None:
+    for path in sorted((root / "design" / "fsm").glob("*.toml")):
+        machine = _machine(Place(str(path.relative_to(root)), 1), path, entries)
+        if machine is not None and machine.id in declared.machines:
+            text = f"{declared.machines[machine.id].place.file} has a machine {machine.id} already"
+            entries.problems.append(Problem(machine.place, text, "give each machine its own id"))
+        elif machine is not None:
+            declared.machines[machine.id] = machine
+
+
+def _machine(place: Place, path: Path, entries: Entries) -> StateMachine | None:
+    transitions = [
+        Transition(
+            item["from"],
+            item["on"],
+            item.get("guard", ""),
+            item["to"],
+            item.get("action", ""),
+            at,
+            item.get("requirements", []),
+        )
+        for item, at in entries.tables(
+            path,
+            "transition",
+            {"from": str, "on": str, "to": str},
+            {"guard": str, "action": str, "requirements": list},
+        )
+    ]
+    if place.file in entries.unreadable:
+        return None
+    needs = {"id": str, "title": str, "application": str, "initial": str, "states": dict}
+    data = {name: entries.value(path, name, None) for name in (*needs, "events")}
+    data["events"] = data["events"] or {}
+    if not entries.fits(data, place, needs, {"events": dict}):
+        return None
+    return StateMachine(transitions=transitions, place=place, **data)
+
+
+def _execution(path: Path, entries: Entries, declared: Declared) -> None:
+    declared.ends = entries.value(path, "ends", [])
+    needs = {"id": str, "kind": str, "name": str, "says": str, "handlers": list}
+    for item, place in entries.tables(
+        path, "context", needs, {"body": str, "priority": int}, own="id"
+    ):
+        item.setdefault("body", "")
+        item["intended"] = item.pop("priority", None)
+        declared.contexts[item["id"]] = ExecutionContext(place=place, **item)
+    for item, place in entries.tables(
+        path, "pipe", {"object": str, "name": str, "says": str}, own="object"
+    ):
+        declared.pipes[item["object"]] = PipeText(item["name"], item["says"], place)
+    for item, place in entries.tables(
+        path, "shared", {"members": list, "protection": str, "why": str}
+    ):
+        for member in item["members"]:
+            declared.protections[member] = Protection(item["protection"], item["why"], place)
+
+
+def _trees(root: Path, path: Path, declared: Declared) -> None:
+    file = str(path.relative_to(root))
+    current = ""
+    stack: list[tuple[int, TreeNode]] = []
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        words = line.split("#")[0].rstrip()
+        if not words:
+            continue
+        place = Place(file, number)
+        if re.fullmatch(r"N?FR-\d+", words):
+            current, stack = words, []
+            if words in declared.trees:
+                text = f"{words} has a tree in {_told(declared.trees[words][0])} already"
+                declared.tree_errors.append((place, text, "leave one of the two"))
+            declared.trees[current] = (place, None)
+            continue
+        match = re.fullmatch(r"((?:  )*)(post )?([\w:~]+)::(~?\w+)", words)
+        if match is None or not current:
+            mend = "write 'FR-n', or 'Class::method' with its indentation"
+            declared.tree_errors.append((place, "this line is neither an id nor a node", mend))
+            continue
+        depth = len(match[1]) // 2
+        node = TreeNode(
+            label=f"{match[3]}::{match[4]}",
+            module=match[3].split("::")[0],
+            method=match[4],
+            resolved=None,
+            kind="post" if match[2] else "call",
+            place=place,
+        )
+        if depth > (stack[-1][0] + 1 if stack else 0):
+            text = f"{node.label} stands too far to the right"
+            declared.tree_errors.append(
+                (place, text, "put it two blanks to the right of its caller")
+            )
+        while stack and stack[-1][0] >= depth:
+            stack.pop()
+        if stack:
+            stack[-1][1].children.append(node)
+        elif declared.trees[current][1] is None:
+            node.kind = "root"
+            declared.trees[current] = (declared.trees[current][0], node)
+        else:
+            text = f"the tree of {current} has a second root"
+            declared.tree_errors.append((place, text, "leave one root"))
+            continue
+        stack.append((depth, node))
+
+
+def _told(place: Place) -> str:
+    return f"{place.file}:{place.line}"

@@ -1,0 +1,110 @@
+"""Runs Doxygen for its warnings, and for the pages of members that Breathe makes of its XML."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from traceability.reading.comments import SUFFIXES
+from traceability.schema import Place
+from traceability.sources import DESIGN, files_below, hash_of
+
+INPUTS = (*DESIGN, "tests", "requirements")
+DOXYFILE = Path("traceability/doxygen/Doxyfile")
+# Ids of requirements and names of tags are checked where the comments are read.
+NOT_OURS = re.compile(r"[Rr]equirement|satisfies|verifies|Found unknown command")
+
+
+def doxygen_executable() -> str:
+    """Returns the program next to the running Python, else the one on the path."""
+    installed = Path(sys.executable).parent / "doxygen"
+    return str(installed) if installed.exists() else (shutil.which("doxygen") or "doxygen")
+
+
+@dataclass
+class DoxygenRun:
+    """A run of Doxygen in the background; no process where no input changed."""
+
+    root: Path
+    xml: Path
+    record: Path  # the state of the inputs, and the output of Doxygen
+    state: str
+    process: subprocess.Popen[bytes] | None = None
+
+    def warnings(self) -> list[tuple[Place, str]]:
+        """Waits for the end of the run. Returns its warnings."""
+        if self.process is not None:
+            output = self.process.communicate()[1].decode()
+            code, self.process = self.process.returncode, None
+            if code != 0 or not self.xml.is_dir():
+                raise RuntimeError(f"Doxygen failed with exit code {code}:\n{output[-2000:]}")
+            record = {"state": self.state, "output": output.splitlines()}
+            self.record.write_text(json.dumps(record), encoding="utf-8")
+        lines = json.loads(self.record.read_text(encoding="utf-8"))["output"]
+        return list(_warnings(self.root, lines))
+
+    def stop(self) -> None:
+        """Ends the process when nobody waits for it any more."""
+        if self.process is not None and self.process.poll() is None:
+            self.process.kill()
+            self.process.wait()
+
+
+@contextmanager
+def doxygen_beside(root: Path, build: Path) -> Iterator[DoxygenRun]:
+    """Runs Doxygen while the caller does something else; stops it where the caller fails."""
+    run = start_doxygen(root, build)
+    try:
+        yield run
+    finally:
+        run.stop()
+
+
+def start_doxygen(root: Path, build: Path) -> DoxygenRun:
+    """Starts Doxygen when an input changed."""
+    xml, record = build / "xml", build / "doxygen.json"
+    doxyfile = root / DOXYFILE
+    if not doxyfile.exists():
+        doxyfile = Path(__file__).parents[2] / DOXYFILE
+    settings = doxyfile.read_text(encoding="utf-8")
+    inputs = [
+        path
+        for path in files_below(root, INPUTS, SUFFIXES)
+        if root / "tests" / "python" not in path.parents
+    ]
+    run = DoxygenRun(root, xml, record, hash_of(root, inputs) + settings)
+    last = json.loads(record.read_text(encoding="utf-8")) if record.exists() else {}
+    if xml.is_dir() and last.get("state") == run.state:
+        return run
+    shutil.rmtree(xml, ignore_errors=True)
+    build.mkdir(parents=True, exist_ok=True)
+    folders = " ".join(name for name in INPUTS if (root / name).exists())
+    whole = build / "Doxyfile"
+    whole.write_text(
+        f'{settings}\nINPUT = {folders}\nEXCLUDE = tests/python\nOUTPUT_DIRECTORY = "{build}"\n',
+        encoding="utf-8",
+    )
+    run.process = subprocess.Popen(
+        [doxygen_executable(), str(whole)],
+        cwd=root,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        env={**os.environ, "LC_ALL": "C.UTF-8"},
+    )
+    return run
+
+
+def _warnings(root: Path, lines: list[str]) -> Iterator[tuple[Place, str]]:
+    """Each warning with the indented lines below it."""
+    for line in re.sub(r"\n +", " ", "\n".join(lines)).splitlines():
+        match = re.match(r"(.+?):(\d+): (?:warning|error): (.*)", line)
+        if match is not None and not NOT_OURS.search(match[3]):
+            yield Place(match[1].removeprefix(f"{root}/"), int(match[2])), match[3]

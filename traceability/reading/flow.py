@@ -1,0 +1,262 @@
+"""Where references go: from an object through members, parameters and results to its users.
+
+Places are named by strings: ``field Class::name``, ``param function 0``, ``var file:name``,
+``result function``, ``this Class``, ``function name`` and ``constant Enum::name``. What has no name
+is ``value``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from clang.cindex import Cursor, CursorKind, LinkageKind, TypeKind
+
+from traceability.reading.clang_names import FUNCTIONS, class_name, function_id, is_function
+from traceability.schema import Place
+
+PlaceOf = Callable[[Cursor], Place | None]
+
+CHANCES = {
+    CursorKind.IF_STMT,
+    CursorKind.SWITCH_STMT,
+    CursorKind.CONDITIONAL_OPERATOR,
+    CursorKind.FOR_STMT,
+    CursorKind.WHILE_STMT,
+    CursorKind.CXX_FOR_RANGE_STMT,
+}
+KEEPS = {"store", "exchange", "push_back", "operator="}  # of the standard library
+ASSIGNMENTS = {CursorKind.BINARY_OPERATOR, CursorKind.COMPOUND_ASSIGNMENT_OPERATOR}
+EXPRESSIONS_APART = {CursorKind.TYPE_REF, CursorKind.NAMESPACE_REF, CursorKind.LAMBDA_EXPR}
+
+
+@dataclass
+class FlowFact:
+    """What the sources refer to may be referred to by a place too."""
+
+    into: str
+    sources: list[str]
+    file: str
+
+
+class FlowReader:
+    """Names what the expressions of one unit refer to."""
+
+    def __init__(self, place: PlaceOf) -> None:
+        self.place = place
+        self.flows: list[FlowFact] = []
+
+    # ---- names of places ------------------------------------------------------
+
+    def node(self, cursor: Cursor | None) -> str:
+        """The place that a declaration is; empty when it is none of the project."""
+        at = self.place(cursor) if cursor is not None else None
+        parent = cursor.semantic_parent if cursor is not None else None
+        if cursor is None or at is None or parent is None or cursor.spelling.startswith("__"):
+            return ""
+        number = parameter_number(cursor) if cursor.kind == CursorKind.PARM_DECL else None
+        first = self.place(cursor.canonical) or at
+        scope = f"{self.function(parent)} " if is_function(parent) else f"{first.file}:"
+        names = {
+            CursorKind.FIELD_DECL: f"field {class_name(parent)}::{cursor.spelling}",
+            CursorKind.PARM_DECL: "" if number is None else f"param {scope}{number}",
+            CursorKind.VAR_DECL: f"var {scope}{cursor.spelling}",
+            CursorKind.FUNCTION_DECL: f"function {function_id(cursor)}",
+            CursorKind.ENUM_CONSTANT_DECL: f"constant {class_name(parent)}::{cursor.spelling}",
+        }
+        return names.get(cursor.kind, "")
+
+    def function(self, cursor: Cursor) -> str:
+        """The id of a function; with its file when only that file knows it."""
+        name = function_id(cursor)
+        if "::" in name or cursor.linkage == LinkageKind.EXTERNAL:
+            return name
+        at = self.place(cursor)
+        return f"{at.file}:{name}" if at else name
+
+    def sources(self, cursor: Cursor) -> list[str]:
+        """The places that an expression names, without what only leads to them."""
+        return list(dict.fromkeys(self._sources(cursor)))
+
+    def _sources(self, cursor: Cursor) -> Iterator[str]:
+        kind = cursor.kind
+        if kind in EXPRESSIONS_APART:
+            return
+        if kind == CursorKind.CXX_THIS_EXPR:
+            yield f"this {class_name(cursor.type.get_pointee().get_declaration())}"
+            return
+        if kind in (CursorKind.MEMBER_REF_EXPR, CursorKind.DECL_REF_EXPR):
+            name = self.node(cursor.referenced)
+            if name:
+                yield name
+                return
+        if kind == CursorKind.CALL_EXPR and self.is_own(cursor.referenced):
+            target = cursor.referenced
+            if target.kind != CursorKind.CONSTRUCTOR:
+                yield f"result {self.function(target)}"
+                return
+            if not target.is_copy_constructor() and not target.is_move_constructor():
+                return  # a new object, which its place names
+        for child in cursor.get_children():
+            yield from self._sources(child)
+
+    def is_own(self, target: Cursor | None) -> bool:
+        return target is not None and target.kind in FUNCTIONS and self.place(target) is not None
+
+    # ---- flows ----------------------------------------------------------------
+
+    def add(self, into: str, sources: list[str], place: Place) -> None:
+        if into and sources:
+            self.flows.append(FlowFact(into, sources, place.file))
+
+    def given(self, member: Cursor, value: Cursor, place: Place) -> None:
+        """A member that is initialised, by a constructor or by its name in a list."""
+        self.add(self.node(member.referenced), self.sources(value) or ["value"], place)
+
+    def arguments(self, call: Cursor, target: Cursor, place: Place) -> list[list[str]]:
+        """What the arguments of a call of the project name; the parameters refer to it."""
+        named = [self.sources(value) for value in call.get_arguments()]
+        for number, sources in enumerate(named):
+            self.add(f"param {self.function(target)} {number}", sources, place)
+        return named
+
+    def receiver(self, call: Cursor) -> list[str]:
+        """What a method is called on; empty when it is called on its own object."""
+        callee = next(call.get_children(), None)
+        if callee is None or callee.kind != CursorKind.MEMBER_REF_EXPR:
+            return []
+        base = next(callee.get_children(), None)
+        return self.sources(base) if base is not None else []
+
+    def note(self, cursor: Cursor, function: str, place: Place) -> None:
+        """Any other statement that hands a reference on."""
+        kind = cursor.kind
+        if kind == CursorKind.VAR_DECL:
+            self.variable(cursor, place)
+        elif kind == CursorKind.RETURN_STMT and function:
+            self.add(f"result {function}", self.sources(cursor), place)
+        elif kind == CursorKind.CXX_FOR_RANGE_STMT:
+            children = list(cursor.get_children())
+            if len(children) > 1:
+                self.add(self.node(children[0]), self.sources(children[1]), place)
+        elif kind == CursorKind.BINARY_OPERATOR:
+            sides = list(cursor.get_children())
+            if len(sides) == 2 and assigns(cursor, sides[0]):
+                self.kept(sides, place)
+        elif kind == CursorKind.CALL_EXPR and cursor.spelling in KEEPS:
+            self.keep_in_library(cursor, place)
+
+    def variable(self, cursor: Cursor, place: Place) -> None:
+        name = self.node(cursor)
+        sources = [one for child in cursor.get_children() for one in self.sources(child)]
+        declared = cursor.type.get_declaration()
+        if declared is not None and self.place(declared) is not None and class_name(declared):
+            sources.append(f"object {name} {class_name(declared)}")
+        self.add(name, sources, place)
+
+    def kept(self, sides: list[Cursor], place: Place) -> None:
+        """``a[i] = b``: both the member and the index know what is kept."""
+        kept = self.sources(sides[1])
+        for name in self.sources(sides[0]) if kept else []:
+            self.add(name, kept, place)
+
+    def keep_in_library(self, call: Cursor, place: Place) -> None:
+        if self.is_own(call.referenced):
+            return
+        values = list(call.get_arguments())
+        into = self.receiver(call)
+        if not into and len(values) > 1:  # an operator: the first argument is the object
+            into, values = self.sources(values[0]), values[1:]
+        for name in into:
+            for value in values:
+                self.add(name, self.sources(value), place)
+
+    # ---- members that a body touches -------------------------------------------
+
+    def written(self, cursor: Cursor) -> list[str]:
+        """The members that a statement changes."""
+        kind = cursor.kind
+        if kind in ASSIGNMENTS:
+            left = next(cursor.get_children(), None)
+            if left is None or (kind == CursorKind.BINARY_OPERATOR and not assigns(cursor, left)):
+                return []
+            return self.members(left)
+        if kind == CursorKind.UNARY_OPERATOR:
+            words = [token.spelling for token in cursor.get_tokens()]
+            counts = words[:1] in (["++"], ["--"]) or words[-1:] in (["++"], ["--"])
+            return self.members(cursor) if counts else []
+        if kind == CursorKind.CALL_EXPR and cursor.referenced is not None:
+            return self.changed_by(cursor)
+        if kind == CursorKind.VAR_DECL and cursor.type.kind == TypeKind.LVALUEREFERENCE:
+            return self.referred(cursor)
+        return []
+
+    def referred(self, variable: Cursor) -> list[str]:
+        """The member that a reference may be used to change."""
+        value = next(reversed(list(variable.get_children())), None)
+        constant = variable.type.get_pointee().is_const_qualified()
+        return [] if constant or value is None else self.members(value)
+
+    def changed_by(self, call: Cursor) -> list[str]:
+        """A member that a method changes: one that is not const, called on a value."""
+        target = call.referenced
+        if target.kind not in (CursorKind.CXX_METHOD, CursorKind.FUNCTION_TEMPLATE):
+            return []
+        if target.is_const_method() or target.is_static_method():
+            return []
+        first = next(call.get_children(), None)
+        if first is not None and is_method_name(first):
+            first = next(first.get_children(), None)
+        return self.members(first) if first is not None else []
+
+    def members(self, cursor: Cursor) -> list[str]:
+        """The members by value from which an expression is taken, as ``Class::name``."""
+        found: list[str] = []
+        at: Cursor | None = cursor
+        while at is not None:
+            target = at.referenced
+            if at.kind == CursorKind.MEMBER_REF_EXPR and target is not None:
+                if target.kind == CursorKind.FIELD_DECL and self.place(target) is not None:
+                    if any(mark in target.type.spelling for mark in ("&", "*", "_wrapper")):
+                        return found
+                    found.append(f"{class_name(target.semantic_parent)}::{target.spelling}")
+            elif at.kind == CursorKind.CALL_EXPR and self.is_own(target):
+                return found
+            at = next(at.get_children(), None)
+        return found
+
+
+def is_method_name(cursor: Cursor) -> bool:
+    if cursor.kind != CursorKind.MEMBER_REF_EXPR or cursor.referenced is None:
+        return False
+    return bool(cursor.referenced.kind != CursorKind.FIELD_DECL)
+
+
+def method_in_template(call: Cursor) -> Cursor | None:
+    """The method of a class template that a call in another template means by its name."""
+    callee = next(call.get_children(), None) if call.kind == CursorKind.CALL_EXPR else None
+    if callee is None or callee.kind != CursorKind.MEMBER_REF_EXPR:
+        return None
+    base = next(callee.get_children(), None)
+    name = [token.spelling for token in callee.get_tokens()][-1:]
+    declared = base.type.get_declaration() if base is not None else None
+    if declared is None or declared.kind != CursorKind.CLASS_TEMPLATE:
+        return None
+    return next((one for one in declared.get_children() if [one.spelling] == name), None)
+
+
+def assigns(cursor: Cursor, left: Cursor) -> bool:
+    end = left.extent.end.offset
+    for token in cursor.get_tokens():
+        if token.extent.start.offset >= end:
+            return str(token.spelling) == "="
+    return False
+
+
+def parameter_number(cursor: Cursor) -> int | None:
+    parent = cursor.semantic_parent
+    if parent is None or not is_function(parent):
+        return None
+    parameters = [child for child in parent.get_children() if child.kind == CursorKind.PARM_DECL]
+    names = [child.location.offset for child in parameters]
+    return names.index(cursor.location.offset) if cursor.location.offset in names else None

@@ -1,0 +1,90 @@
+"""The products: each is an image of its own, which CMake makes from a composition."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import tomllib
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from traceability.reading.image_record import read_image
+from traceability.reading.results import read_json
+from traceability.sources import DESIGN, files_below
+
+DEFAULT = "weeding_robot"
+PAPER = "weeding_robot_paper"  # the paper's design alone: without safety functions
+LIST = Path("design/products.toml")
+
+
+@dataclass(frozen=True)
+class Product:
+    """A product: its composition, and the modules in which products differ that it has."""
+
+    name: str
+    commands: str
+    composition: str
+    text: str
+    has: frozenset[str]
+
+
+def listed(root: Path) -> list[Product]:
+    """The products of the list, in its sequence."""
+    table = tomllib.loads((root / LIST).read_text(encoding="utf-8"))
+    parts = table["parts"]
+    return [
+        Product(
+            item["name"],
+            item["commands"],
+            item["composition"],
+            item["text"],
+            frozenset(item["modules"]).union(*(parts[part] for part in item["parts"])),
+        )
+        for item in table["product"]
+    ]
+
+
+_LISTED = listed(Path(__file__).parents[2])
+PRODUCTS = {one.name: one.commands for one in _LISTED}
+HAS = {one.name: set(one.has) for one in _LISTED}
+DIFFERENT = set().union(*HAS.values())
+RESULTS = Path("build/results/products.json")  # what each image holds
+
+# A symbol of a class of the project: a method, an object that it owns, or its table of methods.
+SYMBOL = re.compile(r"[0-9a-f ]+ \w (?:[a-z-]+(?: [a-z]+)? (?:for|to) )?wr::(\w+)")
+
+
+def intruders(held: Iterable[str], has: set[str]) -> set[str]:
+    """The modules in an image that its product should not have."""
+    return (set(held) & DIFFERENT) - has
+
+
+def image_of(product: str, suffix: str) -> Path:
+    return Path("build/k64") / f"{product}{suffix}"
+
+
+def module_names(root: Path) -> set[str]:
+    """The design modules: each has a header of its name, with its secret."""
+    headers = files_below(root, DESIGN, (".hpp",))
+    return {path.stem for path in headers if "@secret" in path.read_text(encoding="utf-8")}
+
+
+def modules_in(elf: Path, known: Iterable[str]) -> list[str]:
+    """The known modules of which an image holds code or constants, by its symbols."""
+    words = ["arm-none-eabi-nm", "--demangle", str(elf)]
+    listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
+    return sorted(modules_of(listed).intersection(known))
+
+
+def modules_of(listed: str) -> set[str]:
+    """The classes of the project in a list of symbols."""
+    return {match[1] for match in map(SYMBOL.match, listed.splitlines()) if match}
+
+
+def read_products(root: Path) -> dict[str, dict[str, Any]] | None:
+    """Product -> what its image holds, when all were built from the present sources."""
+    found = read_json(root / RESULTS)
+    fresh = isinstance(found, dict) and set(found) == set(PRODUCTS) and read_image(root) is not None
+    return found if fresh else None

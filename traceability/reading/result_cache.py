@@ -1,0 +1,38 @@
+"""Results that are kept between runs, as long as what they were made from is the same."""
+
+from __future__ import annotations
+
+import hashlib
+import pickle
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import TypeVar
+
+from traceability.sources import file_hash
+
+Result = TypeVar("Result")
+
+
+def kept(path: Path, parts: Iterable[object], make: Callable[[], Result]) -> Result:
+    """What the file keeps if it was made from these parts; else it is made, and kept.
+
+    The parts tell by their ``repr`` what they are.
+    """
+    key = hashlib.sha256("\0".join(map(repr, parts)).encode()).hexdigest()
+    if path.exists():
+        with path.open("rb") as stream:
+            if pickle.load(stream) == key:
+                found: Result = pickle.load(stream)
+                return found
+    result = make()
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("wb") as stream:
+        pickle.dump(key, stream)
+        pickle.dump(result, stream)
+    return result
+
+
+def code_of(*modules: str) -> list[str]:
+    """Returns the hashes of modules such as ``reading/traces``, which made a result."""
+    package = Path(__file__).parents[1]
+    return [file_hash(package / f"{name}.py") for name in modules]

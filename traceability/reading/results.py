@@ -1,0 +1,151 @@
+"""Reads what the test run left: results and sizes."""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from traceability.reading import task_record
+from traceability.schema import HOST, VIRTUAL_K64, DriverFault
+from traceability.sources import file_hash, source_hash
+
+RESULTS = Path("build/results")
+RUNS = {HOST: "trace", VIRTUAL_K64: "board"}  # the run of the tests that tells for a binding
+TASKS = {HOST: task_record.TESTS_TRACE, VIRTUAL_K64: task_record.TESTS_BOARD}
+PLAIN = "plain"  # the run without records
+# What gcovr counted: the totals, and the lines of each file.
+COVERAGE = RESULTS / "coverage.json"
+COVERAGE_LINES = RESULTS / "coverage_lines.json"
+BOARD_ONLY = ("tests/sim/emulator/", "tests/torture/", "tests/k64/", "tests/system/board/")
+HOST_ONLY = "tests/system/host/"
+BOTH = "tests/system/"
+COMPARED = "tests/usual_design/"  # run by the comparison of the designs, and only there
+
+
+@dataclass
+class Result:
+    result: str  # "passed", "failed", "skipped"
+    milliseconds: float
+    message: str
+    recordings: list[str] = field(default_factory=list)  # names of the files of recorded calls
+    measured: str = ""  # what the test itself tells: its property of this name
+    instances: dict[str, str] = field(default_factory=dict)  # of a parameterised test -> result
+
+
+def read_json(path: Path) -> Any:
+    """The content, or None when the file is missing or was not written to its end."""
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+
+
+def bindings_of(file: str) -> list[str]:
+    """The bindings that a test of the firmware is built for, by its folder."""
+    if file.startswith(COMPARED):
+        return []
+    if file.startswith(BOARD_ONLY):
+        return [VIRTUAL_K64]
+    if file.startswith(BOTH) and not file.startswith(HOST_ONLY):
+        return [HOST, VIRTUAL_K64]
+    return [HOST]
+
+
+def cost_of(root: Path, run_name: str) -> Path:
+    """Where a run of the tests leaves its processor time."""
+    return root / RESULTS / f"{run_name}.cost.json"
+
+
+def read_recording_factor(root: Path, sources: str) -> float | None:
+    """The time of the tests with all records, of that without; both with these sources."""
+    costs = [read_json(cost_of(root, name)) for name in (RUNS[HOST], PLAIN)]
+    if any(not isinstance(cost, dict) or cost.get("sources") != sources for cost in costs):
+        return None
+    recorded, plain = (float(cost["seconds"]) for cost in costs)
+    return round(recorded / plain, 2)
+
+
+def run_hash(root: Path, binding: str) -> str:
+    """Names the last run of the tests: its results have its time."""
+    return file_hash(root / RESULTS / f"{RUNS[binding]}.json")
+
+
+def read_totals(root: Path) -> dict[str, float] | None:
+    """What gcovr counted, when it counted the last run on this machine."""
+    return count_totals(root) if task_record.is_fresh(root, task_record.COVERAGE) else None
+
+
+def count_totals(root: Path) -> dict[str, float] | None:
+    """What gcovr counted, when it found a line of the design."""
+    record = read_json(root / COVERAGE)
+    if not isinstance(record, dict) or not record["line_total"]:
+        return None
+    return {name: record[name] for name in ("line_percent", "branch_percent")}
+
+
+def read_results_hash(root: Path, binding: str) -> str | None:
+    """The hash of the present sources when the results belong to them; else another word."""
+    if not (root / RESULTS / f"{RUNS[binding]}.json").exists():
+        return None
+    return source_hash(root) if task_record.is_fresh(root, TASKS[binding]) else "other sources"
+
+
+def read_results(root: Path, binding: str) -> dict[str, Result]:
+    """``Suite.Name`` -> result. The instances of a parameterised test count as one."""
+    data = read_json(root / RESULTS / f"{RUNS[binding]}.json")
+    found: dict[str, Result] = {}
+    for suite in (data or {}).get("testsuites", []):
+        for test in suite.get("testsuite", []):
+            name = plain_name(suite["name"], test["name"])
+            result = _result(test)
+            own = f"{suite['name']}.{test['name']}".replace("/", "_")
+            result.recordings.append(own)
+            if "/" in test["name"]:
+                result.instances[own] = result.result
+            known = found.get(name)
+            if known is not None:
+                result.milliseconds += known.milliseconds
+                result.recordings += known.recordings
+                result.instances |= known.instances
+                if known.result == "failed":
+                    result.result, result.message = known.result, known.message
+            found[name] = result
+    return found
+
+
+def plain_name(suite: str, name: str) -> str:
+    """Without the prefix and the number of a parameterised test."""
+    return f"{suite.rsplit('/', maxsplit=1)[-1]}.{name.split('/', maxsplit=1)[0]}"
+
+
+def _result(test: dict[str, Any]) -> Result:
+    milliseconds = 1000 * float(re.sub("s$", "", str(test.get("time", "0"))))
+    failures = [str(item.get("failure", "")) for item in test.get("failures", [])]
+    if failures:
+        return Result("failed", milliseconds, failures[0])
+    if test.get("status") != "RUN" or test.get("result") == "SKIPPED":
+        return Result("skipped", milliseconds, "")
+    return Result("passed", milliseconds, "", measured=str(test.get("measured", "")))
+
+
+def read_driver_faults(root: Path, sources: str) -> list[DriverFault] | None:
+    """The faults that were seeded in the drivers of these sources."""
+    data = read_json(root / RESULTS / "driver_faults.json")
+    if not isinstance(data, dict) or data.get("sources") != sources:
+        return None
+    return [DriverFault(**item) for item in data["faults"]]
+
+
+def read_sizes(root: Path) -> dict[str, tuple[int, int]]:
+    """Module -> bytes of flash and of RAM."""
+    data = read_json(root / RESULTS / "size_k64.json")
+    if not isinstance(data, dict):
+        return {}
+    return {
+        name: (int(size["flash"]), int(size["ram"]))
+        for name, size in data.items()
+        if isinstance(size, dict) and "flash" in size
+    }

@@ -1,0 +1,64 @@
+"""What it cost to add safety: files and lines since a base commit, counted by git."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+from traceability.schema import Correction, SafetyCase, SafetyCost, TouchedFile
+from traceability.sources import SRC
+
+SAFETY = "extensions/safety"
+
+
+def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
+    """The counts from the base to the present commit; ``None`` when git does not have the base."""
+    base = _git(root, "rev-parse", "--verify", f"{case.base}^{{commit}}")
+    head = _git(root, "rev-parse", "--short=10", "HEAD")
+    if not (root / ".git").exists() or not case.base or not base or not head:
+        return None
+    before = set((_git(root, "ls-tree", "-r", "--name-only", base, "--", SRC) or "").splitlines())
+    edited = _git(root, "diff", "--numstat", "--no-renames", base, "HEAD", "--", SRC) or ""
+    added = _git(root, "diff", "--numstat", "--no-renames", base, "HEAD", "--", SAFETY) or ""
+    touched = [one for one in numstat(edited) if one.file in before]
+    new = numstat(added)
+    corrected = set()
+    for one in touched:
+        correction = correction_of(one.file, case.corrections)
+        if correction is not None:
+            one.corrections = correction.why
+            corrected.add(id(correction))
+    own = sum(one.touched for one in touched if not one.corrections)
+    shared = sum(one.for_safety for one in case.corrections if id(one) in corrected)
+    files, lines = [one.file for one in new], sum(one.added for one in new)
+    return SafetyCost(case.base, head, files, lines, touched, own + shared)
+
+
+def numstat(text: str) -> list[TouchedFile]:
+    """The files of ``git diff --numstat``; one that is no text has no lines."""
+    rows = [line.split("\t") for line in text.splitlines()]
+    return [
+        TouchedFile(file, int(added) if added != "-" else 0, int(removed) if removed != "-" else 0)
+        for added, removed, file in rows
+    ]
+
+
+def correction_of(file: str, corrections: list[Correction]) -> Correction | None:
+    """The entry with the longest path that the file is, or lies below."""
+    found = [
+        (len(path), correction)
+        for correction in corrections
+        for path in correction.paths
+        if file == path or (path.endswith("/") and file.startswith(path))
+    ]
+    return max(found, key=lambda pair: pair[0])[1] if found else None
+
+
+def _git(root: Path, *arguments: str) -> str | None:
+    try:
+        run = subprocess.run(
+            ["git", "-C", str(root), *arguments], capture_output=True, text=True, check=False
+        )
+    except FileNotFoundError:
+        return None
+    return run.stdout.strip() if run.returncode == 0 else None

@@ -1,0 +1,58 @@
+"""What became of the seeded faults, and whether it holds for the present state of the project."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from traceability.reading.results import RESULTS, read_json
+from traceability.reading.task_record import SEEDED_FAULTS, is_fresh
+
+RECORD = RESULTS / "drift.json"
+SOURCES = (
+    *(
+        "src",
+        "extensions",
+        "sim",
+        "tests",
+        "requirements",
+        "design",
+        "docs",
+        "traceability/doxygen",
+    ),
+    *("README.md", "CMakeLists.txt", "CMakePresets.json", "setup/k64-toolchain.cmake"),
+)
+
+
+@dataclass
+class Outcome:
+    """``line`` is where the finding was to lie; ``said`` is what was found, there if possible."""
+
+    name: str
+    check: str
+    says: str
+    file: str
+    line: int
+    caught: bool
+    compiles: bool
+    said: list[str]
+
+
+def write_record(root: Path, outcomes: list[Outcome], left_out: int) -> None:
+    """``left_out`` counts the faults that need results of tests, or a site, which are not there."""
+    record = {
+        "left_out": left_out,
+        "outcomes": [asdict(outcome) for outcome in outcomes],
+    }
+    path = root / RECORD
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(record, indent=1), encoding="utf-8")
+
+
+def read_record(root: Path) -> list[Outcome] | None:
+    """The outcomes, when all faults were seeded in the present state of the project."""
+    record = read_json(root / RECORD)
+    if not isinstance(record, dict) or not is_fresh(root, SEEDED_FAULTS):
+        return None
+    return [Outcome(**outcome) for outcome in record["outcomes"]]

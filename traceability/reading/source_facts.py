@@ -1,0 +1,278 @@
+"""What the model is made from, and what is found out by looking at it as a whole."""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from traceability.reading.ast_facts import (
+    BodyFact,
+    CallFact,
+    ClassFact,
+    FieldFact,
+    IncludeFact,
+    MethodFact,
+    NameFact,
+    Syntax,
+)
+from traceability.reading.comments import NO_COMMENT, Comment, Comments
+from traceability.reading.declared import Declared
+from traceability.schema import Place
+from traceability.sources import DESIGN, SRC
+
+
+@dataclass
+class Facts:
+    """What the model was made from. Checks that need more than the model read it here."""
+
+    root: Path
+    comments: Comments
+    syntax: Syntax
+    declared: Declared
+    heirs: dict[str, list[str]]  # class -> all classes below it
+    overriders: dict[str, list[str]]  # method -> all methods that override it
+    bodies: dict[str, list[BodyFact]]
+    classes: dict[str, ClassFact]
+    written_in: dict[str, str]  # file -> the class that it is named after
+    bodies_of: dict[str, list[BodyFact]] = field(default_factory=dict)  # class -> all in its files
+    names_of: dict[str, list[NameFact]] = field(default_factory=dict)  # class -> what it names
+    includes_of: dict[str, list[IncludeFact]] = field(default_factory=dict)  # class -> its files'
+    warnings: list[tuple[Place, str]] = field(default_factory=list)  # of Doxygen
+
+    def __post_init__(self) -> None:
+        for body in self.syntax.bodies:
+            self.bodies_of.setdefault(self.user(body.owner, body.place), []).append(body)
+        for name in self.syntax.names:
+            self.names_of.setdefault(self.user(name.by, name.place), []).append(name)
+        for include in self.syntax.includes:
+            owner = self.written_in.get(include.place.file, "")
+            self.includes_of.setdefault(owner, []).append(include)
+
+    @property
+    def modules(self) -> set[str]:
+        """The design modules, as they are named in the design."""
+        return {name for names in self.declared.names.values() for name in names}
+
+    @property
+    def with_role(self) -> set[str]:
+        """The modules that the design binds to a role."""
+        known = self.declared.applications.values()
+        return {name for item in known for names in item.roles.values() for name in names}
+
+    @property
+    def builders(self) -> set[str]:
+        """The modules that build."""
+        return {
+            name
+            for item in self.declared.applications.values()
+            for name in item.roles.get("Concrete Builder", [])
+        }
+
+    def user(self, owner: str, place: Place) -> str:
+        """The class that code belongs to: what stands beside a class is its detail."""
+        outer = owner.split("::", maxsplit=1)[0]
+        return outer if outer in self.with_file else self.written_in.get(place.file, outer)
+
+    def comment(self, fact: ClassFact | MethodFact | FieldFact) -> Comment:
+        """The comment of a declaration."""
+        return self.comments.at(fact.place.file, fact.comment)
+
+    def comment_of(self, name: str) -> Comment:
+        """The comment of a class."""
+        fact = self.classes.get(name)
+        return self.comment(fact) if fact else NO_COMMENT
+
+    @functools.cached_property
+    def folders(self) -> dict[str, Comment]:
+        """Folder -> its comment with ``@dir``."""
+        found = self.comments.below(DESIGN)
+        return {comment.of("dir")[0].argument: comment for comment in found if comment.of("dir")}
+
+    def kind_of(self, name: str) -> str:
+        """What a class is: class, struct, enum or alias; empty for one that is not known."""
+        fact = self.classes.get(name)
+        return fact.kind if fact else ""
+
+    @functools.cached_property
+    def with_file(self) -> set[str]:
+        """The classes that a file is named after."""
+        return set(self.written_in.values())
+
+    @functools.cached_property
+    def references(self) -> References:
+        return References(self)
+
+    def lines_of(self, file: str) -> list[str]:
+        return (self.root / file).read_text(encoding="utf-8").splitlines()
+
+    def targets(self, method: str, virtual: bool) -> list[str]:
+        """The methods that a call can reach."""
+        return [method, *self.overriders.get(method, [])] if virtual else [method]
+
+    def method(self, owner: str, name: str) -> MethodFact | None:
+        """The method that ``owner`` has or inherits."""
+        fact = self.classes.get(owner)
+        if fact is None:
+            return None
+        for method in fact.methods:
+            if method.name == name:
+                return method
+        for base in fact.bases:
+            found = self.method(base, name)
+            if found is not None:
+                return found
+        return None
+
+
+def gather_facts(root: Path, syntax: Syntax, declared: Declared) -> Facts:
+    classes = {fact.name: fact for fact in syntax.classes}
+    heirs: dict[str, list[str]] = {}
+    overriders: dict[str, list[str]] = {}
+    methods = {method.id: method for fact in syntax.classes for method in fact.methods}
+    for fact in syntax.classes:
+        above, known = list(fact.bases), set()
+        while above:
+            base = above.pop()
+            if base in known:
+                continue
+            known.add(base)
+            heirs.setdefault(base, []).append(fact.name)
+            above += classes[base].bases if base in classes else []
+    for method in methods.values():
+        upper = method.overrides
+        while upper is not None:
+            overriders.setdefault(upper, []).append(method.id)
+            upper = methods[upper].overrides if upper in methods else None
+    bodies: dict[str, list[BodyFact]] = {}
+    for body in syntax.bodies:
+        bodies.setdefault(body.id, []).append(body)
+    written_in = {
+        file: fact.name
+        for fact in syntax.classes
+        if Path(fact.place.file).stem == fact.name
+        for file in (fact.place.file, str(Path(fact.place.file).with_suffix(".cpp")))
+    }
+    comments = Comments(root)
+    return Facts(root, comments, syntax, declared, heirs, overriders, bodies, classes, written_in)
+
+
+# ---- references: which objects they may refer to, and so which methods a call may reach ----
+
+
+@dataclass(frozen=True)
+class Object:
+    """``name`` is ``Class::member``, or ``file:variable``."""
+
+    name: str
+    kind: str  # its class
+
+
+class References:
+    """What each reference may refer to.
+
+    An object is a member or a variable that holds a class of the project by value. Its references
+    are followed through constructors, parameters, members and results, in all files of the robot
+    itself.
+    """
+
+    def __init__(self, facts: Facts) -> None:
+        self.facts = facts
+        self.known: dict[str, set[Object]] = {}  # place -> objects
+        self.next: dict[str, set[str]] = {}  # place -> places that know what it knows
+        self._objects()
+        self._flows()
+        self._solve()
+
+    def _objects(self) -> None:
+        for fact in self.facts.syntax.classes:
+            if not fact.place.file.startswith(f"{SRC}/"):
+                continue
+            for member in fact.fields:
+                name = f"{fact.name}::{member.name}"
+                for kind in [] if member.refers else member.classes:
+                    if kind in self.facts.classes:
+                        self._know(f"field {name}", Object(name, kind))
+
+    def _know(self, place: str, one: Object) -> None:
+        self.known.setdefault(place, set()).add(one)
+
+    def _flows(self) -> None:
+        for flow in self.facts.syntax.flows:
+            if not flow.file.startswith(f"{SRC}/"):
+                continue
+            for source in flow.sources:
+                word, _, rest = source.partition(" ")
+                if word == "object":
+                    name, _, kind = rest.removeprefix("var ").rpartition(" ")
+                    self._know(flow.into, Object(name, kind))
+                elif word == "this":
+                    for place in self._places_of(rest):
+                        self._lead(place, flow.into)
+                else:
+                    self._lead(source, flow.into)
+        for method, overriders in self.facts.overriders.items():
+            for other in overriders:
+                for number in range(8):
+                    self._lead(f"param {method} {number}", f"param {other} {number}")
+                self._lead(f"result {other}", f"result {method}")
+
+    def _lead(self, source: str, target: str) -> None:
+        self.next.setdefault(source, set()).add(target)
+
+    def _places_of(self, kind: str) -> list[str]:
+        family = {kind, *self.facts.heirs.get(kind, [])}
+        return [
+            place for place, known in self.known.items() if any(o.kind in family for o in known)
+        ]
+
+    def _solve(self) -> None:
+        work = list(self.known)
+        while work:
+            place = work.pop()
+            for target in self.next.get(place, ()):
+                known = self.known.setdefault(target, set())
+                before = len(known)
+                known |= self.known[place]
+                if len(known) > before:
+                    work.append(target)
+
+    def objects(self, places: list[str], kind: str = "") -> set[Object]:
+        """What places may refer to: objects of a class and its heirs, or all."""
+        family = {kind, *self.facts.heirs.get(kind, [])}
+        found = {one for place in places for one in self.known.get(place, set())}
+        return {one for one in found if not kind or one.kind in family}
+
+    def targets(self, call: CallFact) -> list[str]:
+        """The methods that a call may reach: those of the objects that it is called on."""
+        owner, _, name = call.target.rpartition("::")
+        if not call.virtual:
+            return [call.target]
+        kinds = sorted({one.kind for one in self.objects(call.on, owner)})
+        if not kinds:
+            return self.facts.targets(call.target, virtual=True)
+        methods = [self.facts.method(kind, name) for kind in kinds]
+        return list(dict.fromkeys(method.id for method in methods if method))
+
+    def reached(self, start: list[str], within: dict[str, str], ends: list[str]) -> dict[str, str]:
+        """Methods and functions that may run below the start -> who calls each first.
+
+        ``within`` narrows a virtual method to one that overrides it. Nothing runs below ``ends``.
+        """
+        found = dict.fromkeys(start, "")
+        work = list(start)
+        while work:
+            caller = work.pop(0)
+            for body in self.own_bodies(caller) if caller not in ends else []:
+                for call in body.calls:
+                    narrowed = within.get(call.target)
+                    for target in [narrowed] if narrowed else self.targets(call):
+                        if target not in found:
+                            found[target] = caller
+                            work.append(target)
+        return found
+
+    def own_bodies(self, method: str) -> list[BodyFact]:
+        """The bodies in the robot itself."""
+        bodies = self.facts.bodies.get(method, [])
+        return [body for body in bodies if body.place.file.startswith(f"{SRC}/")]

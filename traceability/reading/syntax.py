@@ -1,0 +1,176 @@
+"""Reads what the code is, from libclang's syntax tree: what compiles is the truth.
+
+The facts of a translation unit are kept in a cache, whose key is the content of its own files, and
+the code without comments of all that it includes.
+"""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import json
+import multiprocessing
+import re
+from dataclasses import asdict
+from pathlib import Path
+
+from clang import cindex
+
+from traceability.reading.ast_facts import IncludeFact, Syntax, facts_from
+from traceability.reading.ast_reader import Reader
+from traceability.reading.comments import code_of
+from traceability.reading.translation_units import (
+    clang_arguments,
+    is_board,
+    prepare_standard,
+    standard,
+    translation_units,
+)
+from traceability.schema import Place
+from traceability.sources import DESIGN, file_hash, include_options
+
+READERS = (
+    *("syntax", "translation_units", "ast_reader", "ast_facts", "clang_names", "constants"),
+    "flow",
+)
+
+
+def read_syntax(root: Path, cache: Path) -> Syntax:
+    """The facts of all files of the design. Only the units whose files changed are parsed."""
+    cache.mkdir(parents=True, exist_ok=True)
+    hashes: dict[str, str] = {}
+    found = translation_units(root)
+    stale: list[tuple[Path, Path, list[str], str]] = []
+    for board in sorted({is_board(unit) for unit in found}):
+        prepare_standard(root, cache, board)
+    for unit, files in found.items():
+        stored = _stored(root, cache, unit, hashes)
+        if stored is None:
+            stale.append((root, cache, files, unit))
+    _drop_old(cache, found)
+    if len(stale) > 2:
+        with multiprocessing.get_context("fork").Pool(2) as pool:
+            pool.starmap(_parse_and_store, stale, chunksize=2)
+    else:
+        for work in stale:
+            _parse_and_store(*work)
+    result = Syntax()
+    for unit in found:
+        entry = json.loads(_entry(cache, unit).read_text(encoding="utf-8"))
+        result.merge(facts_from(entry["facts"]))
+    return result
+
+
+def _entry(cache: Path, unit: str) -> Path:
+    return cache / (unit.replace("/", "__") + ".json")
+
+
+def _drop_old(cache: Path, known: dict[str, list[str]]) -> None:
+    wanted = {_entry(cache, unit).name for unit in known}
+    for path in cache.glob("*.json"):
+        if path.name not in wanted:
+            path.unlink()
+
+
+def _stored(root: Path, cache: Path, unit: str, hashes: dict[str, str]) -> bool | None:
+    try:
+        entry = json.loads(_entry(cache, unit).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    if entry["reader"] != _reader_hash(is_board(unit)):
+        return None
+    own = own_files(unit)
+    for file, known in entry["files"].items():
+        key = file if file in own else f"code of {file}"
+        if key not in hashes:
+            hashes[key] = file_hash(root / file) if file in own else code_hash(root / file)
+        if hashes[key] != known:
+            return None
+    return True
+
+
+def own_files(unit: str) -> tuple[str, str]:
+    """The files whose facts may be taken from a unit."""
+    return unit, unit.removesuffix(".cpp") + ".hpp"
+
+
+def code_hash(path: Path) -> str:
+    """The SHA-256 of the code of a file, or the empty string when there is none."""
+    try:
+        return hashlib.sha256(code_of(path.read_text(encoding="utf-8")).encode()).hexdigest()
+    except OSError:
+        return ""
+
+
+@functools.cache
+def _reader_hash(board: bool) -> str:
+    here = Path(__file__).parent
+    own = b"".join((here / f"{name}.py").read_bytes() for name in READERS)
+    return hashlib.sha256(own + repr(clang_arguments(board)).encode()).hexdigest()
+
+
+def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> None:
+    facts, included = parse(root, unit, files, standard(cache, is_board(unit)))
+    own = own_files(unit)
+    entry = {
+        "reader": _reader_hash(is_board(unit)),
+        "files": {
+            file: file_hash(root / file) if file in own else code_hash(root / file)
+            for file in sorted(included)
+        },
+        "facts": asdict(facts),
+    }
+    path = _entry(cache, unit)
+    if facts.errors:
+        entry["reader"] = "the unit has errors"
+    path.write_text(json.dumps(entry), encoding="utf-8")
+
+
+def parse(root: Path, unit: str, files: list[str], known: Path) -> tuple[Syntax, set[str]]:
+    """The facts of the files, and all files of the project that the unit includes."""
+    arguments = [*clang_arguments(is_board(unit)), *include_options(root)]
+    if known.exists():
+        arguments += ["-include-pch", str(known)]
+    tree = cindex.Index.create().parse(str(root / unit), args=arguments)
+    reader = Reader(root, set(files))
+    reader.walk(tree.cursor, None, "")
+    included = {unit}
+    for entry in tree.get_includes():
+        target = reader.relative(entry.include.name)
+        if target is not None:
+            included.add(target)
+    for wanted in files:
+        reader.facts.includes += includes_of(root, wanted)
+    for problem in tree.diagnostics:
+        # With parsed headers libclang reports errors that lie in no file; they mean nothing.
+        if problem.severity >= cindex.Diagnostic.Error and problem.location.file:
+            file = reader.relative(problem.location.file.name)
+            place = Place(file or unit, problem.location.line if file else 1)
+            reader.facts.errors.append((place, problem.spelling))
+    return reader.facts, included
+
+
+# Also as the preprocessor lets it be written: after a comment, or with other letters for the mark.
+INCLUDE = re.compile(
+    r'\s*(?:(?:/\*)?.*?\*/\s*)?(?:#|%:|\?\?=)\s*include\s*(?:/\*.*?\*/\s*)?[<"]([^>"]+)[>"]'
+)
+
+
+def includes_of(root: Path, file: str) -> list[IncludeFact]:
+    """The files of the project that a file includes, as written.
+
+    The compiler's list lacks a header that was included before: it is not read a second time.
+    """
+    found: list[IncludeFact] = []
+    lines = (root / file).read_text(encoding="utf-8").splitlines()
+    for number, line in enumerate(lines, 1):
+        written = INCLUDE.match(line)
+        if written is None:
+            continue
+        for folder in ((root / file).parent, *(root / name for name in DESIGN), root):
+            target = (folder / written[1]).resolve()
+            if target.is_file() and target.is_relative_to(root):
+                name = str(target.relative_to(root))
+                found.append(IncludeFact(name, Place(file, number)))
+                break
+    return found

@@ -1,0 +1,155 @@
+"""Reads the entries of the files in ``design/``, each with its line.
+
+What cannot be read is left out and becomes a problem, so that nothing is lost without a word.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from numbers import Real
+from pathlib import Path
+from typing import Any
+
+from traceability.schema import Place
+
+MAY_BE_EMPTY = ("guard", "action")  # of a transition
+Keys = Mapping[str, type[Any]]
+Entry = tuple[dict[str, Any], Place]
+
+
+@dataclass
+class Problem:
+    place: Place
+    text: str
+    mend: str
+
+
+@dataclass
+class Entries:
+    root: Path
+    problems: list[Problem] = field(default_factory=list)
+    unreadable: list[str] = field(default_factory=list)  # files
+    _read: dict[Path, dict[str, Any]] = field(default_factory=dict)
+    _asked: dict[Path, set[str]] = field(default_factory=dict)
+
+    def whole(self, path: Path) -> dict[str, Any]:
+        """All that a file holds; nothing when there is no such file, or it is no TOML."""
+        if path not in self._read:
+            text = path.read_text(encoding="utf-8") if path.exists() else ""
+            try:
+                self._read[path] = tomllib.loads(text)
+            except tomllib.TOMLDecodeError as error:
+                self._read[path] = {}
+                self._unreadable(path, text, str(error))
+        return self._read[path]
+
+    def _unreadable(self, path: Path, text: str, error: str) -> None:
+        found = re.search(r" \(at line (\d+), column \d+\)$", error)
+        line = int(found[1]) if found else len(text.splitlines())
+        said = error[: found.start()] if found else error
+        place = Place(str(path.relative_to(self.root)), line)
+        self.unreadable.append(place.file)
+        self.problems.append(Problem(place, f"{place.file} is no TOML: {said}", "correct the line"))
+
+    def value(self, path: Path, name: str, missing: Any) -> Any:
+        """What stands under a name of its own."""
+        self._asked.setdefault(path, set()).add(name)
+        return self.whole(path).get(name, missing)
+
+    def tables(
+        self, path: Path, name: str, needs: Keys, may: Keys | None = None, own: str = ""
+    ) -> list[Entry]:
+        """The entries ``[[name]]``. No two of them have the same value of the key ``own``."""
+        listed = self.value(path, name, [])
+        places = self._places(path, name, len(listed))
+        found: list[Entry] = []
+        seen: dict[str, int] = {}
+        for item, place in zip(listed, places, strict=True):
+            if not self.fits(item, place, needs, may or {}):
+                continue
+            if own and item[own] in seen:
+                text = f"{own} {item[own]} has an entry in line {seen[item[own]]} already"
+                self.problems.append(Problem(place, text, "leave one of the two"))
+                continue
+            if own:
+                seen[item[own]] = place.line
+            found.append((item, place))
+        return found
+
+    def _places(self, path: Path, name: str, count: int) -> list[Place]:
+        header = re.compile(rf"\s*\[\[\s*{re.escape(name)}\s*\]\]")
+        lines = path.read_text(encoding="utf-8").splitlines() if count else []
+        numbers = [number for number, line in enumerate(lines, 1) if header.match(line)]
+        numbers += [1] * (count - len(numbers))
+        return [Place(str(path.relative_to(self.root)), number) for number in numbers[:count]]
+
+    def fits(self, item: dict[str, Any], place: Place, needs: Keys, may: Keys) -> bool:
+        """Whether an entry has the keys that it needs; others than it may have are a problem."""
+        known = {*needs, *may}
+        missing = [key for key in needs if not isinstance(item.get(key), needs[key])]
+        for key in missing:
+            text = f"the entry has no {key}, which is {_WORDS[needs[key]]}"
+            self.problems.append(Problem(place, text, "write it, or correct its name"))
+        for key in [key for key, value in item.items() if _is_blank(key, value)]:
+            text = f"{key} says nothing"
+            mend = "write what it is to say, or remove the key"
+            self.problems.append(Problem(self.line_in(place, key), text, mend))
+        for key in [key for key in item if key not in known]:
+            text = f"the entry has a key {key}, which nothing reads"
+            self.problems.append(Problem(self.line_in(place, key), text, "correct its name"))
+            del item[key]
+        return not missing
+
+    def line_in(self, place: Place, words: str) -> Place:
+        """Where words stand in the entry that begins at a place; else the place itself."""
+        path = self.root / place.file
+        lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+        wanted = re.compile(rf"(?<![\w-]){re.escape(words)}(?![\w-])")
+        header = lines[place.line - 1] if place.line <= len(lines) else ""
+        below = header.strip().rstrip("]") + "."  # its parts: [[entry.part]]
+        for number, line in enumerate(lines[place.line - 1 :], place.line):
+            if number > place.line and line.startswith("[[") and not line.startswith(below):
+                break
+            if wanted.search(line.split(" #")[0]) and not line.startswith("#"):
+                return Place(place.file, number)
+        return place
+
+    def others(self) -> None:
+        """Notes the tables and names of the files that nothing asked for."""
+        for path, asked in self._asked.items():
+            for name in self._read.get(path, {}).keys() - asked:
+                text = f"nothing reads what stands under {name}"
+                self.problems.append(Problem(self.place_of(path, name), text, "correct the name"))
+
+    def absent(self, files: Iterable[Path]) -> None:
+        """Notes the files that should be there, and are not."""
+        for path in [path for path in files if not path.exists()]:
+            place = Place(str(path.relative_to(self.root)), 1)
+            text, mend = "there is no such file", "write it: a whole design has it"
+            self.problems.append(Problem(place, text, mend))
+
+    def place_of(self, path: Path, name: str) -> Place:
+        """Where a name of its own first stands."""
+        begins = re.compile(rf"\s*(\[\[?\s*)?{re.escape(name)}\b")
+        lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+        line = next((n for n, one in enumerate(lines, 1) if begins.match(one)), 1)
+        return Place(str(path.relative_to(self.root)), line)
+
+
+def _is_blank(key: str, value: object) -> bool:
+    if value == "" and key in MAY_BE_EMPTY:
+        return False
+    return isinstance(value, str) and not value.strip()
+
+
+_WORDS = {
+    str: "a text",
+    list: "a list",
+    dict: "a table",
+    int: "a number",
+    Real: "a number",
+    bool: "true or false",
+}

@@ -1,0 +1,309 @@
+"""Reads the recorded calls of each test, and embeds declared trees in them."""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import json
+import os
+import re
+import subprocess
+from array import array
+from collections.abc import Callable, Iterator, Set
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from traceability.reading.products import PAPER, image_of
+from traceability.reading.results import RESULTS, RUNS
+from traceability.schema import HOST, VIRTUAL_K64, TraceRow, TreeNode
+from traceability.sources import file_hash
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where the recordings of a binding lie, and what holds the names of their addresses."""
+
+    executable: Path
+    folder: Path
+    names: str  # program that lists the symbols
+
+
+SOURCES = {
+    HOST: Source(Path("build/trace/tests/firmware_tests"), Path("build/trace/traces"), "nm"),
+    VIRTUAL_K64: Source(
+        image_of(PAPER, ".elf"), Path("build/host/traces-board"), "arm-none-eabi-nm"
+    ),
+}
+EXIT = 1 << 63
+REPEAT = 1 << 62  # with the number of the event with which the same calls begin
+SHOWN = 60
+
+
+@dataclass(slots=True)
+class Row:
+    """A call: it holds the rows up to, and without, ``end``, but for those of an interrupt.
+
+    Each entry of an interrupt is an ``activation`` of its own; 0 is what ran from the start.
+    """
+
+    depth: int
+    method: str
+    parent: int
+    end: int = 0
+    activation: int = 0
+
+
+@dataclass
+class Traces:
+    """The recordings of a binding."""
+
+    folder: Path
+    state: str = ""  # names the run of the tests, and what ran
+    symbols: dict[int, str] = field(default_factory=dict)  # address -> method or function
+    vectors: set[str] = field(default_factory=set)  # functions that the hardware enters
+    tests: set[str] = field(default_factory=set)
+
+    def file(self, test: str) -> Path:
+        return self.folder / f"{test}.bin"
+
+    def events(self, test: str) -> array[int]:
+        events: array[int] = array("Q")
+        data = self.file(test).read_bytes()
+        events.frombytes(data[: len(data) - len(data) % 8])
+        return events
+
+    def calls(
+        self, test: str, names: dict[int, str], turning: Set[int] = frozenset()
+    ) -> Iterator[tuple[str, bool]]:
+        """The calls of the named functions in order, each with whether it is entered or left.
+
+        The same calls without one of those of ``turning`` are told again after such a one only.
+        """
+        events = self.events(test)
+        told = {address: [(name, True)] for address, name in names.items()}
+        told |= {address | EXIT: [(name, False)] for address, name in names.items()}
+        quiet = set()
+        for event in set(events):
+            if event & REPEAT:
+                again = list(_outermost(events, event & ~REPEAT))
+                told[event] = [call for one in again if one in told for call in told[one]]
+                if not told[event]:
+                    del told[event]
+                elif turning.isdisjoint(again):
+                    quiet.add(event)
+        since: set[int] = set()
+        for event in [event for event in events if event in told]:
+            if event in quiet:
+                if event in since:
+                    continue
+                since.add(event)
+            elif event & REPEAT or event in turning:
+                since.clear()
+            yield from told[event]
+
+    def methods(self, test: str) -> set[str]:
+        """The methods that ran in a test."""
+        found = (self.symbols.get(address, "") for address in set(self.events(test)))
+        return {method for method in found if "::" in method}
+
+    def addresses(self, methods: Set[str]) -> set[int]:
+        return {address for address, name in self.symbols.items() if name in methods}
+
+    def rows(self, test: str, shown: Set[int]) -> list[Row]:
+        """The calls of the methods at these addresses, in order."""
+        rows: list[Row] = []
+        known = shown | self.addresses(self.vectors)
+        known |= {at | EXIT for at in known}
+        # Index of the row, or -1 for a handler that is not shown; and the activation before it.
+        open_calls: list[tuple[int, int]] = []
+        depth, parent, activation, entries = 0, -1, 0, 0
+        for event in [event for event in self.events(test) if event in known]:
+            if event & EXIT:
+                row, activation = open_calls.pop() if open_calls else (-1, activation)
+                if row >= 0:
+                    rows[row].end = len(rows)
+                    depth -= 1
+                    parent = rows[row].parent
+            elif event in shown:
+                rows.append(Row(depth, self.symbols[event], parent, activation=activation))
+                parent = len(rows) - 1
+                open_calls.append((parent, activation))
+                depth += 1
+            else:
+                open_calls.append((-1, activation))
+                entries += 1
+                activation = entries
+        for row, _ in open_calls:
+            if row >= 0:
+                rows[row].end = len(rows)
+        return rows
+
+
+def _outermost(events: array[int], begin: int) -> Iterator[int]:
+    """The events of a call and of all that it calls."""
+    depth = 0
+    for event in events[begin:]:
+        yield event
+        depth += -1 if event & EXIT else 1
+        if depth == 0:
+            return
+
+
+def read_traces(root: Path, cache: Path) -> dict[str, Traces]:
+    found: dict[str, Traces] = {}
+    for binding, source in SOURCES.items():
+        traces = Traces(root / source.folder)
+        tests = {path.name.removesuffix(".bin") for path in traces.folder.glob("*.bin")}
+        done = (root / RESULTS / f"{RUNS[binding]}.json").exists()  # else they run now
+        if tests and done and (root / source.executable).exists():
+            known = cache / f"symbols-{source.names}.json"
+            traces.state = _state(traces.folder, root / source.executable)
+            traces.symbols = _symbols(root / source.executable, source.names, known)
+            traces.tests = tests
+        found[binding] = traces
+    return found
+
+
+def _state(folder: Path, executable: Path) -> str:
+    """Names the recordings, and what ran."""
+    total = hashlib.sha256(file_hash(executable).encode())
+    for entry in sorted(os.scandir(folder), key=lambda one: one.name):
+        state = entry.stat()
+        total.update(f"{entry.name}\0{state.st_size} {state.st_mtime_ns}\n".encode())
+    return total.hexdigest()
+
+
+def _symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
+    """Address -> method. On the K64 without the bit that tells the instruction set."""
+    state = executable.stat()
+    key = f"{state.st_mtime_ns} {state.st_size} {file_hash(Path(__file__))}"
+    if cache.exists():
+        known = json.loads(cache.read_text(encoding="utf-8"))
+        if known["key"] == key:
+            return {int(address): name for address, name in known["symbols"].items()}
+    run = subprocess.run([names, "-C", str(executable)], capture_output=True, text=True, check=True)
+    symbols: dict[int, str] = {}
+    even = 0 if names == "nm" else 1
+    for line in run.stdout.splitlines():
+        match = re.match(r"([0-9a-f]+) [tTwWuV] (.*)", line)
+        name = match and (method_of(match[2]) or function_of(match[2]))
+        if match and name:
+            symbols[int(match[1], 16) & ~even] = name
+    cache.parent.mkdir(parents=True, exist_ok=True)
+    cache.write_text(json.dumps({"key": key, "symbols": symbols}), encoding="utf-8")
+    return symbols
+
+
+@functools.cache
+def method_of(symbol: str) -> str:
+    """``wr::Pipe<int>::write(int const&)`` -> ``Pipe::write``; empty for what is no method."""
+    if "{lambda" in symbol or not re.match(r"(?:[\w:<>,&* ]+ )?wr::", symbol):
+        return ""
+    kept, depth = "", 0
+    for letter in symbol.replace("(anonymous namespace)::", "").replace("operator()", "operator"):
+        if letter == "<":
+            depth += 1
+        elif letter == ">":
+            depth -= 1
+        elif letter == "(" and depth == 0:
+            break
+        elif depth == 0:
+            kept += letter
+    name = kept.split(" ")[-1]
+    return name.removeprefix("wr::") if name.startswith("wr::") and "::" in name[4:] else ""
+
+
+def function_of(symbol: str) -> str:
+    """``cycleTimerInterrupt()`` -> ``cycleTimerInterrupt``; empty for what is no plain function."""
+    match = re.fullmatch(r"(?:wr::)?(\w+)(?:\(\))?", symbol)
+    return match[1] if match else ""
+
+
+@dataclass
+class Embedding:
+    """Where the nodes of a tree lie in a trace; ``failed`` is the first node without a place."""
+
+    rows: dict[int, int] = field(default_factory=dict)  # id() of the node -> row
+    failed: TreeNode | None = None
+
+
+def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str]]) -> Embedding:
+    """Looks for the tree in a trace: a child lies within the call of its parent, in order.
+
+    What an interrupt called meanwhile is no call of the parent; what the parent posts is.
+    """
+    order = {id(node): number for number, node in enumerate(nodes_of(tree))}
+    names = {id(node): accepts(node) for node in nodes_of(tree)}
+    reached = tree
+
+    def fit(node: TreeNode, start: int, stop: int, activation: int | None) -> dict[int, int] | None:
+        nonlocal reached
+        if order[id(node)] > order[id(reached)]:
+            reached = node
+        for index in range(start, stop):
+            if rows[index].method not in names[id(node)]:
+                continue
+            if activation is not None and rows[index].activation != activation:
+                continue
+            placed = {id(node): index}
+            position = index + 1
+            for child in node.children:
+                if not child.children and not names[id(child)]:
+                    continue  # implemented outside the trace
+                if child.kind == "post":
+                    found = fit(child, position, len(rows), None)
+                else:
+                    found = fit(child, position, rows[index].end, rows[index].activation)
+                if found is None:
+                    break
+                placed |= found
+                position = rows[found[id(child)]].end
+            else:
+                return placed
+        return None
+
+    found = fit(tree, 0, len(rows), None)
+    return Embedding(found, None) if found is not None else Embedding({}, reached)
+
+
+def nodes_of(tree: TreeNode) -> list[TreeNode]:
+    found = [tree]
+    for child in tree.children:
+        found += nodes_of(child)
+    return found
+
+
+def recorded_nodes(tree: TreeNode, binding: str) -> list[TreeNode]:
+    return [node for node in nodes_of(tree) if binding not in node.outside]
+
+
+def excerpt(rows: list[Row], placed: list[int]) -> tuple[list[TraceRow], int, dict[int, int]]:
+    """The calls around the placed rows: at most ``SHOWN``, with the new number of each row kept."""
+    first = placed[0]
+    last = max(rows[index].end for index in placed)
+    while rows[first].parent >= 0 and rows[rows[first].parent].end - rows[first].parent <= SHOWN:
+        first = rows[first].parent
+        last = max(last, rows[first].end)
+    needed: set[int] = set()
+    for place in placed:
+        above = place
+        while above >= first and above not in needed:
+            needed.add(above)
+            above = rows[above].parent
+    window = list(range(first, last))
+    depth = max(rows[index].depth for index in window)
+    while len(window) > SHOWN and depth > rows[first].depth:
+        window = [index for index in window if index in needed or rows[index].depth < depth]
+        depth -= 1
+    base = rows[first].depth
+    if len(window) > SHOWN:
+        end = max(placed) + 1
+        window = [index for index in window if index in needed or index < end]
+        free = [index for index in window if index not in needed]
+        surplus = set(free[max(0, SHOWN - len(needed)) :])
+        window = [index for index in window if index not in surplus]
+    shown = [
+        TraceRow(rows[index].depth - base, rows[index].method, rows[index].method.split("::")[0])
+        for index in window
+    ]
+    return shown, first, {index: number for number, index in enumerate(window)}

@@ -1,0 +1,943 @@
+"""The typed records of the model, which readers, checks, pages and exports share.
+
+Texts are plain, with the light markup of the comments: `names`, lists, and an empty line between
+paragraphs. A figure or result that this run did not produce is ``None``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from traceability.sources import EXTENSIONS
+
+# What the firmware runs on in a test: this machine, or the virtual board that boots the image.
+HOST = "host"
+VIRTUAL_K64 = "virtual K64"
+BINDINGS = (HOST, VIRTUAL_K64)
+
+
+@dataclass
+class Place:
+    """A line of a file; the path is relative to the root of the project."""
+
+    file: str
+    line: int
+    end: int | None = None
+
+
+@dataclass
+class Param:
+    name: str
+    type: str
+    text: str
+
+
+@dataclass
+class Call:
+    """A call as written. ``targets`` are the methods it can reach: one when the call is direct."""
+
+    target: str
+    virtual: bool
+    place: Place
+    targets: list[str] = field(default_factory=list)
+
+
+@dataclass
+class Constant:
+    """A number of the code that texts show."""
+
+    number: int
+    unit: str
+    place: Place
+
+
+@dataclass
+class Method:
+    """A member function of a module. Its id is ``Class::name``; overloads share one id."""
+
+    id: str
+    module: str
+    name: str
+    signature: str
+    access: str
+    kind: str  # "pure", "virtual", "override", "plain", "static", "constructor"
+    place: Place
+    body: Place | None = None
+    brief: str = ""
+    details: str = ""
+    params: list[Param] = field(default_factory=list)
+    returns: str = ""
+    pre: list[str] = field(default_factory=list)
+    post: list[str] = field(default_factory=list)
+    errors: str = ""
+    interrupt: str = ""
+    satisfies: list[str] = field(default_factory=list)
+    documented: bool = False
+    inherited_from: str | None = None  # method whose specification holds here
+    overrides: str | None = None
+    calls: list[Call] = field(default_factory=list)
+    called_by: list[str] = field(default_factory=list)
+
+
+@dataclass
+class Function:
+    """A function of a composition: a folder that holds functions, and no module."""
+
+    id: str
+    place: Place
+    calls: list[Call] = field(default_factory=list)
+
+
+@dataclass
+class DataPart:
+    """A member of a value type, or a value of an enumeration."""
+
+    name: str
+    type: str  # "" of a value of an enumeration
+    text: str
+    unit: str  # "" without one
+    makers: list[str]  # modules
+    readers: list[str]
+
+
+@dataclass
+class MessageField:
+    """A field of an order, a report or a welcome."""
+
+    name: str
+    text: str
+    width: str = ""  # "u8", "i16"; "" when no message has it
+    writers: list[str] = field(default_factory=list)  # modules
+    readers: list[str] = field(default_factory=list)
+
+
+@dataclass
+class RoleBinding:
+    application: str
+    role: str
+    module: str
+    place: Place
+
+
+@dataclass
+class Module:
+    """A design module, or a documented value type when ``datatype`` is true."""
+
+    name: str
+    qualified: str
+    logic: str
+    abstract: bool
+    datatype: bool
+    brief: str
+    function: str
+    secret: str
+    place: Place
+    header: str
+    source: str | None
+    bases: list[str] = field(default_factory=list)
+    heirs: list[str] = field(default_factory=list)
+    roles: list[RoleBinding] = field(default_factory=list)
+    methods: list[Method] = field(default_factory=list)
+    parts: list[DataPart] = field(default_factory=list)  # of a value type
+    uses: list[str] = field(default_factory=list)  # modules named in its header or source
+    used_by: list[str] = field(default_factory=list)
+    requirements: list[str] = field(default_factory=list)
+    hides: list[str] = field(default_factory=list)  # headers, constants and types of its secret
+    registers: list[str] = field(default_factory=list)  # blocks that it owns
+    tests: list[str] = field(
+        default_factory=list
+    )  # tests that executed it, or lie in its folder and carry its name
+    lines_total: int | None = None
+    lines_covered: int | None = None
+    branches_total: int | None = None
+    branches_covered: int | None = None
+    line_hits: dict[str, dict[int, int]] = field(default_factory=dict)  # file -> line -> hits
+    flash_bytes: int | None = None
+    ram_bytes: int | None = None
+
+    @property
+    def extension(self) -> bool:
+        """Whether a product adds it to the robot: the design counts its modules without these."""
+        return is_extension(self.logic)
+
+
+def is_extension(logic: str) -> bool:
+    """Whether a logic module belongs to an extension."""
+    return logic.split("/", maxsplit=1)[0] == EXTENSIONS
+
+
+@dataclass
+class LogicModule:
+    """A folder of the design. The name is as in the paper: ``OperationModes``."""
+
+    id: str
+    name: str
+    parent: str | None
+    brief: str
+    function: str
+    secret: str
+    place: Place
+    modules: list[str] = field(default_factory=list)
+    hides: list[str] = field(default_factory=list)  # what only its folder names
+    children: list[str] = field(default_factory=list)
+
+
+@dataclass
+class Clause:
+    """A structural clause of a pattern, and whether it holds in one application."""
+
+    id: str
+    says: str
+    holds: bool
+    places: list[Place] = field(default_factory=list)
+
+
+@dataclass
+class PatternApplication:
+    id: str
+    pattern: str
+    title: str
+    why: str
+    changes: str
+    module: str  # above which it is declared
+    place: Place
+    roles: list[RoleBinding] = field(default_factory=list)
+    clauses: list[Clause] = field(default_factory=list)
+
+
+@dataclass
+class TreeNode:
+    """A node of a requirement's tree; ``resolved`` is the method that has the body."""
+
+    label: str
+    module: str
+    method: str
+    resolved: str | None
+    kind: str  # "root", "call", "post"
+    place: Place
+    reachable: bool | None = None
+    executed: dict[str, bool] = field(
+        default_factory=dict
+    )  # binding with a recorded test -> so far
+    outside: list[str] = field(default_factory=list)  # bindings that implement it out of the trace
+    children: list[TreeNode] = field(default_factory=list)
+    otherwise: bool = False  # reached by a post instead of a call, or the other way round
+
+    @property
+    def ran(self) -> bool | None:
+        """Whether any binding executed it; ``None`` when none was measured."""
+        return any(self.executed.values()) if self.executed else None
+
+
+@dataclass
+class TraceRow:
+    """One call of a recorded run: depth and method."""
+
+    depth: int
+    method: str
+    module: str | None
+
+
+@dataclass
+class TreeRun:
+    """A recorded run of a test that holds a whole tree: what the page shows beside the tree."""
+
+    test: str
+    rows: list[TraceRow]
+    start: int  # index of the first shown row in the whole recording
+    places: list[int | None]  # the row that each node of the tree matches, from the root
+    folded: list[FoldedCall] = field(default_factory=list)
+
+
+@dataclass
+class FoldedCall:
+    """Calls of a recorded run that lead from one module into another, alike ones together."""
+
+    depth: int
+    module: str
+    methods: list[str]  # those that were called from the module above
+    count: int
+    declared_by: list[str]  # requirements whose trees lead from the one module into the other
+
+
+@dataclass
+class MethodCoverage:
+    """What the passing tests of one requirement executed of a method, on one binding."""
+
+    method: str
+    place: Place
+    lines: dict[int, bool]
+    branches: list[bool] | None  # None where branches are not recorded
+
+
+@dataclass
+class LineGap:
+    """Lines of a method that no test of its requirements executes; a reason justifies them."""
+
+    method: str
+    place: Place
+    lines: list[int]
+    requirements: list[str]
+    reason: str = ""
+
+
+@dataclass
+class BindingResult:
+    """A test on one binding: "passed", "failed", "skipped", or None when it did not run."""
+
+    result: str | None = None
+    milliseconds: float | None = None
+    message: str = ""
+    stale: bool = False
+    recordings: list[str] = field(default_factory=list)  # files of recorded calls that it may have
+    measured: str = ""  # what the test tells of its run, beside the result
+    instances: dict[str, str] = field(default_factory=dict)  # of a parameterised test -> result
+
+
+@dataclass
+class Test:
+    """A test case, with a result for each binding that it is built for."""
+
+    id: str
+    suite: str
+    name: str
+    brief: str
+    place: Place
+    verifies: list[str] = field(default_factory=list)
+    results: dict[str, BindingResult] = field(default_factory=dict)
+    modules: list[str] = field(default_factory=list)
+
+    def gave(self, result: str | None) -> list[str]:
+        """The bindings on which it gave this result."""
+        return [binding for binding, one in self.results.items() if one.result == result]
+
+    @property
+    def passed(self) -> bool:
+        return bool(self.results) and all(one.result == "passed" for one in self.results.values())
+
+
+@dataclass
+class Evidence:
+    """A figure that a tool measures, and its bound. One without a relation could not be read."""
+
+    figure: str
+    relation: str  # "at most", "at least", "exactly"
+    bound: float
+    unit: str
+    place: Place
+    value: float | None = None  # of this run
+
+    @property
+    def demand(self) -> str:
+        return f"{self.relation} {self.bound:g} {self.unit}".strip()
+
+    @property
+    def holds(self) -> bool:
+        if self.value is None:
+            return False
+        if self.relation == "at most":
+            return self.value <= self.bound
+        if self.relation == "at least":
+            return self.value >= self.bound
+        return self.relation == "exactly" and self.value == self.bound
+
+
+@dataclass
+class Review:
+    """Who looked at the links of a requirement, and at what: kind -> name -> hash of the text."""
+
+    reviewer: str
+    date: str
+    hashes: dict[str, dict[str, str]]
+
+
+@dataclass
+class Suspicion:
+    """What a link depends on is not as it was reviewed. Kind: requirement, method or test."""
+
+    kind: str
+    name: str
+    place: Place
+    text: str
+
+
+@dataclass
+class SourceReference:
+    """Where a requirement comes from: ``kind`` is one of ``SOURCE_KINDS``."""
+
+    kind: str
+    name: str
+
+
+# The kinds of sources of a requirement.
+SOURCE_KINDS = ("paper", "goal", "protocol", "data sheet", "decision")
+
+
+@dataclass
+class Requirement:
+    """``state``: "verified", "partly", "suspect", "failed", "stale" or "unverified".
+
+    A requirement that is partly verified says in ``partly`` what no test shows.
+    """
+
+    id: str
+    text: str
+    section: str
+    place: Place
+    rationale: str = ""
+    source: str = ""
+    priority: str = ""
+    level: str = ""  # "system", "software", "driver"
+    products: list[str] = field(default_factory=list)  # "all", or names of products
+    method: str = ""  # of verification: "test", "analysis", "measurement", "inspection"
+    partly: str = ""
+    goals: list[str] = field(default_factory=list)  # safety goals that it serves
+    sources: list[SourceReference] = field(default_factory=list)
+    satisfied_by: list[str] = field(default_factory=list)
+    verified_by: list[str] = field(default_factory=list)
+    tree: TreeNode | None = None
+    runs: dict[str, TreeRun] = field(default_factory=dict)  # binding -> run that holds the tree
+    coverage: dict[str, list[MethodCoverage]] = field(default_factory=dict)  # binding -> methods
+    evidence: list[Evidence] = field(default_factory=list)  # instead of calls
+    review: Review | None = None
+    suspicions: list[Suspicion] = field(default_factory=list)
+    state: str = "unverified"
+    reasons: list[str] = field(default_factory=list)
+
+    @property
+    def by_calls(self) -> bool:
+        """Whether calls fulfil it: it is functional, or has a tree although it is not."""
+        return self.id.startswith("FR-") or self.tree is not None
+
+
+@dataclass
+class SafeState:
+    """A state that the robot goes to, where it is safe and where it is not."""
+
+    id: str
+    says: str
+    safe: str
+    not_safe: str
+    place: Place
+
+
+@dataclass
+class Assumption:
+    """What hardware and people do for safety, because the firmware cannot."""
+
+    id: str
+    title: str
+    text: str
+    by: str
+    confirm: str
+    place: Place
+    hazards: list[str] = field(default_factory=list)
+
+
+@dataclass
+class Hazard:
+    """A situation that can hurt somebody. ``level`` is its AgPLr; empty when it cannot be found."""
+
+    id: str
+    title: str
+    situation: str
+    harm: str
+    severity: str
+    exposure: str
+    avoidance: str
+    goals: list[str]
+    assumptions: list[str]
+    answer: str  # of the firmware
+    place: Place
+    level: str = ""
+
+
+@dataclass
+class SafetyGoal:
+    """``state``: "verified", "open" or "failed". Times in seconds."""
+
+    id: str
+    title: str
+    text: str
+    safe_states: list[str]
+    time: float  # in which harm must be averted
+    formula: str
+    because: str
+    reaction: float  # that the firmware needs
+    reacts: str
+    requirements: list[str]
+    scenarios: list[str]
+    place: Place
+    exceptions: list[str] = field(default_factory=list)  # cases in which it is known not to hold
+    computed: float | None = None  # by the formula
+    hazards: list[str] = field(default_factory=list)
+    level: str = ""  # the highest of its hazards
+    state: str = "open"
+    reasons: list[str] = field(default_factory=list)  # why it is not verified
+
+
+@dataclass
+class FaultScenario:
+    """A scenario in which something fails, the goals that it is about, the tests that play it."""
+
+    name: str
+    title: str
+    goals: list[str]
+    place: Place
+    tests: list[str] = field(default_factory=list)
+    state: str = "unverified"  # "verified", "failed", "stale" or "unverified"
+
+
+@dataclass
+class Correction:
+    """Files whose edits correct defects; ``for_safety`` of the touched lines do not."""
+
+    paths: list[str]
+    why: str
+    place: Place
+    for_safety: int = 0
+
+
+@dataclass
+class TouchedFile:
+    """Lines of a file of the robot that were edited since the base of the safety case."""
+
+    file: str
+    added: int
+    removed: int
+    corrections: str = ""  # why they are no safety function; empty when they are
+
+    @property
+    def touched(self) -> int:
+        return self.added + self.removed
+
+
+@dataclass
+class SafetyCost:
+    """What the safety functions took, by git; ``None`` of the model when git cannot tell."""
+
+    base: str
+    commit: str
+    files_added: list[str]
+    lines_added: int  # in these files
+    touched: list[TouchedFile]
+    for_safety: int  # lines of the robot that were edited for safety functions
+
+
+@dataclass
+class SafetyCase:
+    """The hazards, the goals against them, and what they assume."""
+
+    base: str = ""  # commit before the first safety function
+    says: str = ""
+    conditions: list[str] = field(default_factory=list)
+    limits: list[str] = field(default_factory=list)
+    risk_source: str = ""
+    levels: list[str] = field(default_factory=list)  # the lowest first
+    graph: dict[str, list[str]] = field(default_factory=dict)  # severity -> rows of levels
+    words: dict[str, str] = field(default_factory=dict)
+    priorities: dict[str, str] = field(default_factory=dict)  # level -> of a requirement
+    safe_states: dict[str, SafeState] = field(default_factory=dict)
+    assumptions: dict[str, Assumption] = field(default_factory=dict)
+    hazards: dict[str, Hazard] = field(default_factory=dict)
+    goals: dict[str, SafetyGoal] = field(default_factory=dict)
+    scenarios: dict[str, FaultScenario] = field(default_factory=dict)
+    corrections: list[Correction] = field(default_factory=list)
+    data_sheets: list[str] = field(default_factory=list)
+    cost: SafetyCost | None = None
+
+
+@dataclass
+class Justified:
+    """Methods, tests or lines of methods that serve no requirement, and why this is right."""
+
+    kind: str  # "method", "test", "line"
+    names: list[str]
+    why: str
+    place: Place
+    covers: list[str] = field(default_factory=list)  # ids that need it
+
+
+@dataclass
+class Mutant:
+    """A fault that was seeded in a method of a tree."""
+
+    place: Place
+    method: str
+    kind: str
+    change: str
+    killed_by: list[str]  # tests
+    own: dict[str, bool]  # requirement whose tree holds the method -> whether its own tests find it
+
+
+@dataclass
+class Mutation:
+    """The faults that were tried, of all that there are."""
+
+    seed: int
+    minutes: float
+    total: int
+    tried: list[Mutant]
+
+    @property
+    def found(self) -> int:
+        return sum(bool(mutant.killed_by) for mutant in self.tried)
+
+
+@dataclass
+class Transition:
+    source: str
+    event: str
+    guard: str
+    target: str
+    action: str
+    place: Place
+    requirements: list[str] = field(default_factory=list)
+    changes: list[Place] = field(default_factory=list)  # where the code makes it; none of a stay
+    tests: list[str] = field(default_factory=list)  # that passed, and made it
+
+
+@dataclass
+class StateMachine:
+    """``states`` maps a state's name to the module that realises it.
+
+    ``events`` maps an event to the operation of the state that the Context calls then.
+    """
+
+    id: str
+    title: str
+    application: str
+    initial: str
+    states: dict[str, str]
+    transitions: list[Transition]
+    place: Place
+    events: dict[str, str] = field(default_factory=dict)
+    # "from operation to" of changes that tests made and nobody declared -> the tests
+    undeclared: dict[str, list[str]] = field(default_factory=dict)
+
+
+@dataclass
+class ExecutionContext:
+    """What the hardware enters: an interrupt, the thread of a control system, or the start."""
+
+    id: str
+    kind: str  # "interrupt", "thread", "start"
+    name: str
+    says: str
+    handlers: list[str]
+    body: str  # the command that a thread executes
+    place: Place
+    lines: list[int] = field(default_factory=list)  # of the interrupt controller
+    priority: int | None = None
+    first: list[str] = field(default_factory=list)  # methods with which it begins
+    methods: list[str] = field(default_factory=list)  # methods of modules that it may reach
+    intended: int | None = None  # the priority that the design gives it
+
+
+@dataclass
+class StackCall:
+    """A function of the deepest chain of calls, with its frame."""
+
+    name: str
+    bytes: int
+    measured: bool  # from its instructions: the compiler did not tell it
+
+
+@dataclass
+class StackContext:
+    """What one context needs at most, and the chain of calls that needs it."""
+
+    id: str
+    name: str
+    kind: str  # "start", "thread", "interrupt", "fault"
+    priority: int | None
+    bytes: int
+    chain: list[StackCall]
+
+
+@dataclass
+class StackProof:
+    """The stack that the image of the robot needs at most, in bytes."""
+
+    exception_frame: int  # what the hardware stores at each entry
+    limit: int = 0  # what the linker script gives
+    seen: int | None = None  # the most that a run in closed loop used
+    contexts: list[StackContext] = field(default_factory=list)
+    unresolved: list[tuple[str, Place]] = field(default_factory=list)  # calls: function, place
+    cycles: list[list[str]] = field(default_factory=list)
+    dynamic: list[str] = field(default_factory=list)  # functions whose frame has no bound
+    untold: list[str] = field(default_factory=list)  # of ours: the compiler told nothing of them
+
+    @property
+    def proven(self) -> bool:
+        return not (self.unresolved or self.cycles or self.dynamic or self.untold)
+
+    @property
+    def levels(self) -> list[StackContext]:
+        """For each priority the context that needs the most; the start is below them all."""
+        worst: dict[int | None, StackContext] = {}
+        for context in self.contexts:
+            held = worst.get(context.priority)
+            if held is None or context.bytes > held.bytes:
+                worst[context.priority] = context
+        return sorted(
+            worst.values(), key=lambda one: -(1 << 10 if one.priority is None else one.priority)
+        )
+
+    @property
+    def total(self) -> int:
+        """All levels at a time, each but the lowest with what the hardware stores."""
+        levels = self.levels
+        return sum(one.bytes for one in levels) + self.exception_frame * (len(levels) - 1)
+
+
+@dataclass
+class SharedPipe:
+    """A pipe of the robot; ``writers`` and ``readers`` are methods with their contexts."""
+
+    id: str
+    name: str
+    says: str
+    type: str
+    place: Place
+    writers: dict[str, list[str]] = field(default_factory=dict)
+    readers: dict[str, list[str]] = field(default_factory=dict)
+
+
+@dataclass
+class SharedMember:
+    """A member that one context changes and another one changes or reads."""
+
+    id: str
+    module: str
+    type: str
+    place: Place
+    writers: list[str]
+    readers: list[str]
+    protection: str  # "" when nothing tells
+    why: str
+
+
+@dataclass
+class Use:
+    """Actual use between logic modules: an include, or a call."""
+
+    source: str
+    target: str
+    places: list[Place]
+
+
+@dataclass
+class AllowedUse:
+    source: str
+    target: str
+    why: str
+    place: Place
+
+
+@dataclass
+class Apart:
+    """Modules that never name the others, nor the others them."""
+
+    modules: list[str]
+    others: list[str]
+    why: str
+    place: Place
+
+
+@dataclass
+class Cycle:
+    """Logic modules that may use each other in a ring, and the pattern that causes it."""
+
+    within: str
+    modules: list[str]
+    pattern: str
+    place: Place
+
+
+@dataclass
+class ArchitectureElement:
+    """An element of the Process Control architecture and the modules that refine it."""
+
+    id: str
+    kind: str
+    name: str
+    text: str
+    modules: list[str]
+    place: Place
+
+
+@dataclass
+class PaperPlace:
+    """A figure, table, section or box of the paper."""
+
+    id: str
+    kind: str
+    title: str
+    place: Place
+
+
+@dataclass
+class PaperElement:
+    """What the paper names, and where it is here. ``here`` holds targets as "kind:name"."""
+
+    kind: str
+    name: str
+    here: list[str]
+    alias: str = ""  # why it has another name here
+    deviation: str = ""  # what is different here on purpose
+    note: str = ""
+    where: list[str] = field(default_factory=list)  # places of the paper that name it
+    place: Place = field(default_factory=lambda: Place("", 0))
+
+
+@dataclass
+class LikelyChange:
+    """What a change takes that an application of a pattern absorbs."""
+
+    application: str
+    pattern: str
+    hidden_by: str  # module
+    altered: list[str]  # modules that each hide one way that exists
+    role: str  # role of a new class; "" when none is added
+    derives: list[str]  # what a new class derives from
+    logic: str  # where the present ones are
+    edits: list[str]  # modules that make a new class known
+    untouched: list[str]
+    requirements: list[str]  # to look at again
+    tests: list[str]
+    steps: list[str]
+    examples: list[str]  # modules of extensions that are such a change
+
+
+@dataclass
+class ArchitectureGroup:
+    """Modules that the high-level diagram draws in one box; ``module`` stands for all of them."""
+
+    name: str
+    module: str
+    modules: list[str]
+    place: Place
+
+
+@dataclass
+class Connection:
+    """A line of the high-level diagram: "call", "interrupt", "command", "pipe" or "physical"."""
+
+    kind: str
+    source: str
+    target: str
+    connector: str
+    place: Place
+    way: list[str] = field(default_factory=list)  # methods; none of a line outside the code
+
+
+@dataclass
+class BoardFinding:
+    """A kind of mistake that the virtual K64 finds, and the tests that make it happen."""
+
+    id: str
+    says: str
+    place: Place
+    tests: list[str] = field(default_factory=list)
+
+
+@dataclass
+class BeliefSource:
+    """Where a belief of the virtual board comes from."""
+
+    id: str
+    says: str
+    outside: bool  # neither driver nor model was written from it by memory
+    place: Place
+
+
+@dataclass
+class BoardBelief:
+    """A value of a register on which the virtual board depends, and its meaning."""
+
+    register: str  # block::NAME
+    value: str
+    says: str
+    source: str  # id of a BeliefSource
+    model: str  # file of the virtual board
+    shared: bool  # driver and model have only each other
+    place: Place
+
+    @property
+    def name(self) -> str:
+        """The register without its block."""
+        return self.register.rpartition("::")[2]
+
+
+@dataclass
+class DriverFault:
+    """A mistake seeded in a driver, and what the virtual K64 found in the image made from it."""
+
+    fault: str
+    file: str
+    finding: str
+    caught: bool
+    text: str
+
+
+@dataclass
+class Finding:
+    """What a check found. ``text`` says what is wrong, ``mend`` what would mend it."""
+
+    place: Place
+    check: str
+    text: str
+    mend: str
+
+
+@dataclass
+class Curve:
+    """A value over time. Its kind is "set_point", "measured" or "truth"."""
+
+    kind: str
+    binding: str
+    points: list[tuple[float, float]]  # seconds, value
+
+
+@dataclass
+class LoopPlot:
+    title: str
+    unit: str
+    curves: list[Curve]
+
+
+@dataclass
+class LoopFigure:
+    """A figure of a run in closed loop, with the greatest value that is allowed."""
+
+    title: str
+    limit: float
+    unit: str
+    requirement: str  # "" without one
+    values: dict[str, float | None]  # binding that ran -> value; None when it has none
+
+    def holds(self, binding: str) -> bool:
+        value = self.values[binding]
+        return value is not None and value <= self.limit
+
+
+@dataclass
+class LoopRun:
+    """Whether all expectations of the scenario held, and what was printed if not."""
+
+    passed: bool
+    said: str
+    stack: int | None = None  # bytes that it used, on the virtual K64
+
+
+@dataclass
+class LoopScenario:
+    name: str
+    title: str
+    says: str
+    file: str
+    place: Place
+    plots: list[LoopPlot]
+    figures: list[LoopFigure]
+    runs: dict[str, LoopRun]  # binding -> run with these sources
