@@ -61,8 +61,8 @@ def portal(root: Path, options: argparse.Namespace) -> int:
         if not options.docs_only:
             with Pages(root) as pages:
                 failed = graph(root).run(RESULT_TASKS, pages.changed).failed
-            finish(root, failed, start, cold)
-            pages.write(over=True)
+                pages.end()
+                finish(root, failed, start, cold)
     wait(thread)
     return 0
 
@@ -89,12 +89,16 @@ class Pages(AbstractContextManager["Pages"]):
         self.thread.start()
         return self
 
-    def __exit__(self, error: type[BaseException] | None, *_: object) -> None:
+    def __exit__(self, *_: object) -> None:
         self.over = True
         self.wanted.set()
-        if error is None:
-            self.thread.join()
         self.write(over=True)
+
+    def end(self) -> None:
+        """Waits until nothing is rebuilt any more. The state of the run is not over yet."""
+        self.over = True
+        self.wanted.set()
+        self.thread.join()
 
     def changed(self, task: Task | None, progress: Progress) -> None:
         self.progress = progress

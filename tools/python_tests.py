@@ -11,12 +11,24 @@ from tools.task_graph import Outcome
 from traceability.reading.results import RESULTS
 
 
+# Tests that mostly wait for a robot in real time: more of them than processors run side by side.
+WAITING = "client"
+WAITING_JOBS = "6"
+
+
+def workers(folder: str) -> list[str | Path]:
+    """Options of pytest: how many tests run side by side, and which stay together."""
+    if folder == WAITING:
+        return ["-n", WAITING_JOBS, "--dist", "load"]
+    return ["-n", jobs(), "--dist", "loadfile"]
+
+
 def run_pytest(root: Path, folder: str, log: TextIO, *options: str) -> Outcome:
     """Runs the tests; failed tests are an outcome, a run without results is an error."""
     results = root / RESULTS / f"pytest_{folder}.xml"
     results.parent.mkdir(parents=True, exist_ok=True)
     words: list[str | Path] = [root / ".venv/bin/python", "-m", "pytest", "-q", "-ra"]
-    words += ["-n", jobs(), "--dist", "loadfile"]
+    words += workers(folder)
     words += [f"--rootdir={root}", "-c", root / "pyproject.toml", f"--junitxml={results}"]
     try:
         run(log, [*words, *options, root / "tests/python" / folder])

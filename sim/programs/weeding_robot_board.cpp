@@ -282,16 +282,16 @@ Exit runBoard(Machine& machine, const Settings& settings) {
   // A run as fast as possible has no line that a client could follow.
   const std::unique_ptr<SerialLine> line =
       settings.fast && settings.uart == "pty" ? nullptr : openLine(settings.uart);
-  std::optional<SymbolicLink> link;
+  std::optional<scenario::ControlChannel> control;
+  if (!settings.control.empty()) {
+    control.emplace(settings.control, *machine.robot());
+  }
+  std::optional<SymbolicLink> link;  // last: who sees it finds all the rest
   if (line) {
     link.emplace(settings.link, line->name());
     std::fprintf(messagesOf(settings), "%s: %s\n", machine.robot() ? "PC link" : "UART0",
                  line->name().c_str());
     std::fflush(messagesOf(settings));
-  }
-  std::optional<scenario::ControlChannel> control;
-  if (!settings.control.empty()) {
-    control.emplace(settings.control, *machine.robot());
   }
   const auto start = std::chrono::steady_clock::now();
   bool runs = true;

@@ -80,13 +80,13 @@ void listen(SerialLine& line, host_robot::HostSession& robot) {
 void runInRealTime(const Settings& settings) {
   catchEndRequests();
   PseudoTerminal line;
-  const SymbolicLink link(settings.link, line.name());
-  std::printf("PC link: %s\n", line.name().c_str());
-  std::fflush(stdout);
   const host::RealTimebase clock;
   host_robot::HostSession robot(equipmentOf(settings));
   scenario::ControlChannel control(settings.control, robot);
   robot.start();
+  const SymbolicLink link(settings.link, line.name());  // last: who sees it finds all the rest
+  std::printf("PC link: %s\n", line.name().c_str());
+  std::fflush(stdout);
   for (Instant now; !hasRun(robot, settings.cycles) && !endRequested();) {
     now = now + kSlice;
     while (!endRequested() && clock.now() < now) {

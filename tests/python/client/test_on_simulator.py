@@ -6,7 +6,7 @@ import os
 import signal
 import subprocess
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -25,18 +25,10 @@ VELOCITY = WheelSetPoint(Quantity.VELOCITY, 40.0)
 STILL = WheelSetPoint(Quantity.VELOCITY, 0.0)
 
 
-def build(preset: str, target: str) -> None:
-    folder = ROOT / "build" / preset
-    jobs = str(os.cpu_count() or 1)
-    for words in (
-        ["cmake", "-S", str(ROOT), "--preset", preset],
-        ["cmake", "--build", str(folder), "--parallel", jobs, "--target", target],
-    ):
-        subprocess.run(words, check=True, cwd=ROOT, timeout=300, stdout=subprocess.DEVNULL)
-
-
 @pytest.fixture(scope="module", params=["host", "board"])
-def program(request: pytest.FixtureRequest) -> list[Path | str]:
+def program(
+    request: pytest.FixtureRequest, build: Callable[..., None]
+) -> list[Path | str]:
     name = f"weeding_robot_{request.param}"
     build("host", name)
     if request.param == "host":

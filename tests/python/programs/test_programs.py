@@ -2,10 +2,10 @@
 
 import csv
 import math
-import os
 import socket
 import subprocess
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -20,19 +20,8 @@ CYCLE_TIMER_VECTOR = 4 * (16 + 48)
 Words = list[str | Path]
 
 
-def build(preset: str, *targets: str) -> None:
-    folder = ROOT / "build" / preset
-    jobs = str(os.cpu_count() or 1)
-    commands: tuple[Words, Words] = (
-        ["cmake", "-S", ROOT, "--preset", preset],
-        ["cmake", "--build", folder, "--parallel", jobs, "--target", *targets],
-    )
-    for words in commands:
-        subprocess.run(words, check=True, cwd=ROOT, timeout=600, stdout=subprocess.DEVNULL)
-
-
 @pytest.fixture(scope="module", autouse=True)
-def built() -> None:
+def built(build: Callable[..., None]) -> None:
     build("host", "weeding_robot_host", "weeding_robot_board")
     build("k64", "weeding_robot_paper")
 
@@ -246,7 +235,7 @@ def test_a_finding_is_printed_and_has_its_own_exit_code(tmp_path: Path) -> None:
 
 
 @pytest.fixture(scope="module")
-def alone() -> Path:
+def alone(build: Callable[..., None]) -> Path:
     """A raw image that is not part of the firmware."""
     build("host", "alone_program")
     return ROOT / "build" / "host" / "guest" / "alone.bin"
