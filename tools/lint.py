@@ -153,7 +153,7 @@ def check_changed(
     keys = {}
     for path in paths:
         total = hashlib.sha256(" ".join(command(path)).encode())
-        for part in (root / ".clang-tidy", *sorted(included(root, path))):
+        for part in (*settings(root, path), *sorted(included(root, path))):
             total.update(part.read_bytes())
         keys[str(path.relative_to(root))] = total.hexdigest()
     changed = [file for file, key in keys.items() if passed.get(file) != key]
@@ -174,6 +174,12 @@ def check_changed(
     if failed:
         raise FailureError(f"{len(failed)} of {len(paths)} files")
     return f"{len(paths)} files, {len(changed)} of them changed"
+
+
+def settings(root: Path, path: Path) -> list[Path]:
+    """The settings of clang-tidy that hold for a file."""
+    folders = [one for one in path.parents if one.is_relative_to(root)]
+    return [one for folder in folders if (one := folder / ".clang-tidy").exists()]
 
 
 def included(root: Path, path: Path) -> set[Path]:

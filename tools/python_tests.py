@@ -10,7 +10,6 @@ from tools.steps import FailureError, run
 from tools.task_graph import Outcome
 from traceability.reading.results import RESULTS
 
-
 # Tests that mostly wait for a robot in real time: more of them than processors run side by side.
 WAITING = "client"
 WAITING_JOBS = "6"

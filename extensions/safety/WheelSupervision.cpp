@@ -26,13 +26,15 @@ constexpr std::int32_t kMarginShare = 4;  // and a quarter of the set-point
 constexpr Velocity kSlower(10);  // loss of speed in a cycle of a wheel that its control brakes
 constexpr std::uint8_t kTooFastCycles = 3;
 
-// Voltage, velocity and current do not match. The share covers a supply of 21 to 29 V, and 15 % of
-// the resistance and of the motor constant.
-constexpr Tension kResidual(4000);
-constexpr Tension kAtRest(1500);  // 1 A in the winding
-constexpr std::int32_t kResidualPercent = 30;
+// Voltage, velocity and current do not match. The shares cover a supply of 21 to 29 V, and what the
+// resistance and the motor constant vary with temperature and from motor to motor.
+constexpr Tension kResidual(700);         // offset of the current, and what changes during a cycle
+constexpr Tension kWithoutVoltage(1500);  // 1 A in the winding
+constexpr std::int32_t kSupplyPercent = 20;
+constexpr std::int32_t kWindingPercent = 25;
+constexpr std::int32_t kInducedPercent = 10;
 constexpr std::int32_t kWinding = 1500;  // [mOhm] resistance of winding and leads
-constexpr std::uint8_t kDeviatingCycles = 3;
+constexpr std::uint8_t kDeviatingCycles = 2;
 
 constexpr std::uint8_t kMissingCycles = 3;  // the third one ends more than 0.2 s after the first
 
@@ -56,9 +58,18 @@ Tension induced(Velocity velocity) {
                  kThousand);
 }
 
+// Voltage of a current in the winding.
+Tension across(Current current) {
+  return Tension(kWinding * current.count() / kThousand);
+}
+
 // Part of a voltage that neither the velocity nor the current explains.
 Tension residual(Tension tension, Velocity velocity, Current current) {
-  return tension - induced(velocity) - Tension(kWinding * current.count() / kThousand);
+  return tension - induced(velocity) - across(current);
+}
+
+Tension part(Tension tension, std::int32_t percent) {
+  return magnitude(tension) * percent / kPercent;
 }
 
 // Counts the cycles of a condition, a cycle without it takes back half a cycle, and returns whether
@@ -133,8 +144,8 @@ bool WheelSupervision::opposes(const WheelMeasurements& measured) const {
   const bool driven = magnitude(*tension_) > kDriving;
   const bool against = (velocity > Velocity()) != (*tension_ > Tension());
   const Tension unexplained = residual(*tension_, velocity, *measured.current);
-  const Tension bound = magnitude(induced(velocity)) * kOpposingPercent / kPercent +
-                        magnitude(*tension_) * kDrivingPercent / kPercent;
+  const Tension bound =
+      part(induced(velocity), kOpposingPercent) + part(*tension_, kDrivingPercent);
   const bool powered = (*tension_ > Tension() ? unexplained : -unexplained) > bound;
   return driven && against && magnitude(velocity) > kOpposing && powered;
 }
@@ -155,9 +166,12 @@ bool WheelSupervision::deviates(const WheelMeasurements& measured) const {
   if (!tension_ || !measured.velocity || !measured.current) {
     return false;
   }
-  const Tension greater = std::max(magnitude(*tension_), magnitude(induced(*measured.velocity)));
-  const bool atRest = *tension_ == Tension() && *measured.velocity == Velocity();
-  const Tension bound = (atRest ? kAtRest : kResidual) + greater * kResidualPercent / kPercent;
+  const Tension shares = part(*tension_, kSupplyPercent) +
+                         part(across(*measured.current), kWindingPercent) +
+                         part(induced(*measured.velocity), kInducedPercent);
+  const bool off = *tension_ == Tension();
+  const bool atRest = off && *measured.velocity == Velocity();
+  const Tension bound = (off ? kWithoutVoltage : kResidual) + (atRest ? Tension() : shares);
   return magnitude(residual(*tension_, *measured.velocity, *measured.current)) > bound;
 }
 

@@ -5,6 +5,8 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <array>
+
 #include "sim/programs/checked.hpp"
 
 namespace wr::programs {
@@ -12,9 +14,9 @@ namespace wr::programs {
 namespace {
 
 std::string nameOf(int line) {
-  const char* name = ptsname(line);
-  checked(name == nullptr ? -1 : 0, "ptsname");
-  return name;
+  std::array<char, 64> name{};
+  checked(ptsname_r(line, name.data(), name.size()) == 0 ? 0 : -1, "ptsname_r");
+  return name.data();
 }
 
 }  // namespace

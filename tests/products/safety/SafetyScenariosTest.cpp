@@ -95,6 +95,7 @@ TEST_P(FaultOfAPart, FR270_StopsTheWholeRobot) {
 
 INSTANTIATE_TEST_SUITE_P(Faults, FaultOfAPart,
                          testing::Values("swapped_leads", "swapped_leads_off_the_ground",
+                                         "swapped_leads_while_driving", "hall_losses",
                                          "hall_swapped", "hall_dead", "hall_glitches",
                                          "hall_misplaced", "current_stuck",
                                          "wheel_blocked_at_3_volts", "overcurrent_uphill"),

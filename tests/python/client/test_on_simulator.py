@@ -26,9 +26,7 @@ STILL = WheelSetPoint(Quantity.VELOCITY, 0.0)
 
 
 @pytest.fixture(scope="module", params=["host", "board"])
-def program(
-    request: pytest.FixtureRequest, build: Callable[..., None]
-) -> list[Path | str]:
+def program(request: pytest.FixtureRequest, build: Callable[..., None]) -> list[Path | str]:
     name = f"weeding_robot_{request.param}"
     build("host", name)
     if request.param == "host":
