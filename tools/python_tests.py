@@ -12,7 +12,7 @@ from traceability.reading.results import RESULTS
 
 # Tests that mostly wait for a robot in real time: more of them than processors run side by side.
 WAITING = "client"
-WAITING_JOBS = "6"
+WAITING_JOBS = "4"
 
 
 def workers(folder: str) -> list[str | Path]:

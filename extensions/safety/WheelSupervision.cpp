@@ -28,8 +28,8 @@ constexpr std::uint8_t kTooFastCycles = 3;
 
 // Voltage, velocity and current do not match. The shares cover a supply of 21 to 29 V, and what the
 // resistance and the motor constant vary with temperature and from motor to motor.
-constexpr Tension kResidual(700);         // offset of the current, and what changes during a cycle
-constexpr Tension kWithoutVoltage(1500);  // 1 A in the winding
+constexpr Tension kResidual(700);    // offset of the current, and what changes during a cycle
+constexpr Tension kNotDriven(1500);  // 1 A in the winding; 1 V turns a wheel at bring-up
 constexpr std::int32_t kSupplyPercent = 20;
 constexpr std::int32_t kWindingPercent = 25;
 constexpr std::int32_t kInducedPercent = 10;
@@ -169,9 +169,9 @@ bool WheelSupervision::deviates(const WheelMeasurements& measured) const {
   const Tension shares = part(*tension_, kSupplyPercent) +
                          part(across(*measured.current), kWindingPercent) +
                          part(induced(*measured.velocity), kInducedPercent);
-  const bool off = *tension_ == Tension();
-  const bool atRest = off && *measured.velocity == Velocity();
-  const Tension bound = (off ? kWithoutVoltage : kResidual) + (atRest ? Tension() : shares);
+  const bool driven = magnitude(*tension_) > kDriving;
+  const bool atRest = *tension_ == Tension() && *measured.velocity == Velocity();
+  const Tension bound = (driven ? kResidual : kNotDriven) + (atRest ? Tension() : shares);
   return magnitude(residual(*tension_, *measured.velocity, *measured.current)) > bound;
 }
 

@@ -11,7 +11,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "sim/board_robot/BoardSession.hpp"
@@ -19,6 +18,7 @@
 #include "sim/emulator/EventTrace.hpp"
 #include "sim/emulator/Image.hpp"
 #include "sim/emulator/VirtualBoard.hpp"
+#include "sim/programs/Pace.hpp"
 #include "sim/programs/Program.hpp"
 #include "sim/programs/SerialLine.hpp"
 #include "sim/programs/signals.hpp"
@@ -293,7 +293,7 @@ Exit runBoard(Machine& machine, const Settings& settings) {
                  line->name().c_str());
     std::fflush(messagesOf(settings));
   }
-  const auto start = std::chrono::steady_clock::now();
+  Pace pace;
   bool runs = true;
   while (runs && !endRequested() && !hasRun(machine, settings)) {
     runs = board.runUntil(board.now() + kSlice);
@@ -305,9 +305,10 @@ Exit runBoard(Machine& machine, const Settings& settings) {
     }
     printWarnings(board);
     if (!settings.fast) {
-      std::this_thread::sleep_until(start + board.now());
+      pace.waitFor(board.now());
     }
   }
+  printLost(pace, messagesOf(settings));
   if (board.finding()) {
     std::fprintf(messagesOf(settings), "finding: %s\n", emulator::textOf(*board.finding()).c_str());
     return Exit::Found;

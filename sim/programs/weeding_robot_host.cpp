@@ -1,4 +1,5 @@
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -7,8 +8,8 @@
 #include <span>
 #include <string>
 
-#include "sim/host/HostTimebase.hpp"
 #include "sim/host_robot/HostSession.hpp"
+#include "sim/programs/Pace.hpp"
 #include "sim/programs/Program.hpp"
 #include "sim/programs/PseudoTerminal.hpp"
 #include "sim/scenario/ControlChannel.hpp"
@@ -80,23 +81,22 @@ void listen(SerialLine& line, host_robot::HostSession& robot) {
 void runInRealTime(const Settings& settings) {
   catchEndRequests();
   PseudoTerminal line;
-  const host::RealTimebase clock;
   host_robot::HostSession robot(equipmentOf(settings));
   scenario::ControlChannel control(settings.control, robot);
   robot.start();
   const SymbolicLink link(settings.link, line.name());  // last: who sees it finds all the rest
   std::printf("PC link: %s\n", line.name().c_str());
   std::fflush(stdout);
+  Pace pace;
   for (Instant now; !hasRun(robot, settings.cycles) && !endRequested();) {
     now = now + kSlice;
-    while (!endRequested() && clock.now() < now) {
-      clock.sleepUntil(now);
-    }
+    pace.waitFor(std::chrono::microseconds(now.sinceStart()));
     listen(line, robot);
     control.serve();
     robot.world.runUntil(now);
     line.write(robot.takeSent());  // bytes that nobody reads are lost, as on a line
   }
+  printLost(pace, stdout);
 }
 
 Exit run(const Settings& settings) {

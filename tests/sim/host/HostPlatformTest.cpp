@@ -122,15 +122,6 @@ TEST(HostTimebaseTest, SteppedTimePassesByHand) {
   EXPECT_EQ(time.now(), Instant(3000));
 }
 
-/// @brief Real time runs from its construction, and a sleep ends no earlier than its instant.
-TEST(HostTimebaseTest, RealTimeRuns) {
-  const host::RealTimebase time;
-  const Instant wake = time.now() + milliseconds(5);
-  EXPECT_LT(time.now(), Instant(5'000'000));
-  time.sleepUntil(wake);
-  EXPECT_GE(time.now(), wake);
-}
-
 scenario::Bytes counting(std::size_t count) {
   scenario::Bytes bytes(count);
   std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});

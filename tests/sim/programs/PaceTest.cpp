@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "sim/programs/Pace.hpp"
+
+namespace wr::test {
+namespace {
+
+using programs::Pace;
+using std::chrono::milliseconds;
+
+/// A clock that stands still but for what the test and a sleep do to it.
+class PaceOfTheRobot : public testing::Test {
+ protected:
+  Pace::Clock::time_point clock;
+  Pace pace{[this] { return clock; }, [this](Pace::Clock::time_point until) { clock = until; }};
+};
+
+/// @brief The robot waits for the clock.
+TEST_F(PaceOfTheRobot, WaitsForTheClock) {
+  pace.waitFor(milliseconds(5));
+  EXPECT_EQ(clock.time_since_epoch(), milliseconds(5));
+  pace.waitFor(milliseconds(6));
+  EXPECT_EQ(clock.time_since_epoch(), milliseconds(6));
+}
+
+/// @brief A machine that is late by 20 ms is caught up with.
+TEST_F(PaceOfTheRobot, MakesUpForAShortDelay) {
+  clock += milliseconds(25);
+  pace.waitFor(milliseconds(5));
+  EXPECT_EQ(clock.time_since_epoch(), milliseconds(25));
+  EXPECT_EQ(pace.lost(), milliseconds(0));
+  pace.waitFor(milliseconds(30));
+  EXPECT_EQ(clock.time_since_epoch(), milliseconds(30));
+}
+
+/// @brief After a longer delay the robot's time goes on from where it was.
+TEST_F(PaceOfTheRobot, StandsStillWhileTheMachineIsLate) {
+  clock += milliseconds(1005);
+  pace.waitFor(milliseconds(5));
+  EXPECT_EQ(pace.lost(), milliseconds(1000));
+  pace.waitFor(milliseconds(6));
+  EXPECT_EQ(clock.time_since_epoch(), milliseconds(1006));
+}
+
+/// @brief The clock of the machine is used when no other is given.
+TEST_F(PaceOfTheRobot, FollowsTheMachine) {
+  const auto before = Pace::Clock::now();
+  Pace real;
+  real.waitFor(milliseconds(2));
+  EXPECT_GE(Pace::Clock::now() - before, milliseconds(2));
+}
+
+}  // namespace
+}  // namespace wr::test
