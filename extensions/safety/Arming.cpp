@@ -1,7 +1,5 @@
 #include "safety/Arming.hpp"
 
-#include <algorithm>
-
 #include "services/SystemConstants.hpp"
 
 namespace wr {
@@ -11,11 +9,6 @@ namespace {
 constexpr Microseconds kNeutral = milliseconds(500);
 constexpr auto kNeutralOrders =
     static_cast<std::uint8_t>(kNeutral.count() / SystemConstants::instance().cyclePeriod().count());
-
-bool neutral(const SetPoints& setPoints) {
-  return std::ranges::all_of(setPoints.wheels,
-                             [](const WheelSetPoint& wheel) { return wheel.value == 0; });
-}
 
 }  // namespace
 
@@ -36,7 +29,7 @@ void Arming::follow(const SetPoints& setPoints, std::uint32_t cycle) {
     return;
   }
   if (!setPoints.repeated) {
-    neutralOrders_ = neutral(setPoints) ? static_cast<std::uint8_t>(neutralOrders_ + 1) : 0;
+    neutralOrders_ = setPoints.neutral() ? static_cast<std::uint8_t>(neutralOrders_ + 1) : 0;
   }
   wrapped().stand(cycle);
 }

@@ -1,20 +1,10 @@
 #include "safety/PersistentStop.hpp"
 
-#include <algorithm>
 #include <optional>
 
 #include "main_control/MainController.hpp"
 
 namespace wr {
-
-namespace {
-
-bool neutral(const SetPoints& setPoints) {
-  return std::ranges::all_of(setPoints.wheels,
-                             [](const WheelSetPoint& wheel) { return wheel.value == 0; });
-}
-
-}  // namespace
 
 PersistentStop::PersistentStop(Mode& wrapped, StopMemory& memory)
     : ModeDecorator(ModeId::None, wrapped), memory_(memory), kept_(memory.stopped()) {}
@@ -30,7 +20,7 @@ void PersistentStop::serve() {
 void PersistentStop::read(MainController& mCtrl) {
   ModeDecorator::read(mCtrl);
   const std::optional<SetPoints>& order = mCtrl.getData().setPoints();
-  if (order && neutral(*order) && !ModeDecorator::stopOrdered()) {
+  if (order && order->neutral() && !ModeDecorator::stopOrdered()) {
     kept_ = false;
   }
 }

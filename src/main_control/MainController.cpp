@@ -82,7 +82,7 @@ ControlData& MainController::getData() {
 
 void MainController::applyControl() {
   const std::optional<SetPoints>& setPoints = data_.setPoints();
-  if (!setPoints) {
+  if (!setPoints || (setPoints->acknowledge && !setPoints->neutral())) {
     holdSystems();
   } else if (setPoints->acknowledge) {
     systems_.acknowledge(data_.cycle());

@@ -111,9 +111,11 @@ class MainController {
   [[nodiscard]] ControlData& getData();
 
   /// @brief Orders the control systems to follow the set-points that were read last.
+  /// An order to acknowledge moves nothing; it counts only if it is neutral.
   /// @post Without set-points the control systems are held.
   /// @satisfies FR-14
   /// @satisfies FR-22
+  /// @satisfies FR-299
   /// @isr{no}
   void applyControl();
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -65,9 +66,15 @@ struct SetPoints {
   std::uint16_t orderId = 0;                        ///< number that the sender gave to the order
   Angle steering{};                                 ///< angle of the steering device
   std::array<WheelSetPoint, kWheelCount> wheels{};  ///< one set-point for each wheel
-  bool acknowledge = false;  ///< releases latched faults; such an order moves nothing
+  bool acknowledge = false;  ///< releases latched faults, if neutral; such an order moves nothing
   bool repeated = false;     ///< read in an earlier cycle, and still in force
   std::uint32_t sentAt = 0;  ///< time of the sender's clock when the order was sent [ms]
+
+  /// @brief Checks whether the value of each wheel is 0, whatever its quantity.
+  /// @return true when no wheel is to move
+  [[nodiscard]] constexpr bool neutral() const {
+    return std::ranges::all_of(wheels, [](const WheelSetPoint& wheel) { return wheel.value == 0; });
+  }
 
   /// @brief Returns whether two orders set the same.
   friend constexpr bool operator==(const SetPoints&, const SetPoints&) = default;

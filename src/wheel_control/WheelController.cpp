@@ -20,6 +20,7 @@ constexpr std::int32_t kThousand = 1000;
 constexpr std::int32_t kJitter = 1;        // edges to and fro that one working sensor gives
 constexpr Tension kReversal(500);          // a demand below this needs no orientation of its own
 constexpr std::uint8_t kMostWaiting = 20;  // cycles that a reversal may wait for a slow wheel
+constexpr Microseconds kSameCycle = milliseconds(50);
 
 // The value of a measurement, unless it has grown old.
 template <class T>
@@ -60,7 +61,11 @@ void WheelController::halt() {
 }
 
 void WheelController::driverOff() {
-  stopWheel_.execute(Tension());
+  const Instant now = timebase_.now();
+  if (!driverOff_ || now - *driverOff_ > kSameCycle) {
+    driverOff_ = now;
+    stopWheel_.execute(Tension());
+  }
   waitingCycles_ = 0;
   advance_.resume(Tension());
   resetAlgorithms();

@@ -65,7 +65,7 @@ class WheelController final {
   void halt();
 
   /// @brief Stops a wheel whose overcurrent trip has acted: nothing is applied, and control starts from
-  /// nothing after the release.
+  /// nothing after the release. A wheel that is controlled and halted in one cycle counts it once.
   /// @satisfies FR-89
   /// @satisfies FR-221
   /// @isr{no}
@@ -127,9 +127,10 @@ class WheelController final {
   WheelCommand& stopWheel_;
   WheelQuantity quantity_ = WheelQuantity::Velocity;  // what the last set-point set
   std::optional<Tension> applied_;
-  HallCount seen_{};                // position when the wheel was last seen to turn
-  std::int32_t effort_ = 0;         // [mV cycles] voltage times the time without motion
-  std::uint8_t waitingCycles_ = 0;  // cycles in a row in which a reversal waits without voltage
+  HallCount seen_{};                  // position when the wheel was last seen to turn
+  std::int32_t effort_ = 0;           // [mV cycles] voltage times the time without motion
+  std::optional<Instant> driverOff_;  // last stop of a wheel whose trip has acted
+  std::uint8_t waitingCycles_ = 0;    // cycles in a row in which a reversal waits without voltage
   bool blind_ = false;
   bool reversalLate_ = false;
 };

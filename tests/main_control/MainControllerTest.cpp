@@ -90,6 +90,20 @@ TEST_F(MainControllerTest, FR14_AppliesTheSetPoints) {
   EXPECT_EQ(system.applied.orderId, 77);
 }
 
+/// @brief An order to acknowledge reaches the control systems when it is neutral; with motion they are held.
+/// @verifies FR-299
+TEST_F(MainControllerTest, FR299_OnlyANeutralOrderAcknowledges) {
+  SetPoints order{.acknowledge = true};
+  data.saveSetPoints(order);
+  controller.applyControl();
+  EXPECT_EQ(system.calls, kAcknowledged);
+  system.calls.clear();
+  order.wheels[3].value = 1;
+  data.saveSetPoints(order);
+  controller.applyControl();
+  EXPECT_EQ(system.calls, kHeld);
+}
+
 /// @brief A stop of any mode holds the control systems; the state is not asked.
 /// @verifies FR-21
 TEST_F(MainControllerTest, FR21_StopOfAnyModeHolds) {

@@ -67,5 +67,6 @@ class SpySystem final : public ControlSystem {
 
 inline const std::vector<std::string> kControlled{"measure", "apply", "activate"};
 inline const std::vector<std::string> kHeld{"measure", "halt", "activate"};
+inline const std::vector<std::string> kAcknowledged{"measure", "release", "halt", "activate"};
 
 }  // namespace wr::test

@@ -35,8 +35,7 @@ OrderMessage::OrderMessage(const SetPoints& setPoints, bool stop)
                                           (setPoints.acknowledge ? kAcknowledge : 0))) {}
 
 bool OrderMessage::neutral() const {
-  return std::ranges::all_of(setPoints_.wheels,
-                             [](const WheelSetPoint& wheel) { return wheel.value == 0; });
+  return setPoints_.neutral();
 }
 
 bool OrderMessage::inRange() const {

@@ -13,8 +13,6 @@
 namespace wr::test {
 namespace {
 
-const std::vector<std::string> kAcknowledged{"measure", "release", "halt", "activate"};
-
 /// One control system that records its orders, behind a decorator.
 class SafetyChain : public testing::Test {
  protected:

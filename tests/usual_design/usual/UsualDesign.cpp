@@ -262,7 +262,9 @@ void UsualDesign::control() {
   held_ = stop_ || countNoMsg_ > kN || !setPoints_;
   if (!held_ && setPoints_->acknowledge) {
     held_ = true;
-    release(wheel);
+    if (setPoints_->neutral()) {
+      release(wheel);
+    }
   }
   if (trip_.load() != Trip::None) {
     driverOff();

@@ -125,6 +125,25 @@ TEST_F(WheelOrderTest, FR221_HaltBrakesATrippedWheel) {
   }
 }
 
+/// @brief A protective stop controls and then halts the wheel in one cycle: its current still has 50 ms to
+/// decay before the driver is on again.
+/// @verifies FR-221
+TEST_F(WheelOrderTest, FR221_ACycleThatControlsAndHaltsCountsOnce) {
+  pass(true, kMiddle);
+  measureAll();
+  work.setPoint = tensionOf(5000);
+  applyControl.execute(work);
+  pass(true, kTooMuch);
+  pass(false, kMiddle);
+  measureAll();
+  applyControl.execute(work);
+  haltWheel.execute(work);
+  EXPECT_FALSE(enable.isOn());
+  pass(false, kMiddle);
+  haltWheel.execute(work);
+  EXPECT_TRUE(enable.isOn());
+}
+
 /// @brief A sensor at the end of its range trips again at once while the wheel brakes: the driver is off.
 /// @verifies FR-221
 TEST_F(WheelOrderTest, FR221_CurrentThatStaysTooHighKeepsTheDriverOff) {
