@@ -1,0 +1,136 @@
+"""Random drives of robots whose parts vary: no false alarm without a fault, and a stop with one.
+
+``python tests/python/programs/test_random_drives.py [FAULT ...]`` plays the whole series of a
+fault and prints how many drives it stopped, and how far the robot went until then.
+"""
+
+import csv
+import itertools
+import math
+import random
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[3]
+PROGRAM = ROOT / "build/host/sim/weeding_robot_host"
+WHEELBASE, TRACK = 1.582, 1.054  # m
+PROTECTIVE_STOP = "4"
+SPEEDS = (0, 200, 500, 1000, 2000, 3000, -300, -1000)  # 0.1 rpm
+ANGLES = (0, 0, 5, -5, 12, -12, 20, -20)  # degrees
+FAULT_AT, DRIVE_END = 6000, 16000  # ms
+LIMIT = 3300  # 0.1 rpm
+SERIES = tuple(itertools.product((100, 200, 500, 1000, 2000, 3000), (0, 20), (-10, 0, 10)))
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a drive ended: way until the stop in mm, greatest velocity in 0.1 rpm."""
+
+    way: float | None
+    fastest: float
+
+
+def wheels(velocity: int, degrees: int) -> str:
+    """Set-points that fit the angle: each wheel rolls on its own circle."""
+    if degrees == 0:
+        return str(velocity)
+    middle = WHEELBASE / math.tan(math.radians(abs(degrees)))
+    inner, outer = middle - TRACK / 2, middle + TRACK / 2
+    radii = [math.hypot(inner, WHEELBASE), math.hypot(outer, WHEELBASE), inner, outer]
+    if degrees < 0:
+        radii = [radii[1], radii[0], radii[3], radii[2]]
+    return " ".join(str(round(velocity * radius / max(radii))) for radius in radii)
+
+
+def play(lines: list[str]) -> list[dict[str, str]]:
+    with tempfile.TemporaryDirectory() as folder:
+        scenario, table = Path(folder) / "drive.scenario", Path(folder) / "reports.csv"
+        scenario.write_text("\n".join(lines) + "\n")
+        words = [PROGRAM, "--scenario", scenario, "--reports", table]
+        subprocess.run(words, check=True, timeout=60, stdout=subprocess.DEVNULL)
+        with table.open() as rows:
+            return list(csv.DictReader(rows))
+
+
+def outcome(rows: list[dict[str, str]]) -> Outcome:
+    stops = (abs(float(row["way"])) for row in rows if row["inhibit"] == PROTECTIVE_STOP)
+    return Outcome(next(stops, None), max(float(row["max_velocity"]) for row in rows))
+
+
+def without_fault(seed: int) -> Outcome:
+    """A minute of changing orders on changing slopes."""
+    chance = random.Random(seed)
+    lines = [f"seed {seed}", "plant varied", "at 50 arm"]
+    changes: Iterator[int] = iter(())
+    slope_at, velocity, degrees = 5000, 0, 0
+    for now in range(1550, 60_000, 100):
+        if next(changes, None) is None:
+            velocity, degrees = chance.choice(SPEEDS), chance.choice(ANGLES)
+            changes = iter(range(chance.choice((20, 30, 60))))
+        if now > slope_at:
+            lines.append(f"at {now} slope {chance.choice((-10, -5, 0, 5, 10))}")
+            slope_at = now + chance.choice((4000, 6000, 9000))
+        lines.append(f"at {now} order velocity {wheels(velocity, degrees)} steering {degrees}00")
+    return outcome(play([*lines, "at 60000 end"]))
+
+
+def with_fault(fault: str, seed: int, velocity: int, degrees: int, slope: int) -> Outcome:
+    """A steady drive of a varied robot, in the middle of which a part breaks."""
+    order = f"order velocity {wheels(velocity, degrees)} steering {degrees}00"
+    lines = [f"seed {seed}", "plant varied", f"at 20 slope {slope}", "at 50 arm"]
+    lines += [f"from 1550 to {DRIVE_END} every 100 {order}", f"at {FAULT_AT} mark"]
+    lines += [f"at {FAULT_AT} fault {fault}", f"at {DRIVE_END} end"]
+    return outcome(play(lines))
+
+
+@pytest.fixture(scope="module", autouse=True)
+def built(build: Callable[..., None]) -> None:
+    build("host", "weeding_robot_host")
+
+
+def test_a_robot_without_fault_is_not_stopped() -> None:
+    first = random.SystemRandom().randrange(1_000_000)
+    print(f"seeds {first} to {first + 11}")
+    with ThreadPoolExecutor() as pool:
+        for number, drive in enumerate(pool.map(without_fault, range(first, first + 12))):
+            assert drive.way is None, f"seed {first + number}"
+            assert drive.fastest <= LIMIT, f"seed {first + number}"
+
+
+@pytest.mark.parametrize("fault", ["hall 2", "hall-a 1", "hall-swapped 0", "current 3", "block 1"])
+def test_a_broken_part_stops_the_robot_within_0_3_m(fault: str) -> None:
+    seed = random.SystemRandom().randrange(1_000_000)
+    print(f"seed {seed}")
+    for velocity, degrees, slope in SERIES[::5]:
+        drive = with_fault(fault, seed, velocity, degrees, slope)
+        assert drive.way is not None, (velocity, degrees, slope)
+        assert drive.way <= 300, (velocity, degrees, slope)
+        assert drive.fastest <= LIMIT, (velocity, degrees, slope)
+
+
+def main(faults: list[str]) -> None:
+    for fault in faults or ["leads 0"]:
+        jobs = [(fault, seed, *case) for seed in range(1, 13) for case in SERIES]
+        with ThreadPoolExecutor() as pool:
+            drives = list(pool.map(lambda job: with_fault(*job), jobs))
+        for velocity in dict.fromkeys(case[0] for case in SERIES):
+            of_it = [end for job, end in zip(jobs, drives, strict=True) if job[2] == velocity]
+            ways = [end.way for end in of_it if end.way is not None]
+            late = sum(way > 300 for way in ways)
+            fastest = max(end.fastest for end in of_it) / 10
+            print(
+                f"{fault} at {velocity / 10:.0f} rpm: {len(of_it)} drives,"
+                f" {len(of_it) - len(ways)} not stopped, {late} after more than 0.3 m,"
+                f" at most {max(ways, default=0):.0f} mm, {fastest:.0f} rpm"
+            )
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
