@@ -313,7 +313,7 @@ def test_an_order_out_of_range_is_refused() -> None:
 @pytest.mark.parametrize(
     ("frame", "reason"),
     [
-        (Frame(0x82, 0, bytes(129)), "129 bytes"),
+        (Frame(0x82, 0, bytes(REPORT_BYTES - 1)), f"{REPORT_BYTES - 1} bytes"),
         (Frame(0x81, 0, bytes(28)), "28 bytes"),
         (Frame(0x81, 0, bytes(22), version=1), "22 bytes"),
         (Frame(0x83, 0, b""), "0x83"),
