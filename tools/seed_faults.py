@@ -89,12 +89,12 @@ class Copy:
         self.tree = tree
         self.stage = stage
         for name in SOURCES:
-            _copy(root, tree, name)
+            copy_part(root, tree, name)
         if stage == "sources":
-            _copy(root, tree, "build/model")
+            copy_part(root, tree, "build/model")
         else:
             for name in (*BUILT, *PAGES):
-                _copy(root, tree, name)
+                copy_part(root, tree, name)
             for name in LINKED:
                 if (root / name).exists():
                     (tree / name).symlink_to(root / name)
@@ -191,7 +191,7 @@ def _content(path: Path) -> bytes | None:
     return path.read_bytes() if path.is_file() else None
 
 
-def _copy(root: Path, tree: Path, name: str) -> None:
+def copy_part(root: Path, tree: Path, name: str) -> None:
     """The precompiled library holds the path of its tree: each copy makes its own."""
     source, target = root / name, tree / name
     if source.is_dir():
