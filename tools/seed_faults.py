@@ -140,8 +140,9 @@ class Copy:
 
     def _cached(self) -> list[Path]:
         """What is kept of each file. What Doxygen said belongs to its XML, which stays."""
-        found = sorted((self.tree / "build" / "model").rglob("*.json"))
-        return [path for path in found if path.name != "doxygen.json"]
+        found = sorted((self.tree / "build" / "model").rglob("*.*"))
+        kinds = (".json", ".facts")
+        return [path for path in found if path.suffix in kinds and path.name != "doxygen.json"]
 
     def _stamps(self) -> dict[Path, int]:
         return {path: path.stat().st_mtime_ns for path in self._cached()}
