@@ -1,5 +1,6 @@
 # Writes OUTPUT, which defines the identity of the firmware: its VERSION, and as build id the first
-# 8 hexadecimal digits of the SHA-256 of all files of the robot and of its extensions.
+# 8 hexadecimal digits of the SHA-256 of all files of the robot and of its extensions. PYTHON computes
+# the schema hash from design/frames.toml.
 file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/src/* ${SOURCE_DIR}/extensions/*)
 list(SORT files)
 set(digests "")
@@ -12,12 +13,15 @@ string(SUBSTRING ${digest} 0 8 build_id)
 string(REGEX REPLACE "(.)" "'\\1', " characters ${build_id})
 string(REGEX REPLACE ", $" "" characters ${characters})
 string(REPLACE "." ", " version ${VERSION})
+execute_process(
+  COMMAND ${PYTHON} ${SOURCE_DIR}/client/weeding_robot_client/layout.py
+  OUTPUT_VARIABLE schema_hash OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT [[
 #include "communication/pc_connection/FirmwareIdentity.hpp"
 
 namespace wr {
 
-constinit const FirmwareIdentity firmwareIdentity{@version@, {@characters@}};
+constinit const FirmwareIdentity firmwareIdentity{@version@, {@characters@}, @schema_hash@};
 
 }  // namespace wr
 ]] @ONLY)

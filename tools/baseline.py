@@ -6,7 +6,6 @@ import bisect
 import json
 import os
 import re
-import shutil
 import subprocess
 from collections import Counter, defaultdict
 from collections.abc import Iterable
@@ -15,7 +14,7 @@ from typing import Any, TextIO
 
 import lizard
 
-from tools.cmake_build import BOARD_PROGRAM, jobs
+from tools.cmake_build import BOARD_PROGRAM, copy_sources, jobs
 from tools.sizes import Size, image_sizes, output, total
 from tools.steps import FailureError, run
 from traceability.reading.baseline_record import (
@@ -28,11 +27,10 @@ from traceability.reading.baseline_record import (
     count_patch,
     patch_of,
 )
-from traceability.sources import FRAMES, SRC, files_below
+from traceability.sources import SRC, files_below
 
 TESTS = "usual_design_tests"
 WORK = Path("build/usual_design")
-COPIED = ("CMakeLists.txt", "src", "extensions", "sim", "tests", "design", *FRAMES)
 MAIN = "main"  # the composition: its objects are the design's own
 STACK = "stack"
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
@@ -198,7 +196,7 @@ def source_figures(paths: list[Path]) -> dict[str, float]:
 def try_change(root: Path, log: TextIO, change: str) -> dict[str, Any]:
     """Applies the patches of a change to a copy, and runs its test there with both designs."""
     tree = root / WORK / "tree"
-    renew_copy(root, tree)
+    copy_sources(root, tree)
     counts = {}
     for design in DESIGNS:
         patch = root / patch_of(change, design)
@@ -238,21 +236,3 @@ def apply(log: TextIO, tree: Path, patch: Path) -> None:
         raise FailureError(
             f"{patch.parent.name}/{patch.name} does not apply: {done.stderr.strip()}"
         )
-
-
-def renew_copy(root: Path, tree: Path) -> None:
-    """Makes the copy the same as the sources; files that are the same keep their times."""
-    python = root / "tests/python"
-    wanted = {
-        path.relative_to(root): path
-        for path in files_below(root, COPIED)
-        if python not in path.parents
-    }
-    for path in files_below(tree, COPIED):
-        if path.relative_to(tree) not in wanted:
-            path.unlink()
-    for name, path in wanted.items():
-        copy = tree / name
-        if not copy.exists() or copy.read_bytes() != path.read_bytes():
-            copy.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(path, copy)

@@ -9,6 +9,7 @@ import subprocess
 import threading
 import xml.etree.ElementTree as ET
 from collections import defaultdict
+from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,11 +19,13 @@ from tools.steps import FailureError, run
 from tools.task_graph import Outcome
 from traceability.reading.products import PAPER, image_of
 from traceability.reading.results import cost_of
-from traceability.sources import source_hash
+from traceability.sources import FRAMES, TESTED, files_below, source_hash
 
 _building: dict[str, threading.Lock] = defaultdict(threading.Lock)
 # CMake keeps what it once read of them, so that a change needs a fresh configuration.
 SETTINGS = ("CMakePresets.json", "setup/k64-toolchain.cmake")
+# The parts of a copy that is built and tested.
+COPIED = (*TESTED, "docs", "design", "setup", *FRAMES)
 IMAGE = str(image_of(PAPER, ".bin"))
 TESTS = "firmware_tests"
 # The tests on the virtual K64 are a run of their own, built with the preset of this machine.
@@ -207,3 +210,20 @@ def sources_of(root: Path, preset: str, *targets: str) -> list[str]:
     kept = (path.relative_to(root) for path in paths if path.is_relative_to(root))
     written = [path for path in kept if path.parts[0] != "build" and (root / path).is_file()]
     return sorted(map(str, written))
+
+
+def copy_sources(root: Path, target: Path, texts: Mapping[str, str] | None = None) -> None:
+    """Makes the target equal to the sources, but for the given texts. Equal files keep times."""
+    python = root / "tests/python"
+    paths = [path for path in files_below(root, COPIED) if python not in path.parents]
+    wanted = {str(path.relative_to(root)): path.read_bytes() for path in paths}
+    wanted |= {name: text.encode() for name, text in (texts or {}).items()}
+    for path in files_below(target, COPIED):
+        if str(path.relative_to(target)) not in wanted:
+            path.unlink()
+    for name, content in wanted.items():
+        copy = target / name
+        if not copy.exists() or copy.read_bytes() != content:
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            copy.write_bytes(content)
+            shutil.copymode(root / name, copy)

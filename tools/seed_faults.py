@@ -89,12 +89,12 @@ class Copy:
         self.tree = tree
         self.stage = stage
         for name in SOURCES:
-            _copy(root, tree, name)
+            copy_part(root, tree, name)
         if stage == "sources":
-            _copy(root, tree, "build/model")
+            copy_part(root, tree, "build/model")
         else:
             for name in (*BUILT, *PAGES):
-                _copy(root, tree, name)
+                copy_part(root, tree, name)
             for name in LINKED:
                 if (root / name).exists():
                     (tree / name).symlink_to(root / name)
@@ -140,8 +140,9 @@ class Copy:
 
     def _cached(self) -> list[Path]:
         """What is kept of each file. What Doxygen said belongs to its XML, which stays."""
-        found = sorted((self.tree / "build" / "model").rglob("*.json"))
-        return [path for path in found if path.name != "doxygen.json"]
+        found = sorted((self.tree / "build" / "model").rglob("*.*"))
+        kinds = (".json", ".facts")
+        return [path for path in found if path.suffix in kinds and path.name != "doxygen.json"]
 
     def _stamps(self) -> dict[Path, int]:
         return {path: path.stat().st_mtime_ns for path in self._cached()}
@@ -191,7 +192,7 @@ def _content(path: Path) -> bytes | None:
     return path.read_bytes() if path.is_file() else None
 
 
-def _copy(root: Path, tree: Path, name: str) -> None:
+def copy_part(root: Path, tree: Path, name: str) -> None:
     """The precompiled library holds the path of its tree: each copy makes its own."""
     source, target = root / name, tree / name
     if source.is_dir():

@@ -94,6 +94,7 @@ PYTHON_TESTS: dict[str, tuple[str, ...]] = {
     "client": ("design", "docs", "sim/scenario"),
     "firmware": (*DESIGN, "sim", "tests/k64"),
     "programs": ("sim/scenario", "design", str(COVERAGE_LINES)),
+    "worked_examples": SHOWN,
 }
 RUN_PROGRAMS = ("client", "firmware", "programs")  # folders whose tests run programs that are built
 

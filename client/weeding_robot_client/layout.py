@@ -326,3 +326,6 @@ def _bits(items: list[dict[str, Any]]) -> Iterator[Bit]:
 FRAMES = read_frames(TABLE.read_text(encoding="utf-8"))
 LAYOUTS = FRAMES.frames
 SCHEMA_HASH = FRAMES.schema_hash
+
+if __name__ == "__main__":  # the build of the firmware asks for it
+    print(f"{SCHEMA_HASH:#010x}")

@@ -17,6 +17,7 @@ from portal.calls import CallGraph
 from portal.highlight import Highlighter
 from portal.links import Links, paper_anchor, slug
 from portal.navigation import Navigation, hand_written
+from portal.package_diagram import package_diagrams
 from traceability.model.design_model import Model
 from traceability.model.execution import INTERRUPT, START
 from traceability.model.impact import Impact, Impacts
@@ -113,6 +114,7 @@ class Portal:
                 for machine in self.model.machines.values()
             ),
             *([diagrams.high_level_diagram(self.model, self.links)] if self.model.groups else []),
+            *package_diagrams(self.root),
         ]
 
     def _environment(self) -> Environment:

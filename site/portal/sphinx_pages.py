@@ -17,12 +17,13 @@ from portal import search
 from portal.frame_tables import frame_tables
 from portal.links import ROOT, depth_prefix
 from portal.module_page import MEMBERS, doxygen_file
+from portal.package_diagram import PACKAGES
 from portal.pin_map import HEADER as PINS
 from portal.pin_map import pin_map
 from portal.portal import SITE, Page, Portal
 from portal.sphinx_extension import NAMES
 from portal.sphinx_warnings import WarningCollector
-from portal.tables import COMMANDS, PACKAGES, PRODUCTS, command_table, package_table, product_table
+from portal.tables import COMMANDS, DEBIAN, PRODUCTS, command_table, package_table, product_table
 from portal.writing import remove_others, write_changed
 from traceability.schema import Finding, Module
 from traceability.sources import files_below, hash_of
@@ -33,7 +34,7 @@ INCLUDED = (
     (PINS, "pin_map.csv", pin_map),
     (SCENARIO, "example.scenario", lambda root: (root / SCENARIO).read_text("utf-8")),
     (COMMANDS, "commands.csv", command_table),
-    (PACKAGES, "packages.csv", package_table),
+    (DEBIAN, "packages.csv", package_table),
     (PRODUCTS, "products.inc", product_table),
 )
 FRAME = "frame.txt"  # what all pages have around their body
@@ -46,7 +47,7 @@ def write_sources(portal: Portal, pages: Path) -> set[str]:
     shown = [m for m in portal.designs if doxygen_file(portal, m)]
     kept = copy_docs(portal.root / "docs", pages / "docs") | write_members(shown, pages)
     remove_others(pages, "*.rst", [f"{name}.rst" for name in kept])
-    write_included(portal.root, pages / "_generated")
+    write_included(portal, pages / "_generated")
     copy_doxygen(portal, shown, pages / "_doxygen")
     write_changed(pages / NAMES, json.dumps(search.inventory(search.entries(portal))))
     write_changed(pages / "links.json", json.dumps(search.targets(portal), sort_keys=True))
@@ -75,8 +76,11 @@ def write_members(modules: list[Module], pages: Path) -> set[str]:
     return {f"modules/{module.name}" for module in modules}
 
 
-def write_included(root: Path, target: Path) -> None:
-    """What hand-written pages include from other folders of the project."""
+def write_included(portal: Portal, target: Path) -> None:
+    """What hand-written pages include from other folders of the project, and a drawing."""
+    root = portal.root
+    if PACKAGES in portal.drawn:
+        write_changed(target / f"{PACKAGES}.svg", portal.drawn[PACKAGES])
     for source, name, text_of in INCLUDED:
         if (root / source).exists():
             write_changed(target / name, text_of(root))

@@ -11,7 +11,7 @@ from pathlib import Path
 from traceability.reading.products import LIST, listed
 
 COMMANDS = Path("wr")
-PACKAGES = Path("setup/debian.txt")
+DEBIAN = Path("setup/debian.txt")
 PRODUCTS = LIST
 COMMAND = re.compile(r"^  ([a-z-]+) +(.+)$", re.MULTILINE)
 PACKAGE = re.compile(r"^([\w.+-]+) +# (.+)$", re.MULTILINE)
@@ -26,7 +26,7 @@ def command_table(root: Path) -> str:
 
 def package_table(root: Path) -> str:
     """Each package of Debian that the commands need, and why."""
-    rows = PACKAGE.findall((root / PACKAGES).read_text(encoding="utf-8"))
+    rows = PACKAGE.findall((root / DEBIAN).read_text(encoding="utf-8"))
     return comma_separated(("package", "why"), rows)
 
 

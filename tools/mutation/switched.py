@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
@@ -11,16 +10,14 @@ from typing import TextIO
 
 from clang import cindex
 
-from tools.cmake_build import jobs
+from tools.cmake_build import copy_sources, jobs
 from tools.mutation.points import Mutant, Point, compiler_arguments, find_points
 from tools.steps import FailureError, run
 from traceability.reading.translation_units import is_board, translation_units
-from traceability.sources import DESIGN, FRAMES, SRC, files_below
+from traceability.sources import SRC
 
 FOLDER = Path("build/mutation")
 SOURCE, BINARY, LIST = FOLDER / "source", FOLDER / "binary", FOLDER / "mutants.json"
-# With the examples of the protocol, which tests read.
-COPIED = (*DESIGN, "sim", "tests", "docs", "design", "CMakeLists.txt", "setup", *FRAMES)
 SWITCH = Path(__file__).with_name("mutant.hpp")
 PROGRAM = BINARY / "tests" / "firmware_tests"
 ATTEMPTS = 10
@@ -43,7 +40,7 @@ def write_switched(root: Path, wanted: set[str], log: TextIO) -> list[Mutant]:
         changed, held = compiling(root, unit, found, first, log)
         texts |= changed
         mutants += held
-    copy(root, texts)
+    copy_sources(root, root / SOURCE, texts)
     (root / LIST).write_text(json.dumps([asdict(one) for one in mutants]), encoding="utf-8")
     return mutants
 
@@ -118,26 +115,6 @@ def errors(root: Path, unit: str, texts: dict[str, str]) -> list[tuple[str, int,
         else:
             raise FailureError(f"{unit}: {problem.spelling}")
     return found
-
-
-def copy(root: Path, texts: dict[str, str]) -> None:
-    """Makes the copy, and writes only what changed, so that the next build is short."""
-    target = root / SOURCE
-    wanted: set[Path] = set()
-    for path in files_below(root, COPIED):
-        name = path.relative_to(root)
-        if name.parts[:2] == ("tests", "python"):
-            continue
-        wanted.add(target / name)
-        text = texts[str(name)].encode() if str(name) in texts else path.read_bytes()
-        there = target / name
-        if not there.exists() or there.read_bytes() != text:
-            there.parent.mkdir(parents=True, exist_ok=True)
-            there.write_bytes(text)
-            shutil.copymode(path, there)
-    for path in files_below(target, COPIED):
-        if path not in wanted:
-            path.unlink()
 
 
 def build_switched(root: Path, log: TextIO) -> None:

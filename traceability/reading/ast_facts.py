@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass, field, fields
 
 from traceability.reading.flow import FlowFact
 from traceability.schema import Place
@@ -161,65 +160,6 @@ class Syntax:
     errors: list[tuple[Place, str]] = field(default_factory=list)
 
     def merge(self, other: Syntax) -> None:
-        self.classes += other.classes
-        self.bodies += other.bodies
-        self.names += other.names
-        self.includes += other.includes
-        self.blocks += other.blocks
-        self.casts += other.casts
-        self.instructions += other.instructions
-        self.volatile += other.volatile
-        self.objects += other.objects
-        self.flows += other.flows
-        self.constants |= other.constants
-        self.values += other.values
-        self.variables |= other.variables
-        self.friends += other.friends
-        self.silent += other.silent
-        self.errors += other.errors
-
-
-def _placed(item: dict[str, Any]) -> dict[str, Any]:
-    return item | {"place": Place(**item["place"])}
-
-
-def _class_from(item: dict[str, Any]) -> ClassFact:
-    methods = [MethodFact(**_placed(method)) for method in item["methods"]]
-    for method in methods:
-        method.params = [(name, kind) for name, kind in method.params]
-    parts: dict[str, Any] = {
-        "base_places": [Place(**place) for place in item["base_places"]],
-        "methods": methods,
-        "fields": [FieldFact(**_placed(member)) for member in item["fields"]],
-        "values": [FieldFact(**_placed(member)) for member in item["values"]],
-    }
-    return ClassFact(**_placed(item) | parts)
-
-
-def _body_from(item: dict[str, Any]) -> BodyFact:
-    parts: dict[str, Any] = {
-        "calls": [CallFact(**_placed(call)) for call in item["calls"]],
-        "assigns": [(name, line) for name, line in item["assigns"]],
-    }
-    return BodyFact(**_placed(item) | parts)
-
-
-def facts_from(data: dict[str, Any]) -> Syntax:
-    return Syntax(
-        classes=[_class_from(item) for item in data["classes"]],
-        bodies=[_body_from(item) for item in data["bodies"]],
-        names=[NameFact(**_placed(item)) for item in data["names"]],
-        includes=[IncludeFact(**_placed(item)) for item in data["includes"]],
-        blocks=[BlockFact(**_placed(item)) for item in data["blocks"]],
-        casts=[Place(**place) for place in data["casts"]],
-        instructions=[Place(**place) for place in data["instructions"]],
-        volatile=[Place(**place) for place in data["volatile"]],
-        objects=[FieldFact(**_placed(item)) for item in data["objects"]],
-        flows=[FlowFact(**item) for item in data["flows"]],
-        constants=data["constants"],
-        values=[ConstantFact(**_placed(item)) for item in data["values"]],
-        variables={name: FieldFact(**_placed(item)) for name, item in data["variables"].items()},
-        friends=[NameFact(**_placed(item)) for item in data["friends"]],
-        silent=[SilentFact(**_placed(item)) for item in data["silent"]],
-        errors=[(Place(**place), text) for place, text in data["errors"]],
-    )
+        for one in fields(self):
+            facts, others = getattr(self, one.name), getattr(other, one.name)
+            (facts.update if isinstance(facts, dict) else facts.extend)(others)

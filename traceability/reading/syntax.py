@@ -8,15 +8,15 @@ from __future__ import annotations
 
 import functools
 import hashlib
-import json
 import multiprocessing
+import pickle
 import re
-from dataclasses import asdict
+from inspect import signature
 from pathlib import Path
 
 from clang import cindex
 
-from traceability.reading.ast_facts import IncludeFact, Syntax, facts_from
+from traceability.reading.ast_facts import IncludeFact, Syntax
 from traceability.reading.ast_reader import Reader
 from traceability.reading.comments import code_of
 from traceability.reading.translation_units import (
@@ -44,8 +44,7 @@ def read_syntax(root: Path, cache: Path) -> Syntax:
     for board in sorted({is_board(unit) for unit in found}):
         prepare_standard(root, cache, board)
     for unit, files in found.items():
-        stored = _stored(root, cache, unit, hashes)
-        if stored is None:
+        if not _is_stored(root, cache, unit, hashes):
             stale.append((root, cache, files, unit))
     _drop_old(cache, found)
     if len(stale) > 2:
@@ -56,36 +55,36 @@ def read_syntax(root: Path, cache: Path) -> Syntax:
             _parse_and_store(*work)
     result = Syntax()
     for unit in found:
-        entry = json.loads(_entry(cache, unit).read_text(encoding="utf-8"))
-        result.merge(facts_from(entry["facts"]))
+        entry = pickle.loads(_entry(cache, unit).read_bytes())
+        result.merge(pickle.loads(entry["facts"]))
     return result
 
 
 def _entry(cache: Path, unit: str) -> Path:
-    return cache / (unit.replace("/", "__") + ".json")
+    return cache / (unit.replace("/", "__") + ".facts")
 
 
 def _drop_old(cache: Path, known: dict[str, list[str]]) -> None:
     wanted = {_entry(cache, unit).name for unit in known}
-    for path in cache.glob("*.json"):
+    for path in cache.glob("*.facts"):
         if path.name not in wanted:
             path.unlink()
 
 
-def _stored(root: Path, cache: Path, unit: str, hashes: dict[str, str]) -> bool | None:
+def _is_stored(root: Path, cache: Path, unit: str, hashes: dict[str, str]) -> bool:
     try:
-        entry = json.loads(_entry(cache, unit).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return None
+        entry = pickle.loads(_entry(cache, unit).read_bytes())
+    except (OSError, EOFError, pickle.UnpicklingError):
+        return False
     if entry["reader"] != _reader_hash(is_board(unit)):
-        return None
+        return False
     own = own_files(unit)
     for file, known in entry["files"].items():
         key = file if file in own else f"code of {file}"
         if key not in hashes:
             hashes[key] = file_hash(root / file) if file in own else code_hash(root / file)
         if hashes[key] != known:
-            return None
+            return False
     return True
 
 
@@ -106,7 +105,8 @@ def code_hash(path: Path) -> str:
 def _reader_hash(board: bool) -> str:
     here = Path(__file__).parent
     own = b"".join((here / f"{name}.py").read_bytes() for name in READERS)
-    return hashlib.sha256(own + repr(clang_arguments(board)).encode()).hexdigest()
+    shape = repr(signature(Place))  # a part of most facts, and of no reader
+    return hashlib.sha256(own + f"{Place} {shape} {clang_arguments(board)}".encode()).hexdigest()
 
 
 def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> None:
@@ -118,12 +118,12 @@ def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> No
             file: file_hash(root / file) if file in own else code_hash(root / file)
             for file in sorted(included)
         },
-        "facts": asdict(facts),
+        "facts": pickle.dumps(facts),  # read only when the reader is the same
     }
     path = _entry(cache, unit)
     if facts.errors:
         entry["reader"] = "the unit has errors"
-    path.write_text(json.dumps(entry), encoding="utf-8")
+    path.write_bytes(pickle.dumps(entry))
 
 
 def parse(root: Path, unit: str, files: list[str], known: Path) -> tuple[Syntax, set[str]]:

@@ -34,9 +34,6 @@ inline constexpr std::uint8_t kLowestVersion = kProtocolVersion;
 /// @brief Highest version of the protocol that is accepted.
 inline constexpr std::uint8_t kHighestVersion = kProtocolVersion;
 
-/// @brief Hash of the layout of all payloads: the CRC-32 of all names, types and offsets in design/frames.toml.
-inline constexpr std::uint32_t kSchemaHash = 0xBC1063C0;
-
 /// @brief Fewest bytes of a body.
 inline constexpr std::size_t kMinBody = 5;
 

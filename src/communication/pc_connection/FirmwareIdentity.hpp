@@ -5,13 +5,14 @@
 
 namespace wr {
 
-/// @brief What names a firmware: its version, and which sources it was built from.
+/// @brief What names a firmware: its version, its sources, and the layout of its payloads.
 /// @datatype
 struct FirmwareIdentity {
   std::uint8_t major;           ///< major number of the version
   std::uint8_t minor;           ///< minor number of the version
   std::uint8_t patch;           ///< patch number of the version
   std::array<char, 8> buildId;  ///< first 8 hexadecimal digits of the SHA-256 of the sources
+  std::uint32_t schemaHash;     ///< CRC-32 of all names, types and offsets in design/frames.toml
 };
 
 /// @brief The identity of this firmware. The build writes it.

@@ -239,7 +239,7 @@ void PcConnection::writeIdentity() {
 void PcConnection::writeProtocol() {
   writer_.writeU8({.name = FieldName::LowestVersion}, kLowestVersion);
   writer_.writeU8({.name = FieldName::HighestVersion}, kHighestVersion);
-  writer_.writeU32({.name = FieldName::SchemaHash}, kSchemaHash);
+  writer_.writeU32({.name = FieldName::SchemaHash}, firmwareIdentity.schemaHash);
 }
 
 void PcConnection::writeStart() {

@@ -13,6 +13,7 @@
 #include "communication/pc_connection/Handshaking.hpp"
 #include "communication/serialization/OrderMessage.hpp"
 #include "communication/serialization/ReportMessage.hpp"
+#include "sim/scenario/FrameTable.hpp"
 #include "support/FakeSerialPort.hpp"
 #include "support/FakeTimebase.hpp"
 #include "support/LineBytes.hpp"
@@ -22,6 +23,11 @@ namespace wr {
 namespace {
 
 using test::Bytes;
+
+// Bytes of the body of a report.
+std::size_t reportBody() {
+  return scenario::ReportPayload{}.bytes().size() + kMinBody;
+}
 
 constexpr std::uint8_t kHello = 0x01;
 constexpr std::uint8_t kConfirm = 0x02;
@@ -125,7 +131,8 @@ TEST_F(PcConnectionTest, FR30_WelcomeHoldsWhatThePcMustKnow) {
       2, kWelcome, 0, 1, firmwareIdentity.major, firmwareIdentity.minor, firmwareIdentity.patch};
   expected.insert(expected.end(), firmwareIdentity.buildId.begin(), firmwareIdentity.buildId.end());
   expected.insert(expected.end(), {100, 0, 4, 1, 0, 0, 0, 0, 0, 0, 0});
-  expected.insert(expected.end(), {2, 2, 0xC0, 0x63, 0x10, 0xBC});
+  expected.insert(expected.end(), {2, 2});
+  scenario::append(expected, scenario::kTableHash);
   EXPECT_EQ(sent().front(), test::withCrc(expected));
   EXPECT_FALSE(connection.connected());
 }
@@ -791,7 +798,7 @@ TEST_F(PcConnectionTest, FR60_AReportIsSentOnlyWhileConnected) {
   EXPECT_TRUE(connection.sendReport(report));
   ASSERT_EQ(sent().size(), 2U);
   EXPECT_EQ(sent()[1][1], kReport);
-  EXPECT_EQ(sent()[1].size(), 135U);
+  EXPECT_EQ(sent()[1].size(), reportBody());
   EXPECT_EQ(connection.counts().reportsNotSent, 0);
 }
 
@@ -802,11 +809,11 @@ TEST_F(PcConnectionTest, FR60_AReportIsSentOnlyWhileConnected) {
 TEST_F(PcConnectionTest, FR64_AReportWithoutRoomIsDroppedAndCounted) {
   handshake();
   const std::size_t before = port.sent.size();
-  port.room = 136;
+  port.room = reportBody() + 1;
   expectCounted(&LinkCounts::reportsNotSent, 1,
                 [&] { EXPECT_FALSE(connection.sendReport(ReportMessage())); });
   EXPECT_EQ(port.sent.size(), before);
-  port.room = 137;
+  port.room = reportBody() + 2;
   EXPECT_TRUE(connection.sendReport(ReportMessage()));
   EXPECT_EQ(sent().back()[2], 1);
 }

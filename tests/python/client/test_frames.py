@@ -2,11 +2,11 @@
 
 import os
 import random
-from pathlib import Path
 
 import pytest
 from cobs import cobs
 
+from tests.python.client.examples import EXAMPLES, examples, present
 from weeding_robot_client.frames import (
     MAX_PAYLOAD,
     VERSION,
@@ -18,14 +18,11 @@ from weeding_robot_client.frames import (
     encode,
 )
 
-ROOT = Path(__file__).parents[3]
 SEED = int(os.environ.get("WR_SEED", "1"))
 
 
-def examples() -> list[list[str]]:
-    text = (ROOT / "docs" / "protocol_examples.txt").read_text()
-    lines = [line for line in text.splitlines() if line and not line.startswith("#")]
-    return [[cell.strip() for cell in line.split(";")] for line in lines]
+def test_the_examples_have_the_present_layout() -> None:
+    assert EXAMPLES.read_text(encoding="utf-8") == present(), "run tests/python/client/examples.py"
 
 
 def test_there_are_examples_of_both_directions() -> None:

@@ -3,10 +3,10 @@
 import os
 import random
 import struct
-from pathlib import Path
 
 import pytest
 
+from tests.python.client.examples import examples
 from weeding_robot_client.frames import Decoder, Frame
 from weeding_robot_client.layout import LAYOUTS
 from weeding_robot_client.messages import (
@@ -25,17 +25,14 @@ from weeding_robot_client.messages import (
     to_frame,
 )
 
-EXAMPLES = Path(__file__).parents[3] / "docs" / "protocol_examples.txt"
 SEED = int(os.environ.get("WR_SEED", "1"))
 
 
 def example(start: str) -> Frame:
     """The frame of the worked example whose name starts so."""
-    for line in EXAMPLES.read_text().splitlines():
-        if line.startswith(start):
-            (frame,) = Decoder().feed(bytes.fromhex(line.split(";")[-1].strip()))
-            return frame
-    raise AssertionError(f"no example {start}")
+    (line,) = (line for name, *_, line in examples() if name.startswith(start))
+    (frame,) = Decoder().feed(bytes.fromhex(line))
+    return frame
 
 
 def wheels(*values: tuple[Quantity, float]) -> tuple[WheelSetPoint, ...]:
@@ -313,7 +310,7 @@ def test_an_order_out_of_range_is_refused() -> None:
 @pytest.mark.parametrize(
     ("frame", "reason"),
     [
-        (Frame(0x82, 0, bytes(129)), "129 bytes"),
+        (Frame(0x82, 0, bytes(REPORT_BYTES - 1)), f"{REPORT_BYTES - 1} bytes"),
         (Frame(0x81, 0, bytes(28)), "28 bytes"),
         (Frame(0x81, 0, bytes(22), version=1), "22 bytes"),
         (Frame(0x83, 0, b""), "0x83"),
@@ -376,6 +373,6 @@ def test_the_welcome_of_version_1_names_its_version() -> None:
 
 
 def test_the_numbers_of_all_products_have_names() -> None:
-    report = from_frame(Frame(0x82, 0, bytes(8) + b"\4\2\2" + bytes(119)))
+    report = from_frame(Frame(0x82, 0, (bytes(8) + b"\4\2\2").ljust(REPORT_BYTES, b"\0")))
     assert isinstance(report, Report)
     assert (report.state, report.mode, report.source) == ("WaitingK", "Bluetooth", "Bluetooth")

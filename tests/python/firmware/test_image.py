@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import struct
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -26,6 +27,7 @@ from tests.python.firmware.contents import (
 )
 from tools.forbidden_parts import FORBIDDEN, forbidden
 from tools.image import lock_problems
+from weeding_robot_client.layout import SCHEMA_HASH
 
 ELF = BUILD / "weeding_robot.elf"
 BIN = BUILD / "weeding_robot.bin"
@@ -126,6 +128,7 @@ def test_the_image_names_the_version_and_the_sources_of_the_project(tmp_path: Pa
         f"-DSOURCE_DIR={ROOT}",
         f"-DOUTPUT={made}",
         f"-DVERSION={'.'.join(version.groups())}",
+        f"-DPYTHON={sys.executable}",
         "-P",
         ROOT / "src" / "identity.cmake",
     )
@@ -133,6 +136,7 @@ def test_the_image_names_the_version_and_the_sources_of_the_project(tmp_path: Pa
     assert len(build_id) == 8
     (place,) = [one for one in symbols(ELF) if one.name.endswith("firmwareIdentityE")]
     expected = bytes(map(int, version.groups())) + build_id.encode()
+    expected += bytes(1) + SCHEMA_HASH.to_bytes(4, "little")
     assert BIN.read_bytes()[place.address :][: len(expected)] == expected, "build it anew"
 
 

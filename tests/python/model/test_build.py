@@ -117,10 +117,10 @@ def test_only_units_that_include_a_changed_header_are_read_again(tmp_path: Path)
     root = write_tree(tmp_path)
     build(root)
     cache = root / "build" / "model" / "cache"
-    before = {path.name: path.stat().st_mtime_ns for path in cache.glob("*.json")}
+    before = {path.name: path.stat().st_mtime_ns for path in cache.glob("*.facts")}
     header = root / "src/main_control/operation_modes/RC.hpp"
     header.write_text(header.read_text() + "\n")
     build(root)
-    after = {path.name: path.stat().st_mtime_ns for path in cache.glob("*.json")}
+    after = {path.name: path.stat().st_mtime_ns for path in cache.glob("*.facts")}
     changed = {name for name, time in after.items() if before[name] != time}
-    assert changed == {"src__main_control__operation_modes__RC.cpp.json"}
+    assert changed == {"src__main_control__operation_modes__RC.cpp.facts"}

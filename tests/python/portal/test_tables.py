@@ -5,7 +5,7 @@ from pathlib import Path
 
 from portal.tables import (
     COMMANDS,
-    PACKAGES,
+    DEBIAN,
     PRODUCTS,
     comma_separated,
     command_table,
@@ -41,9 +41,9 @@ def test_each_command_of_the_help_is_a_row(tmp_path: Path) -> None:
 
 
 def test_each_package_is_a_row_and_no_comment_is(tmp_path: Path) -> None:
-    (tmp_path / PACKAGES).parent.mkdir()
+    (tmp_path / DEBIAN).parent.mkdir()
     text = "# Packages: a line each.\ng++   # compiles\nlib-1.2 # optional: a, b\n"
-    (tmp_path / PACKAGES).write_text(text)
+    (tmp_path / DEBIAN).write_text(text)
     assert list(csv.reader(package_table(tmp_path).splitlines())) == [
         ["package", "why"],
         ["g++", "compiles"],

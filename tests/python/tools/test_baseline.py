@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from tools import baseline
+from tools.cmake_build import copy_sources
 from tools.sizes import Size
 from tools.steps import FailureError
 from traceability.reading.baseline_record import DESIGNS, changes_of, patch_of
@@ -85,21 +86,21 @@ def test_the_copy_is_renewed_and_patched(tmp_path: Path) -> None:
     root, tree = tmp_path / "project", tmp_path / "project/build/tree"
     (root / "src").mkdir(parents=True)
     (root / "src/a.cpp").write_text("one\n")
-    baseline.renew_copy(root, tree)
+    copy_sources(root, tree)
     unchanged = (tree / "src/a.cpp").stat().st_mtime_ns
     patch = root / "a.patch"
     patch.write_text(
         "--- a/src/a.cpp\n+++ b/src/a.cpp\n@@ -1 +1,2 @@\n one\n+two\n"
         "--- /dev/null\n+++ b/src/b.cpp\n@@ -0,0 +1 @@\n+new\n"
     )
-    baseline.renew_copy(root, tree)
+    copy_sources(root, tree)
     assert (tree / "src/a.cpp").stat().st_mtime_ns == unchanged
     baseline.apply(sys.stdout, tree, patch)
     assert (tree / "src/a.cpp").read_text() == "one\ntwo\n"
     assert (tree / "src/b.cpp").read_text() == "new\n"
     with pytest.raises(FailureError, match="does not apply"):
         baseline.apply(sys.stdout, tree, patch)
-    baseline.renew_copy(root, tree)
+    copy_sources(root, tree)
     assert (tree / "src/a.cpp").read_text() == "one\n"
     assert not (tree / "src/b.cpp").exists()
 
@@ -108,6 +109,6 @@ def test_the_patches_of_each_change_apply_to_the_present_sources(tmp_path: Path)
     root = Path(__file__).parents[3]
     tree = tmp_path / "tree"
     for change in changes_of(root):
-        baseline.renew_copy(root, tree)
+        copy_sources(root, tree)
         for design in DESIGNS:
             baseline.apply(sys.stdout, tree, root / patch_of(change, design))

@@ -9,10 +9,11 @@ from pathlib import Path
 
 import pytest
 
+from tools.cmake_build import copy_sources
 from tools.mutation.points import Mutant, Point, find_points
 from tools.mutation.runs import Outcome, note, run_tests
 from tools.mutation.score import Plan, Tried, order, record, try_all, try_mutant
-from tools.mutation.switched import SWITCH, compiling, copy, switched
+from tools.mutation.switched import SWITCH, compiling, switched
 from traceability.reading.translation_units import prepare_standard
 
 HEADER = """\
@@ -159,12 +160,12 @@ def test_wrapped_points_nest(tmp_path: Path) -> None:
 
 
 def test_the_copy_is_written_only_where_it_changed(tree: Path) -> None:
-    copy(tree, {"src/Limiter.cpp": "changed"})
+    copy_sources(tree, tree / "build/mutation/source", {"src/Limiter.cpp": "changed"})
     there = tree / "build/mutation/source/src"
     assert (there / "Limiter.cpp").read_text(encoding="utf-8") == "changed"
     before = (there / "Limiter.hpp").stat().st_mtime_ns
     (there / "old.hpp").write_text("", encoding="utf-8")
-    copy(tree, {"src/Limiter.cpp": "changed"})
+    copy_sources(tree, tree / "build/mutation/source", {"src/Limiter.cpp": "changed"})
     assert (there / "Limiter.hpp").stat().st_mtime_ns == before
     assert not (there / "old.hpp").exists()
 

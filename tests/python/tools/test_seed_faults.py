@@ -5,12 +5,12 @@ Whether the checks find them is tried by ``./wr check --drift``, which ``./wr te
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
 
 import pytest
 
 from tests.python.reading.task_records import record_task
+from tools.seed_faults import copy_part
 from traceability.checks.registry import KNOWN
 from traceability.reading.seeded_fault_record import SOURCES, Outcome, read_record, write_record
 from traceability.reading.seeded_faults import COMPILER, STAGES, Edit, Fault, read_faults
@@ -39,11 +39,7 @@ def test_every_fault_names_a_check_and_says_what_it_is() -> None:
 def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     root = tmp_path_factory.mktemp("copy")
     for name in SOURCES:
-        if (ROOT / name).is_dir():
-            shutil.copytree(ROOT / name, root / name, ignore=shutil.ignore_patterns("python"))
-        else:
-            (root / name).parent.mkdir(exist_ok=True)
-            shutil.copy(ROOT / name, root / name)
+        copy_part(ROOT, root, name)
     return root
 
 

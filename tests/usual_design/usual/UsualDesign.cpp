@@ -576,7 +576,7 @@ void UsualDesign::sendWelcome() {
   payload.put32(devices_.start.address);
   payload.put8(kLowestVersion);
   payload.put8(kHighestVersion);
-  payload.put32(kSchemaHash);
+  payload.put32(firmwareIdentity.schemaHash);
   if (send(FrameType::Welcome, bytes)) {
     session_ = session;
     offered_ = true;

@@ -1,0 +1,51 @@
+"""The diagram of the Python packages: their layers, from the contracts of import-linter."""
+
+from __future__ import annotations
+
+import ast
+import tomllib
+from itertools import pairwise
+from pathlib import Path
+
+from portal.diagrams import MARKERS, Diagram, preamble
+
+CONTRACTS = Path("pyproject.toml")
+PACKAGES = "packages"  # id of the diagram
+
+
+def package_diagrams(root: Path) -> list[Diagram]:
+    """Returns the diagram; nothing for a project without contracts."""
+    if not (root / CONTRACTS).exists():
+        return []
+    tools = tomllib.loads((root / CONTRACTS).read_text(encoding="utf-8"))["tool"]
+    contracts = tools["importlinter"]["contracts"]
+    inside = {one["containers"][0]: one["layers"] for one in contracts if "containers" in one}
+    (layers,) = (one["layers"] for one in contracts if one["id"] == PACKAGES)
+    lines = preamble()
+    for layer in layers:
+        lines.append(f"{box(root, layer)} {{" if layer in inside else box(root, layer))
+        if layer in inside:
+            lines += [box(root, f"{layer}.{part}") for part in inside[layer]]
+            lines += [*arrows([f"{layer}.{part}" for part in inside[layer]]), "}"]
+    lines += [*arrows(layers), "@enduml"]
+    names = ", ".join([*layers, *(f"{name}: {', '.join(inside[name])}" for name in inside)])
+    return [Diagram(PACKAGES, f"Packages, the highest layer first: {names}", "\n".join(lines))]
+
+
+def arrows(layers: list[str]) -> list[str]:
+    return [f"{node(a)} --> {node(b)}" for a, b in pairwise(layers)]
+
+
+def node(name: str) -> str:
+    return name.replace(".", "_")
+
+
+def box(root: Path, name: str) -> str:
+    """A layer with the first line of its documentation."""
+    file = name.replace(".", "/")
+    paths = [root / part / (file + end) for part in ("", "site") for end in ("/__init__.py", ".py")]
+    path = next(path for path in paths if path.exists())
+    text = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
+    first = text.partition("\n")[0]
+    style = f"{MARKERS['role-concrete-fill']};line:{MARKERS['role-concrete'][1:]}"
+    return f'rectangle "**{name.rpartition(".")[2]}**\\n{first}" as {node(name)} {style}'

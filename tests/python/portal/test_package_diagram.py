@@ -1,0 +1,19 @@
+"""The diagram of the packages follows the contracts of the imports."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from portal.package_diagram import package_diagrams
+
+
+def test_an_arrow_leads_from_each_layer_to_the_one_below() -> None:
+    (diagram,) = package_diagrams(Path(__file__).parents[3])
+    for arrow in ("tools --> portal", "portal --> traceability"):
+        assert arrow in diagram.text
+    assert "traceability_checks --> traceability_model" in diagram.text
+    assert "The commands of ./wr." in diagram.text
+
+
+def test_a_project_without_contracts_has_no_diagram(tmp_path: Path) -> None:
+    assert package_diagrams(tmp_path) == []
