@@ -883,12 +883,12 @@ class DriverFault:
 
 @dataclass
 class Finding:
-    """What a check found. ``text`` says what is wrong, ``mend`` what would mend it."""
+    """What a check found. ``text`` says what is wrong, ``fix`` how to fix it."""
 
     place: Place
     check: str
     text: str
-    mend: str
+    fix: str
 
 
 @dataclass

@@ -55,7 +55,7 @@ class CheckText:
     why: str
     holds: str
     blind: str
-    mend: str
+    fix: str
 
 
 @dataclass

@@ -37,8 +37,8 @@ def build_site(root: Path, model: Model, findings: list[Finding]) -> SiteResult:
     try:
         portal = Portal(root, model, findings, check_texts())
     except DiagramError as error:
-        mend = "correct what the diagram is made from, see the message of PlantUML"
-        return SiteResult(0, [Finding(Place("design", 0), "doc-diagram", str(error), mend)])
+        fix = "correct what the diagram is made from, see the message of PlantUML"
+        return SiteResult(0, [Finding(Place("design", 0), "doc-diagram", str(error), fix)])
     kept = write_sources(portal, pages)
     with get_context("fork").Pool(os.cpu_count() or 1, _share, (portal, site)) as pool:
         exported = pool.apply_async(_write_exports)
@@ -56,7 +56,7 @@ def build_site(root: Path, model: Model, findings: list[Finding]) -> SiteResult:
 def check_texts() -> list[CheckText]:
     from traceability.checks.registry import CHECKS
 
-    return [CheckText(c.id, c.title, c.why, c.holds, c.blind, c.mend) for c in CHECKS]
+    return [CheckText(c.id, c.title, c.why, c.holds, c.blind, c.fix) for c in CHECKS]
 
 
 # What a process is forked with: too large to be sent to it.

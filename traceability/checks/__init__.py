@@ -78,4 +78,4 @@ def sort(findings: list[Finding]) -> list[Finding]:
 
 def message(finding: Finding) -> str:
     place = f"{finding.place.file}:{finding.place.line}"
-    return f"{place}: [{finding.check}] {finding.text}; {finding.mend}"
+    return f"{place}: [{finding.check}] {finding.text}; {finding.fix}"

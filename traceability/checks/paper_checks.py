@@ -36,8 +36,8 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
             found.append(Finding(entry.place, "paper-complete", text, "remove one of the two"))
         elif key not in concordance.named:
             text = f"design/paper.toml lists no {entry.kind} {entry.name}"
-            mend = "correct the kind or the name, or remove the entry"
-            found.append(Finding(entry.place, "paper-complete", text, mend))
+            fix = "correct the kind or the name, or remove the entry"
+            found.append(Finding(entry.place, "paper-complete", text, fix))
         entries[key] = entry
     found += [
         Finding(

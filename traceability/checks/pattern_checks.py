@@ -60,7 +60,7 @@ def _known(application: PatternApplication, facts: Facts) -> list[Finding]:
         for name, text in texts.items()
         if not text
     ]
-    return [Finding(application.place, "pattern-known", text, mend) for text, mend in problems]
+    return [Finding(application.place, "pattern-known", text, fix) for text, fix in problems]
 
 
 def _declared_once(model: Model, facts: Facts) -> list[Finding]:
@@ -89,8 +89,8 @@ def _roles(model: Model, facts: Facts) -> list[Finding]:
                 problem = again, "leave one of the two"
             seen.add((binding.application, binding.role))
             if problem:
-                text, mend = problem
-                found.append(Finding(binding.place, "pattern-role-unknown", text, mend))
+                text, fix = problem
+                found.append(Finding(binding.place, "pattern-role-unknown", text, fix))
     return found
 
 
@@ -163,9 +163,9 @@ def _undecided(facts: Facts) -> list[Finding]:
         if name not in clauses
     ]
     return absent + [
-        Finding(facts.declared.entries.line_in(clause.place, word), "pattern-known", text, mend)
+        Finding(facts.declared.entries.line_in(clause.place, word), "pattern-known", text, fix)
         for clause in clauses.values()
-        for text, word, mend in _clause_problems(clause, facts)
+        for text, word, fix in _clause_problems(clause, facts)
     ]
 
 
@@ -173,8 +173,8 @@ def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, s
     """What is wrong with a clause, the word in question, and what mends it."""
     found: list[tuple[str, str, str]] = []
     if clause.id not in CLAUSES:
-        mend = "correct the id, or write what decides it in traceability/checks/pattern_clauses.py"
-        found.append((f"nothing decides the clause {clause.id}", clause.id, mend))
+        fix = "correct the id, or write what decides it in traceability/checks/pattern_clauses.py"
+        found.append((f"nothing decides the clause {clause.id}", clause.id, fix))
     if not clause.id.startswith(f"pattern-{clause.pattern.split()[0].lower()}-"):
         text = f"{clause.id} is no clause of the pattern {clause.pattern}"
         found.append((text, clause.pattern, "correct the pattern"))
@@ -197,8 +197,8 @@ def _counts(facts: Facts) -> list[Finding]:
                 f"the design has {len(known)} applications of {pattern.name}, not "
                 f"{pattern.applications}"
             )
-            mend = f"correct the entries of {APPLICATIONS}"
-            found.append(Finding(pattern.place, "pattern-count", text, mend))
+            fix = f"correct the entries of {APPLICATIONS}"
+            found.append(Finding(pattern.place, "pattern-count", text, fix))
     return found
 
 
@@ -218,13 +218,13 @@ def _required(facts: Facts) -> list[Finding]:
             for module in modules
             if module not in facts.classes
         ]
-        mend = f"bind each role of the pattern in {APPLICATIONS}"
+        fix = f"bind each role of the pattern in {APPLICATIONS}"
         found += [
             Finding(
                 facts.declared.entries.line_in(item.place, word),
                 "pattern-role-required",
                 text,
-                mend,
+                fix,
             )
             for text, word in problems
         ]
@@ -325,7 +325,7 @@ def _clauses(application: PatternApplication, model: Model, facts: Facts) -> lis
         places = [place for place, _ in broken] or _about(application, clause, model)
         application.clauses.append(Clause(clause.id, clause.says, not broken, places))
         found += [
-            Finding(place, clause.id, f"{text} ({application.id})", clause.mend)
+            Finding(place, clause.id, f"{text} ({application.id})", clause.fix)
             for place, text in broken
         ]
     return found

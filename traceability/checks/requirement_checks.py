@@ -112,17 +112,17 @@ def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
         for source in requirement.sources:
             if not source.kind:
                 text = f"the source of {requirement.id} has no kind: {source.name}"
-                mend = f"begin it with one of: {', '.join(f'{kind}:' for kind in SOURCE_KINDS)}"
+                fix = f"begin it with one of: {', '.join(f'{kind}:' for kind in SOURCE_KINDS)}"
             elif source.kind in names and source.name not in names[source.kind]:
                 named = f"{source.kind}: {source.name}"
                 text = f"{requirement.id} has the source {named}, which does not exist"
-                mend = "correct the name"
+                fix = "correct the name"
             elif source.kind == "goal" and source.name not in requirement.goals:
                 text = f"{requirement.id} has the source {source.name} and no @goal {source.name}"
-                mend = "write the @goal, or remove the source"
+                fix = "write the @goal, or remove the source"
             else:
                 continue
-            yield Finding(requirement.place, "req-source", text, mend)
+            yield Finding(requirement.place, "req-source", text, fix)
 
 
 def headings(page: Path) -> list[str]:

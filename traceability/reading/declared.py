@@ -38,7 +38,7 @@ class ClauseText:
     id: str
     pattern: str
     says: str
-    mend: str
+    fix: str
     about: list[str]  # roles whose modules the clause speaks of
     place: Place
 
@@ -110,7 +110,7 @@ class Declared:
     allowed: list[AllowedUse] = field(default_factory=list)
     cycles: list[Cycle] = field(default_factory=list)
     trees: dict[str, tuple[Place, TreeNode | None]] = field(default_factory=dict)
-    tree_errors: list[tuple[Place, str, str]] = field(default_factory=list)  # what would mend it
+    tree_errors: list[tuple[Place, str, str]] = field(default_factory=list)  # how to fix it
     applications: dict[str, KnownApplication] = field(default_factory=dict)
     clauses: dict[str, ClauseText] = field(default_factory=dict)
     patterns: list[KnownPattern] = field(default_factory=list)
@@ -273,7 +273,7 @@ def _patterns(design: Path, entries: Entries, declared: Declared) -> None:
         )
         declared.applications[known.id] = known
     clauses = design / "clauses.toml"
-    needs = {"id": str, "pattern": str, "says": str, "mend": str, "about": list}
+    needs = {"id": str, "pattern": str, "says": str, "fix": str, "about": list}
     for item, place in entries.tables(clauses, "clause", needs, own="id"):
         declared.clauses[item["id"]] = ClauseText(place=place, **item)
     declared.patterns = [
@@ -373,8 +373,8 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
             continue
         match = re.fullmatch(r"((?:  )*)(post )?([\w:~]+)::(~?\w+)", words)
         if match is None or not current:
-            mend = "write 'FR-n', or 'Class::method' with its indentation"
-            declared.tree_errors.append((place, "this line is neither an id nor a node", mend))
+            fix = "write 'FR-n', or 'Class::method' with its indentation"
+            declared.tree_errors.append((place, "this line is neither an id nor a node", fix))
             continue
         depth = len(match[1]) // 2
         node = TreeNode(

@@ -23,7 +23,7 @@ def model() -> Model:
     model.contexts = {"timer": ExecutionContext("timer", "interrupt", "t", "x", ["f"], "", place)}
     model.pipes = [SharedPipe("A::b_", "pipe", "x", "Pipe<int>", place, {"A::w": ["timer"]})]
     model.shared = [SharedMember("A::b_", "A", "int", place, ["timer"], [], "", "")]
-    model.findings = [Finding(place, "exec-shared", "text", "mend")]
+    model.findings = [Finding(place, "exec-shared", "text", "fix")]
     return model
 
 

@@ -363,7 +363,7 @@ def test_a_check_that_needs_fresh_results_does_not_hold_without_them(tmp_path: P
 
 
 def test_a_check_of_the_finished_site_claims_no_verdict(tmp_path: Path) -> None:
-    later = CheckText("link-site", "Links", "To arrive.", "Each has one.", "others.", "mend it.")
+    later = CheckText("link-site", "Links", "To arrive.", "Each has one.", "others.", "fix it.")
     portal = Portal(tmp_path, make_project(tmp_path), [], [*CHECKS, later])
     found = {page.name: page.body for page in all_pages(portal)}
     assert "Checked after the pages are written" in found["checks/link-site"]
