@@ -17,7 +17,7 @@ from traceability.reading.results import RESULTS, read_json
 from traceability.schema import Finding, Place
 
 if TYPE_CHECKING:
-    from traceability.model.design_model import Model
+    from traceability.model.build import Built
 
 FINDINGS = Path("build/model/findings.json")
 TIMES = RESULTS / "times.json"  # how long commands took, for the metrics
@@ -94,37 +94,37 @@ def make(root: Path, steps: Steps) -> tuple[list[Finding], bool]:
     from traceability.exports.metrics_file import site_figures, write_metrics
     from traceability.model.build import build
 
-    model: Model | None = None
+    built: Built | None = None
     findings: list[Finding] = []
 
     def make_model(_log: TextIO) -> str:
-        nonlocal model
+        nonlocal built
         try:
-            model = build(root)
+            built = build(root)
         except UnicodeDecodeError as error:
             from traceability.checks.document_checks import not_text
 
             findings.extend(not_text(root))
             raise FailureError("a file is not UTF-8") from error
-        return f"{len(model.modules)} modules, {len(model.requirements)} requirements"
+        return f"{len(built.model.modules)} modules, {len(built.model.requirements)} requirements"
 
     def run_all(_log: TextIO) -> str:
-        assert model is not None
-        findings.extend(run_checks(model))
+        assert built is not None
+        findings.extend(run_checks(*built))
         return counted(findings)
 
     def make_site(_log: TextIO) -> str:
-        assert model is not None
-        result = build_site(root, model, findings)
+        assert built is not None
+        result = build_site(root, built.model, findings)
         findings.extend(result.warnings)
         return f"{result.pages} pages"
 
     def check_links(_log: TextIO) -> str:
-        assert model is not None
+        assert built is not None
         site = root / "build" / "site"
-        found = run_link_checks(model, site)
+        found = run_link_checks(*built, site)
         findings.extend(found)
-        write_metrics(root, model, site_figures(site, findings) | read_times(root))
+        write_metrics(root, built.model, site_figures(site, findings) | read_times(root))
         return counted(found)
 
     if not steps.run("model", make_model):
@@ -132,7 +132,7 @@ def make(root: Path, steps: Steps) -> tuple[list[Finding], bool]:
             steps.skip(title, "there is no model")
         return findings, False
     whole = steps.run("checks", run_all)
-    if whole and is_unreadable(model):
+    if whole and is_unreadable(built):
         for title in PARTS[2:]:
             steps.skip(title, "a file of the design cannot be read")
         return findings, False
@@ -142,9 +142,9 @@ def make(root: Path, steps: Steps) -> tuple[list[Finding], bool]:
     return findings, steps.run("links", check_links) and whole
 
 
-def is_unreadable(model: Model | None) -> bool:
+def is_unreadable(built: Built | None) -> bool:
     """Whether a part of the design is missing, and every page would show less than there is."""
-    return bool(model and model.facts and model.facts.declared.entries.unreadable)
+    return bool(built and built.facts.declared.entries.unreadable)
 
 
 def counted(findings: list[Finding]) -> str:

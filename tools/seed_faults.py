@@ -26,7 +26,7 @@ PAGES = ("build/pages", "build/pages-cache", "build/site", "build/diagrams")
 def seed_all(root: Path) -> list[Outcome]:
     """Seeds every fault that the state of the project allows, and writes the record."""
     faults = read_faults(root)
-    fresh = not build(root).results_stale
+    fresh = not build(root).model.results_stale
     stages = {"sources"} | ({"results"} if fresh else set())
     if (root / PAGES[2]).is_dir():
         stages |= {"pages", "site"}
@@ -104,9 +104,9 @@ class Copy:
 
     def findings(self) -> list[Finding]:
         if self.stage == "site":
-            return run_link_checks(build(self.tree), self.tree / "build" / "site")
-        model = build(self.tree)
-        found = run_checks(model)
+            return run_link_checks(*build(self.tree), self.tree / "build" / "site")
+        model, facts = build(self.tree)
+        found = run_checks(model, facts)
         if self.stage == "pages":
             found = [*found, *build_site(self.tree, model, found).warnings]
         return found

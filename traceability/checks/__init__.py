@@ -30,6 +30,7 @@ from traceability.model.build import set_states
 from traceability.model.design_model import Model
 from traceability.model.evidence import settle_evidence
 from traceability.model.metrics import figures
+from traceability.reading.source_facts import Facts
 from traceability.schema import Finding
 
 FAMILIES = (
@@ -54,22 +55,20 @@ FAMILIES = (
 )
 
 
-def run_checks(model: Model) -> list[Finding]:
+def run_checks(model: Model, facts: Facts) -> list[Finding]:
     """All findings but those of the site's links, sorted. The model keeps them too."""
-    assert model.facts is not None, "the model was not built from sources"
-    waits = bool(model.facts.declared.entries.unreadable)
-    families = FAMILIES[:1] if waits else FAMILIES
-    found = [finding for family in families for finding in family(model, model.facts)]
-    settle_evidence(model, figures(model.facts.root, model), found, KNOWN)
+    families = FAMILIES[:1] if facts.declared.entries.unreadable else FAMILIES
+    found = [finding for family in families for finding in family(model, facts)]
+    settle_evidence(model, figures(facts.root, model), found, KNOWN)
     set_states(model)
     model.findings = sort(found + requirement_checks.unmet(model))
     return list(model.findings)
 
 
-def run_link_checks(model: Model, site: Path) -> list[Finding]:
+def run_link_checks(model: Model, facts: Facts, site: Path) -> list[Finding]:
     """The dead links of the built site, and the pages that it should have."""
-    clicks = link_checks.dead_clicks(site) if model.facts else []
-    return sort(link_checks.check(model, site) + paper_checks.check_pages(model, site) + clicks)
+    pages = paper_checks.check_pages(model, facts, site)
+    return sort(link_checks.check(model, site) + pages + link_checks.dead_clicks(site))
 
 
 def sort(findings: list[Finding]) -> list[Finding]:

@@ -152,12 +152,11 @@ def _name_here(target: str, model: Model) -> str:
     return application.title if application else name
 
 
-def check_pages(model: Model, site: Path) -> list[Finding]:
+def check_pages(model: Model, facts: Facts, site: Path) -> list[Finding]:
     """The generated pages that entries name exist in the built site, and so do their anchors."""
-    line_in = model.facts.declared.entries.line_in if model.facts else lambda place, _: place
     return [
         Finding(
-            line_in(entry.place, target),
+            facts.declared.entries.line_in(entry.place, target),
             "paper-stale",
             f"the paper's {entry.kind} {entry.name} is said to be on {target}, which is no page",
             "name the page that shows it",

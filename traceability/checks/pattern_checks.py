@@ -170,7 +170,7 @@ def _undecided(facts: Facts) -> list[Finding]:
 
 
 def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, str]]:
-    """What is wrong with a clause, the word in question, and what mends it."""
+    """What is wrong with a clause, the word in question, and its fix."""
     found: list[tuple[str, str, str]] = []
     if clause.id not in CLAUSES:
         fix = "correct the id, or write what decides it in traceability/checks/pattern_clauses.py"

@@ -108,7 +108,7 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
 def _asked_for(
     step: Transition, machine: StateMachine, model: Model, facts: Facts
 ) -> list[tuple[str, str, str]]:
-    """What is wrong with the requirements of a transition: text, mending, the word in question."""
+    """What is wrong with the requirements of a transition: text, fix, the word in question."""
     asked = [model.requirements[name] for name in step.requirements if name in model.requirements]
     found = [
         (f"there is no requirement {name}", "correct the id", name)

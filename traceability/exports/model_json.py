@@ -13,14 +13,12 @@ from traceability.model.design_model import Model
 MODEL = "model.json"
 SCHEMA = "model.schema.json"
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
-APART = {"facts"}  # what the model was made from; no document reads it
 PLAIN: dict[type, str] = {str: "string", int: "integer", float: "number", bool: "boolean"}
 
 
 def model_text(model: Model) -> str:
     """The model as JSON. Places, names and texts are those of the pages."""
-    data = dataclasses.asdict(dataclasses.replace(model, facts=None))
-    return json.dumps({key: value for key, value in data.items() if key not in APART}, indent=1)
+    return json.dumps(dataclasses.asdict(model), indent=1)
 
 
 def schema_text() -> str:
@@ -40,7 +38,7 @@ def model_schema() -> dict[str, Any]:
 
 def _class(kind: type, definitions: dict[str, Any]) -> dict[str, Any]:
     hints = typing.get_type_hints(kind)
-    fields = [one.name for one in dataclasses.fields(kind) if one.name not in APART]
+    fields = [one.name for one in dataclasses.fields(kind)]
     described = {
         "type": "object",
         "properties": {name: _type(hints[name], definitions) for name in fields},

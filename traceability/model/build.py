@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import subprocess
 from pathlib import Path
+from typing import NamedTuple
 
 from traceability.model.architecture import add_connections
 from traceability.model.design_model import Model
@@ -55,7 +56,14 @@ from traceability.sources import DESIGN, SRC, files_below, source_hash
 DRIVERS = f"{SRC}/k64/"
 
 
-def build(root: Path) -> Model:
+class Built(NamedTuple):
+    """The model for pages and exports, and the facts that it is made from, for the checks."""
+
+    model: Model
+    facts: Facts
+
+
+def build(root: Path) -> Built:
     build_folder = root / "build" / "model"
     with doxygen_beside(root, build_folder) as doxygen:
         syntax = read_syntax(root, build_folder / "cache")
@@ -65,7 +73,7 @@ def build(root: Path) -> Model:
         facts = gather_facts(root, syntax, declared)
         model = _assemble(root, build_folder, facts, traces, coverage)
         facts.warnings = doxygen.warnings()
-    return model
+    return Built(model, facts)
 
 
 def _assemble(
@@ -81,7 +89,6 @@ def _assemble(
         sources_hash=source_hash(root),
         results_hashes={},
     )
-    model.facts = facts
     if facts.declared.entries.unreadable:
         return model
     _add_logic_modules(model, facts)

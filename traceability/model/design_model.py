@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from traceability.reading.source_facts import Facts
 from traceability.schema import (
     AllowedUse,
     Apart,
@@ -93,7 +92,6 @@ class Model:
     safety: SafetyCase = field(default_factory=SafetyCase)
     findings: list[Finding] = field(default_factory=list)
     files: list[str] = field(default_factory=list)  # sources that get a source page
-    facts: Facts | None = field(default=None, repr=False)  # for the checks; no document reads it
 
     def stale_on(self, binding: str) -> bool:
         """Whether the results of a binding are missing or older than the sources."""

@@ -53,7 +53,7 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Model:
     (root / "design").mkdir(exist_ok=True)
     (root / "design" / "changes.toml").write_text(CHANGES)
     (root / "src" / "main_control" / "Builder.hpp").write_text(BUILDER)
-    return build(root)
+    return build(root).model
 
 
 @pytest.fixture

@@ -66,7 +66,7 @@ def write_trace(root: Path, calls: list[str]) -> None:
 
 
 def record_review(root: Path) -> None:
-    model = build(root)
+    model = build(root).model
     texts = link_texts(model, model.requirements["FR-15"], Sources(root))
     write_review(root, "FR-15", Review("A. Reader", "2026-01-31", hashes(texts)))
 
@@ -89,8 +89,8 @@ def tree(sound: Path, tmp_path: Path) -> Path:
 
 def checked(root: Path) -> tuple[str, set[str], Model]:
     """The state of the requirement, and which checks find something of it."""
-    model = build(root)
-    found = run_checks(model)
+    model, facts = build(root)
+    found = run_checks(model, facts)
     checks = {one.check for one in found if one.check.startswith(("req-", "tree-", "suspect-"))}
     return model.requirements["FR-15"].state, checks, model
 
