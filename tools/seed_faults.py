@@ -106,10 +106,9 @@ class Copy:
         if self.stage == "site":
             return run_link_checks(*build(self.tree), self.tree / "build" / "site")
         model, facts = build(self.tree)
-        found = run_checks(model, facts)
-        if self.stage == "pages":
-            found = [*found, *build_site(self.tree, model, found).warnings]
-        return found
+        report = run_checks(model, facts)
+        made = build_site(self.tree, model, report).warnings if self.stage == "pages" else []
+        return [*report.findings, *made]
 
     def seed(self, faults: list[Fault]) -> list[Outcome]:
         """What is not found among others, or does not compile with them, is seeded again, alone."""

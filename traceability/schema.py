@@ -202,7 +202,6 @@ class PatternApplication:
     module: str  # above which it is declared
     place: Place
     roles: list[RoleBinding] = field(default_factory=list)
-    clauses: list[Clause] = field(default_factory=list)
 
 
 @dataclass
@@ -325,21 +324,20 @@ class Evidence:
     bound: float
     unit: str
     place: Place
-    value: float | None = None  # of this run
 
     @property
     def demand(self) -> str:
         return f"{self.relation} {self.bound:g} {self.unit}".strip()
 
-    @property
-    def holds(self) -> bool:
-        if self.value is None:
+    def holds(self, value: float | None) -> bool:
+        """Whether a value that was measured is within the bound."""
+        if value is None:
             return False
         if self.relation == "at most":
-            return self.value <= self.bound
+            return value <= self.bound
         if self.relation == "at least":
-            return self.value >= self.bound
-        return self.relation == "exactly" and self.value == self.bound
+            return value >= self.bound
+        return self.relation == "exactly" and value == self.bound
 
 
 @dataclass
@@ -375,10 +373,7 @@ SOURCE_KINDS = ("paper", "goal", "protocol", "data sheet", "decision")
 
 @dataclass
 class Requirement:
-    """``state``: "verified", "partly", "suspect", "failed", "stale" or "unverified".
-
-    A requirement that is partly verified says in ``partly`` what no test shows.
-    """
+    """A requirement. One that is partly verified says in ``partly`` what no test shows."""
 
     id: str
     text: str
@@ -401,8 +396,6 @@ class Requirement:
     evidence: list[Evidence] = field(default_factory=list)  # instead of calls
     review: Review | None = None
     suspicions: list[Suspicion] = field(default_factory=list)
-    state: str = "unverified"
-    reasons: list[str] = field(default_factory=list)
 
     @property
     def by_calls(self) -> bool:
@@ -454,7 +447,7 @@ class Hazard:
 
 @dataclass
 class SafetyGoal:
-    """``state``: "verified", "open" or "failed". Times in seconds."""
+    """What must be achieved against hazards. Times in seconds."""
 
     id: str
     title: str
@@ -472,8 +465,6 @@ class SafetyGoal:
     computed: float | None = None  # by the formula
     hazards: list[str] = field(default_factory=list)
     level: str = ""  # the highest of its hazards
-    state: str = "open"
-    reasons: list[str] = field(default_factory=list)  # why it is not verified
 
 
 @dataclass
@@ -485,7 +476,6 @@ class FaultScenario:
     goals: list[str]
     place: Place
     tests: list[str] = field(default_factory=list)
-    state: str = "unverified"  # "verified", "failed", "stale" or "unverified"
 
 
 @dataclass

@@ -26,10 +26,11 @@ from traceability.checks import (
     use_checks,
 )
 from traceability.checks.registry import KNOWN
-from traceability.model.build import set_states
 from traceability.model.design_model import Model
-from traceability.model.evidence import settle_evidence
+from traceability.model.evidence import measured_values
 from traceability.model.metrics import figures
+from traceability.model.report import Report
+from traceability.model.verdicts import make_report
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding
 
@@ -55,14 +56,15 @@ FAMILIES = (
 )
 
 
-def run_checks(model: Model, facts: Facts) -> list[Finding]:
-    """All findings but those of the site's links, sorted. The model keeps them too."""
+def run_checks(model: Model, facts: Facts) -> Report:
+    """The report, with all findings but those of the site's links, sorted."""
     families = FAMILIES[:1] if facts.declared.entries.unreadable else FAMILIES
     found = [finding for family in families for finding in family(model, facts)]
-    settle_evidence(model, figures(facts.root, model), found, KNOWN)
-    set_states(model)
-    model.findings = sort(found + requirement_checks.unmet(model))
-    return list(model.findings)
+    clauses, broken = pattern_checks.decide(model, facts)
+    found += broken
+    measured = measured_values(model, figures(model, clauses), found, KNOWN)
+    findings = sort(found + requirement_checks.unmet(model, measured))
+    return make_report(model, findings, clauses, measured)
 
 
 def run_link_checks(model: Model, facts: Facts, site: Path) -> list[Finding]:

@@ -33,8 +33,14 @@ def check(model: Model, facts: Facts) -> list[Finding]:
     for application in model.patterns.values():
         found += _known(application, facts)
         found += _missing_roles(application, model, facts)
-        found += _clauses(application, model, facts)
     return found
+
+
+def decide(model: Model, facts: Facts) -> tuple[dict[str, list[Clause]], list[Finding]]:
+    """Decides every clause in every application of its pattern."""
+    parts = {name: _clauses(one, model, facts) for name, one in model.patterns.items()}
+    clauses = {name: clauses for name, (clauses, _) in parts.items()}
+    return clauses, [finding for _, found in parts.values() for finding in found]
 
 
 def _known(application: PatternApplication, facts: Facts) -> list[Finding]:
@@ -313,22 +319,24 @@ def _plays_heir(heir: str, binding: RoleBinding, model: Model, facts: Facts) -> 
     return False
 
 
-def _clauses(application: PatternApplication, model: Model, facts: Facts) -> list[Finding]:
-    """Decides every clause of the pattern, and leaves the result in the application."""
+def _clauses(
+    application: PatternApplication, model: Model, facts: Facts
+) -> tuple[list[Clause], list[Finding]]:
+    """Decides every clause of the pattern in one application."""
+    clauses: list[Clause] = []
     found: list[Finding] = []
-    application.clauses = []
     shape = Shape(application, facts)
     for clause in facts.declared.clauses.values():
         if clause.pattern != application.pattern or clause.id not in CLAUSES:
             continue
         broken = list({(p.file, p.line, t): (p, t) for p, t in CLAUSES[clause.id](shape)}.values())
         places = [place for place, _ in broken] or _about(application, clause, model)
-        application.clauses.append(Clause(clause.id, clause.says, not broken, places))
+        clauses.append(Clause(clause.id, clause.says, not broken, places))
         found += [
             Finding(place, clause.id, f"{text} ({application.id})", clause.fix)
             for place, text in broken
         ]
-    return found
+    return clauses, found
 
 
 def _about(application: PatternApplication, clause: ClauseText, model: Model) -> list[Place]:

@@ -6,7 +6,7 @@ What its links depend on is as a person reviewed it.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from pathlib import Path
 
@@ -220,7 +220,7 @@ def _requirements(model: Model) -> list[Finding]:
     return found
 
 
-def unmet(model: Model) -> list[Finding]:
+def unmet(model: Model, measured: Mapping[str, float | None]) -> list[Finding]:
     """Evidence that is missing or beyond its bound. The other checks are part of the evidence."""
     return [
         Finding(
@@ -231,7 +231,7 @@ def unmet(model: Model) -> list[Finding]:
         )
         for requirement in model.requirements.values()
         for evidence in requirement.evidence
-        for reason in reasons(evidence)
+        for reason in reasons(evidence, measured[evidence.figure])
     ]
 
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from traceability.model.design_model import Model
+from traceability.model.safety_case import scenario_state
 from traceability.reading.declared_safety import SCENARIOS
 from traceability.reading.source_facts import Facts
 from traceability.schema import Assumption, Finding, Hazard, Place, SafetyGoal
@@ -161,8 +162,8 @@ def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
         if not scenario.tests:
             text = f"no test plays the scenario {scenario.name}"
             yield Finding(where, check, text, "play it in a test of tests/")
-        elif scenario.state in ("failed", "unverified"):
-            word = "failed" if scenario.state == "failed" else "did not pass"
+        elif (state := scenario_state(model, scenario)) in ("failed", "unverified"):
+            word = "failed" if state == "failed" else "did not pass"
             text = f"the scenario {scenario.name} {word} in {', '.join(scenario.tests)}"
             yield Finding(
                 where, check, text, "correct the firmware or the scenario, then run ./wr test"

@@ -9,16 +9,47 @@ import typing
 from typing import Any
 
 from traceability.model.design_model import Model
+from traceability.model.report import Report
+from traceability.schema import (
+    Clause,
+    Evidence,
+    FaultScenario,
+    Finding,
+    PatternApplication,
+    Requirement,
+    SafetyGoal,
+)
 
 MODEL = "model.json"
 SCHEMA = "model.schema.json"
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
+# What the report adds to the records of the model.
+VERDICT = {"state": str, "reasons": list[str]}
+ADDED: dict[type, dict[str, Any]] = {
+    Model: {"findings": list[Finding]},
+    Requirement: VERDICT,
+    Evidence: {"value": float | None},
+    SafetyGoal: VERDICT,
+    FaultScenario: {"state": str},
+    PatternApplication: {"clauses": list[Clause]},
+}
 PLAIN: dict[type, str] = {str: "string", int: "integer", float: "number", bool: "boolean"}
 
 
-def model_text(model: Model) -> str:
-    """The model as JSON. Places, names and texts are those of the pages."""
-    return json.dumps(dataclasses.asdict(model), indent=1)
+def model_text(model: Model, report: Report) -> str:
+    """The model with the verdicts as JSON. Places, names and texts are those of the pages."""
+    data, verdicts = dataclasses.asdict(model), dataclasses.asdict(report)
+    for name, requirement in data["requirements"].items():
+        requirement.update(verdicts["requirements"][name])
+        for evidence in requirement["evidence"]:
+            evidence["value"] = report.measured[evidence["figure"]]
+    for name, goal in data["safety"]["goals"].items():
+        goal.update(verdicts["goals"][name])
+    for name, scenario in data["safety"]["scenarios"].items():
+        scenario["state"] = report.scenarios[name]
+    for name, application in data["patterns"].items():
+        application["clauses"] = verdicts["clauses"][name]
+    return json.dumps(data | {"findings": verdicts["findings"]}, indent=1)
 
 
 def schema_text() -> str:
@@ -37,12 +68,11 @@ def model_schema() -> dict[str, Any]:
 
 
 def _class(kind: type, definitions: dict[str, Any]) -> dict[str, Any]:
-    hints = typing.get_type_hints(kind)
-    fields = [one.name for one in dataclasses.fields(kind)]
+    fields = typing.get_type_hints(kind) | ADDED.get(kind, {})
     described = {
         "type": "object",
-        "properties": {name: _type(hints[name], definitions) for name in fields},
-        "required": fields,
+        "properties": {name: _type(one, definitions) for name, one in fields.items()},
+        "required": list(fields),
         "additionalProperties": False,
     }
     words = (kind.__doc__ or "").strip()
@@ -52,6 +82,8 @@ def _class(kind: type, definitions: dict[str, Any]) -> dict[str, Any]:
 
 
 def _type(kind: Any, definitions: dict[str, Any]) -> dict[str, Any]:
+    if kind is Any:
+        return {}
     if kind in PLAIN:
         return {"type": PLAIN[kind]}
     if isinstance(kind, type) and dataclasses.is_dataclass(kind):

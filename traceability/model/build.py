@@ -11,18 +11,19 @@ from traceability.model.architecture import add_connections
 from traceability.model.design_model import Model
 from traceability.model.dictionary import add_dictionary
 from traceability.model.evidence import read_evidence
-from traceability.model.evidence import reasons as reasons_of_evidence
 from traceability.model.execution import add_execution
 from traceability.model.likely_changes import add_changes
+from traceability.model.metrics import read_measured
 from traceability.model.orphan_methods import justify
 from traceability.model.reviews import add_reviews
-from traceability.model.safety_case import add_safety, settle_safety
+from traceability.model.safety_case import add_safety
 from traceability.model.stack import prove
 from traceability.model.state_machines import add_machines
 from traceability.model.tests import add_board_findings, add_executed_modules, add_tests
 from traceability.model.trees import add_trees
 from traceability.model.verification import add_verification
 from traceability.reading.ast_facts import BodyFact, CallFact, ClassFact, MethodFact
+from traceability.reading.bench_record import read_bench, read_paper_bench
 from traceability.reading.closed_loop_record import read_closed_loop
 from traceability.reading.comments import NO_COMMENT, Comment
 from traceability.reading.coverage import Coverage, read_coverage
@@ -30,12 +31,14 @@ from traceability.reading.declared import read_declared
 from traceability.reading.declared_safety import read_sources, words_of
 from traceability.reading.doxygen_run import doxygen_beside
 from traceability.reading.mutation_record import read_mutation
+from traceability.reading.products import read_products
 from traceability.reading.results import read_sizes
+from traceability.reading.seeded_fault_record import read_record
+from traceability.reading.seeded_faults import read_faults
 from traceability.reading.source_facts import Facts, gather_facts
 from traceability.reading.syntax import read_syntax
-from traceability.reading.traces import Traces, nodes_of, read_traces
+from traceability.reading.traces import Traces, read_traces
 from traceability.schema import (
-    BINDINGS,
     HOST,
     VIRTUAL_K64,
     Call,
@@ -127,11 +130,14 @@ def _assemble(
     justify(model, facts.declared.justified)
     add_reviews(model, root, facts.declared.entries)
     add_safety(model, facts)
-    set_states(model)
     model.paper = facts.declared.concordance.entries
     model.paper_places = facts.declared.concordance.places
     add_changes(model, facts.declared.changes)
     model.files = source_files(root)
+    model.bench, model.bench_paper = read_bench(root), read_paper_bench(root)
+    model.products = read_products(root)
+    model.faults, model.outcomes = read_faults(root), read_record(root)
+    model.measured = read_measured(root, model)
     return model
 
 
@@ -505,46 +511,3 @@ def _board_lines(model: Model, coverage: Coverage) -> dict[str, dict[int, bool]]
         for file, lines in sorted(coverage.whole.lines.items())
         if file.startswith(DRIVERS)
     }
-
-
-def set_states(model: Model) -> None:
-    """Anew after the checks, which count among the evidence."""
-    for requirement in model.requirements.values():
-        requirement.reasons = _reasons(model, requirement)
-        if any(model.tests[name].gave("failed") for name in requirement.verified_by):
-            requirement.state = "failed"
-        elif requirement.reasons:
-            requirement.state = "unverified"
-        else:
-            requirement.state = "stale" if model.results_stale else _sound_state(requirement)
-    settle_safety(model)
-
-
-def _sound_state(requirement: Requirement) -> str:
-    """The state of a requirement of which all tests and all evidence hold."""
-    if requirement.suspicions:
-        return "suspect"
-    return "partly" if requirement.partly else "verified"
-
-
-def _reasons(model: Model, requirement: Requirement) -> list[str]:
-    """Why a requirement is not verified."""
-    reasons: list[str] = []
-    for evidence in requirement.evidence:
-        reasons += reasons_of_evidence(evidence)
-    if requirement.by_calls and not requirement.satisfied_by:
-        reasons.append("no method satisfies it")
-    if not requirement.evidence and not requirement.verified_by:
-        reasons.append("no test verifies it")
-    for result, words in (("failed", "failed"), ("skipped", "skipped"), (None, "did not run")):
-        for binding in BINDINGS:
-            tests = [n for n in requirement.verified_by if binding in model.tests[n].gave(result)]
-            if tests:
-                reasons.append(f"{words} on the {binding}: {', '.join(tests)}")
-    if requirement.tree is None:
-        return [*reasons, "it has no tree of invocations"] if requirement.by_calls else reasons
-    nodes = nodes_of(requirement.tree)
-    reasons += [f"no call reaches {node.label}" for node in nodes if not node.reachable]
-    if not requirement.runs:
-        reasons.append("no passing test executed its tree")
-    return reasons

@@ -7,7 +7,10 @@ declarations in ``design/``, test results, traces, coverage and sizes.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
+from traceability.reading.seeded_fault_record import Outcome
+from traceability.reading.seeded_faults import Fault
 from traceability.schema import (
     AllowedUse,
     Apart,
@@ -21,7 +24,6 @@ from traceability.schema import (
     Cycle,
     DriverFault,
     ExecutionContext,
-    Finding,
     Function,
     Justified,
     LikelyChange,
@@ -90,7 +92,13 @@ class Model:
     designed_applications: dict[str, str] = field(default_factory=dict)  # id -> pattern
     closed_loop: list[LoopScenario] = field(default_factory=list)
     safety: SafetyCase = field(default_factory=SafetyCase)
-    findings: list[Finding] = field(default_factory=list)
+    # Records of other steps; ``None`` when they are not of the present sources.
+    bench: dict[str, Any] | None = None
+    bench_paper: dict[str, Any] | None = None  # of the product without safety functions
+    products: dict[str, dict[str, Any]] | None = None  # product -> what its image holds
+    faults: list[Fault] = field(default_factory=list)  # that are seeded to test the checks
+    outcomes: list[Outcome] | None = None  # what became of them
+    measured: dict[str, Any] = field(default_factory=dict)  # metrics of other steps
     files: list[str] = field(default_factory=list)  # sources that get a source page
 
     def stale_on(self, binding: str) -> bool:

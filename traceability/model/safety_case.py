@@ -1,12 +1,13 @@
-"""Adds the safety case to the model, and settles what this run shows of its goals."""
+"""Adds the safety case to the model, and decides what this run shows of its goals."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from traceability.model.design_model import Model
+from traceability.model.report import Verdict
 from traceability.reading.declared_safety import SCENARIOS
 from traceability.reading.gtest_cases import read_tests
 from traceability.reading.safety_cost import read_cost
@@ -50,17 +51,29 @@ def plays(scenario: str, case: str, body: str, runs: Iterable[str]) -> bool:
 # ---- verdicts -------------------------------------------------------------------
 
 
-def settle_safety(model: Model) -> None:
-    """The state of each scenario and each goal, after that of the requirements."""
-    for scenario in model.safety.scenarios.values():
-        scenario.state = scenario_state(model, scenario)
-    for goal in model.safety.goals.values():
-        goal.reasons = [*_reasons(model, goal)]
-        states = [one.state for one in requirements_of(model, goal)]
-        states += [one.state for one in scenarios_of(model, goal)]
-        goal.state = "open" if goal.reasons else "verified"
-        if "failed" in states:
-            goal.state = "failed"
+def safety_verdicts(
+    model: Model, requirements: Mapping[str, Verdict]
+) -> tuple[dict[str, str], dict[str, Verdict]]:
+    """The states of the fault scenarios, and the verdicts of the goals."""
+    scenarios = {name: scenario_state(model, one) for name, one in model.safety.scenarios.items()}
+    goals = {
+        name: goal_verdict(model, goal, requirements, scenarios)
+        for name, goal in model.safety.goals.items()
+    }
+    return scenarios, goals
+
+
+def goal_verdict(
+    model: Model,
+    goal: SafetyGoal,
+    requirements: Mapping[str, Verdict],
+    scenarios: Mapping[str, str],
+) -> Verdict:
+    """The verdict of a goal, from those of its requirements and of its fault scenarios."""
+    reasons = [*_reasons(model, goal, requirements, scenarios)]
+    states = [requirements[one.id].state for one in requirements_of(model, goal)]
+    states += [scenarios[one.name] for one in scenarios_of(model, goal)]
+    return Verdict("failed" if "failed" in states else "open" if reasons else "verified", reasons)
 
 
 def requirements_of(model: Model, goal: SafetyGoal) -> list[Requirement]:
@@ -90,27 +103,32 @@ def own_result(scenario: FaultScenario, test: Test, run: BindingResult) -> str |
     return next(iter(own), run.result)
 
 
-def _reasons(model: Model, goal: SafetyGoal) -> Iterable[str]:
+def _reasons(
+    model: Model,
+    goal: SafetyGoal,
+    requirements: Mapping[str, Verdict],
+    scenarios: Mapping[str, str],
+) -> Iterable[str]:
     """Why a goal is not verified in this run."""
     yield from (f"it does not hold: {case}" for case in goal.exceptions)
     if not goal.requirements:
         yield "no requirement serves it"
     for name in goal.requirements:
-        requirement = model.requirements.get(name)
-        if requirement is None:
+        verdict = requirements.get(name)
+        if verdict is None:
             yield f"there is no requirement {name}"
-        elif requirement.state == "partly":
-            yield f"{name} is partly verified: {requirement.partly}"
-        elif requirement.state != "verified":
-            yield f"{name} is {STATES[requirement.state]}"
+        elif verdict.state == "partly":
+            yield f"{name} is partly verified: {model.requirements[name].partly}"
+        elif verdict.state != "verified":
+            yield f"{name} is {STATES[verdict.state]}"
     if not goal.scenarios:
         yield "no fault scenario is about it"
     for name in goal.scenarios:
-        scenario = model.safety.scenarios.get(name)
-        if scenario is None:
+        state = scenarios.get(name)
+        if state is None:
             yield f"there is no scenario {name}"
-        elif scenario.state != "verified":
-            yield f"the scenario {name} is {STATES[scenario.state]}"
+        elif state != "verified":
+            yield f"the scenario {name} is {STATES[state]}"
 
 
 STATES = {

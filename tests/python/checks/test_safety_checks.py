@@ -11,7 +11,7 @@ import pytest
 from tests.python.model.small_case import make_model, write_case
 from traceability.checks import safety_checks
 from traceability.model.design_model import Model
-from traceability.model.safety_case import add_safety, settle_safety
+from traceability.model.safety_case import add_safety
 from traceability.reading.declared import Declared
 from traceability.reading.toml_reader import Entries
 from traceability.schema import HOST, Finding
@@ -21,7 +21,6 @@ def check(root: Path, model: Model) -> list[Finding]:
     declared = Declared(entries=Entries(root), safety=model.safety)
     facts: Any = SimpleNamespace(root=root, declared=declared)
     add_safety(model, facts)
-    settle_safety(model)
     return safety_checks.check(model, facts)
 
 

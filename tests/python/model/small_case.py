@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 from traceability.model.design_model import Model
+from traceability.model.report import Report, Verdict
+from traceability.model.safety_case import safety_verdicts
 from traceability.reading.declared import Declared
 from traceability.reading.declared_safety import read_safety_case
 from traceability.reading.toml_reader import Entries
@@ -102,7 +105,7 @@ def make_model(root: Path, result: str | None = "passed", *, fresh: bool = True)
         "FR-1": Requirement(
             "FR-1", "A stop shall act.", "Stop", Place("requirements/stop.dox", 5),
             rationale="It must.", source="goal: SG-1", priority="high", level="system",
-            products=["all"], method="test", goals=["SG-1"], state="verified",
+            products=["all"], method="test", goals=["SG-1"],
         )
     }  # fmt: skip
     run = BindingResult(result, 1.0, stale=not fresh)
@@ -115,3 +118,12 @@ def make_model(root: Path, result: str | None = "passed", *, fresh: bool = True)
     model.requirements["FR-1"].verified_by = ["Safety.FR1_Stops"]
     model.safety = declared.safety
     return model
+
+
+def report_of(model: Model, states: Mapping[str, str] | None = None) -> Report:
+    """The report of a model of which these requirements have these states; FR-1 is verified."""
+    verdicts = {
+        name: Verdict(state) for name, state in {"FR-1": "verified", **(states or {})}.items()
+    }
+    scenarios, goals = safety_verdicts(model, verdicts)
+    return Report(requirements=verdicts, goals=goals, scenarios=scenarios)

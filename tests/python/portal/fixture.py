@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from traceability.model.design_model import Model
+from traceability.model.report import Report, Verdict
 from traceability.schema import (
     HOST,
     VIRTUAL_K64,
@@ -38,6 +39,12 @@ from traceability.schema import (
     TreeNode,
     TreeRun,
     Use,
+)
+
+PLACE = Place("design/a.toml", 3)
+REPORT = Report(
+    requirements={"FR-15": Verdict("verified")},
+    clauses={"reading-modes": [Clause("pattern-state-abstract", "It is abstract", True, [PLACE])]},
 )
 
 MODES = "main_control/operation_modes"
@@ -93,7 +100,6 @@ def make_model() -> Model:
         "reading-modes": PatternApplication(
             "reading-modes", "State", "Reading modes", "Sources differ.",
             "A new source.", "Mode", mode.place, [m.roles[0] for _, m in roles],
-            [Clause("pattern-state-abstract", "Mode is abstract", True, [mode.place])],
         )
     }  # fmt: skip
     model.requirements = {"FR-15": make_requirement()}
@@ -211,6 +217,6 @@ def make_requirement() -> Requirement:
     return Requirement(
         "FR-15", "The system shall wait.", "Reading", Place("requirements/a.dox", 5),
         "Why.", "The paper.", "Test.", "high", satisfied_by=["RC::read"],
-        verified_by=["RcTest.Reads"], tree=root, state="verified",
+        verified_by=["RcTest.Reads"], tree=root,
         runs={HOST: TreeRun("RcTest.Reads", trace, 40, [0, 2])},
     )  # fmt: skip

@@ -18,11 +18,12 @@ from portal.paper_views import families, hidden_names
 from portal.portal import CheckText, Portal
 from portal.requirement_pages import aligned
 from portal.site_build import SiteResult, build_site
-from tests.python.portal.fixture import MODES, make_model, make_project
+from tests.python.portal.fixture import MODES, REPORT, make_model, make_project
 from tests.python.reading.task_records import record_task
 from traceability.model.design_model import Model
-from traceability.reading.products import DEFAULT, PRODUCTS
-from traceability.reading.seeded_fault_record import Outcome, write_record
+from traceability.model.metrics import drift
+from traceability.reading.products import DEFAULT, PRODUCTS, read_products
+from traceability.reading.seeded_fault_record import Outcome, read_record, write_record
 from traceability.reading.task_record import IMAGES, SEEDED_FAULTS
 from traceability.schema import (
     HOST,
@@ -48,7 +49,7 @@ CHECKS = [
 @pytest.fixture(scope="module")
 def portal(tmp_path_factory: pytest.TempPathFactory) -> Portal:
     root = tmp_path_factory.mktemp("project")
-    return Portal(root, make_project(root), [], CHECKS)
+    return Portal(root, make_project(root), REPORT, CHECKS)
 
 
 @pytest.fixture(scope="module")
@@ -103,7 +104,7 @@ def test_what_a_secret_names_stands_beside_it(tmp_path: Path) -> None:
         "types": ["Pulse"],
     }
     page = next(
-        p.body for p in all_pages(Portal(tmp_path, model, [], CHECKS)) if p.name == "secrets"
+        p.body for p in all_pages(Portal(tmp_path, model, REPORT, CHECKS)) if p.name == "secrets"
     )
     assert "<code>remote/Pulse.hpp</code>" in page
 
@@ -120,9 +121,9 @@ def test_the_concordance_leads_both_ways(pages: dict[str, str]) -> None:
 
 def test_a_result_of_this_run_is_shown_and_a_stale_one_is_not(tmp_path: Path) -> None:
     model = make_project(tmp_path)
-    fresh = {p.name: p.body for p in all_pages(Portal(tmp_path, model, [], CHECKS))}
+    fresh = {p.name: p.body for p in all_pages(Portal(tmp_path, model, REPORT, CHECKS))}
     stale_model = dataclasses.replace(model, results_hashes={HOST: "older"})
-    stale = {p.name: p.body for p in all_pages(Portal(tmp_path, stale_model, [], CHECKS))}
+    stale = {p.name: p.body for p in all_pages(Portal(tmp_path, stale_model, REPORT, CHECKS))}
     assert "1 of 1 runs passed" in fresh["tests"]
     assert "older than the sources" not in fresh["tests"]
     assert "1 of 1 runs passed" not in stale["tests"]
@@ -159,7 +160,7 @@ def test_each_binding_has_a_result_of_its_own(tmp_path: Path) -> None:
     requirement = model.requirements["FR-15"]
     requirement.verified_by.append("Robot.Drives")
     requirement.runs[VIRTUAL_K64] = TreeRun("Robot.Drives", requirement.runs[HOST].rows, 0, [0, 2])
-    pages = {p.name: p.body for p in all_pages(Portal(tmp_path, model, [], CHECKS))}
+    pages = {p.name: p.body for p in all_pages(Portal(tmp_path, model, REPORT, CHECKS))}
     assert "2 of 3 runs passed" in pages["tests"]
     assert "virtual K64: expected 1" in pages["tests"]
     assert "not built for it" in pages["tests"]
@@ -180,7 +181,7 @@ def test_a_module_shows_first_its_own_tests_then_those_of_its_requirements(tmp_p
     }
     model.tests |= others
     model.modules["RC"].tests = ["Robot.Drives", *model.modules["RC"].tests, "RCTest.Own"]
-    portal = Portal(tmp_path, model, [], CHECKS)
+    portal = Portal(tmp_path, model, REPORT, CHECKS)
     own = portal.own_tests(model.modules["RC"])
     assert [test.id for test in own] == ["RCTest.Own", "RcTest.Reads"]
     page = next(page.body for page in all_pages(portal) if page.name == "modules/RC")
@@ -239,7 +240,7 @@ def test_a_requirement_of_no_transition_has_no_state_machine(tmp_path: Path) -> 
     model = make_project(tmp_path)
     for step in model.machines["reading-modes"].transitions:
         step.requirements = []
-    found = {p.name: p.body for p in all_pages(Portal(tmp_path, model, [], CHECKS))}
+    found = {p.name: p.body for p in all_pages(Portal(tmp_path, model, REPORT, CHECKS))}
     assert "in the state machine" not in found["requirements/FR-15"]
 
 
@@ -268,8 +269,8 @@ def site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[Path, Model]:
     return tmp_path, make_project(tmp_path)
 
 
-def build(site: tuple[Path, Model], findings: list[Finding] | None = None) -> SiteResult:
-    return build_site(site[0], site[1], findings or [])
+def build(site: tuple[Path, Model], *findings: Finding) -> SiteResult:
+    return build_site(site[0], site[1], dataclasses.replace(REPORT, findings=findings))
 
 
 def test_the_site_is_built_without_warnings(site: tuple[Path, Model]) -> None:
@@ -357,14 +358,14 @@ def test_the_page_of_a_removed_module_is_removed(site: tuple[Path, Model]) -> No
 
 def test_a_check_that_needs_fresh_results_does_not_hold_without_them(tmp_path: Path) -> None:
     model = make_project(tmp_path)
-    assert "holds" in Portal(tmp_path, model, [], CHECKS).verdict_of("tree-dynamic")
+    assert "holds" in Portal(tmp_path, model, REPORT, CHECKS).verdict_of("tree-dynamic")
     stale = dataclasses.replace(model, results_hashes={HOST: None})
-    assert "no fresh results" in Portal(tmp_path, stale, [], CHECKS).verdict_of("tree-dynamic")
+    assert "no fresh results" in Portal(tmp_path, stale, REPORT, CHECKS).verdict_of("tree-dynamic")
 
 
 def test_a_check_of_the_finished_site_claims_no_verdict(tmp_path: Path) -> None:
     later = CheckText("link-site", "Links", "To arrive.", "Each has one.", "others.", "fix it.")
-    portal = Portal(tmp_path, make_project(tmp_path), [], [*CHECKS, later])
+    portal = Portal(tmp_path, make_project(tmp_path), REPORT, [*CHECKS, later])
     found = {page.name: page.body for page in all_pages(portal)}
     assert "Checked after the pages are written" in found["checks/link-site"]
     assert 'class="v' not in found["checks/link-site"]
@@ -380,7 +381,9 @@ def test_seeded_faults_are_a_figure_only_when_this_state_was_measured(tmp_path: 
     record_task(tmp_path, SEEDED_FAULTS, "src")
 
     def home() -> str:
-        pages = all_pages(Portal(tmp_path, model, [], CHECKS))
+        measured = drift(dataclasses.replace(model, outcomes=read_record(tmp_path)))
+        seeded = dataclasses.replace(model, measured=measured)
+        pages = all_pages(Portal(tmp_path, seeded, REPORT, CHECKS))
         return next(page.body for page in pages if page.name == "index")
 
     assert "1<small>/2</small>" in home()
@@ -398,7 +401,7 @@ def test_the_page_of_the_virtual_k64_shows_what_was_found(tmp_path: Path) -> Non
     }
 
     def shown() -> str:
-        pages = all_pages(Portal(tmp_path, model, [], CHECKS))
+        pages = all_pages(Portal(tmp_path, model, REPORT, CHECKS))
         return next(page.body for page in pages if page.name == "virtual_k64")
 
     assert "not run on these sources" in shown()
@@ -417,12 +420,12 @@ def test_the_architecture_says_what_is_not_in_this_source(tmp_path: Path) -> Non
     model = make_project(tmp_path)
     wheel = next(item for item in model.architecture if item.id == "wheel-control")
     wheel.modules = ["RC", "WheelController"]
-    pages = all_pages(Portal(tmp_path, model, [], CHECKS))
+    pages = all_pages(Portal(tmp_path, model, REPORT, CHECKS))
     page = next(page.body for page in pages if page.name == "architecture")
     assert "not in this source: WheelController" in page
     assert page.count("not in this source") == 1
     wheel.modules = ["WheelController"]
-    pages = all_pages(Portal(tmp_path, model, [], CHECKS))
+    pages = all_pages(Portal(tmp_path, model, REPORT, CHECKS))
     page = next(page.body for page in pages if page.name == "architecture")
     assert 'class="m soft">not in this source<' in page
 
@@ -431,7 +434,7 @@ def test_the_pages_that_explain_have_a_group_of_their_own(tmp_path: Path) -> Non
     model = make_project(tmp_path)
     (tmp_path / "docs" / "glossary.rst").write_text("Glossary\n========\n")
     (tmp_path / "docs" / "quick_start.rst").write_text("Quick start\n===========\n")
-    navigation = Portal(tmp_path, model, [], CHECKS).navigation
+    navigation = Portal(tmp_path, model, REPORT, CHECKS).navigation
     groups = {group.id: [entry.title for entry in group.entries] for group in navigation.groups}
     assert groups["explain"] == ["Glossary"]
     assert groups["build"] == ["Quick start", "Source", "Exports"]
@@ -440,7 +443,7 @@ def test_the_pages_that_explain_have_a_group_of_their_own(tmp_path: Path) -> Non
 
 def test_a_finding_is_shown_on_its_check(site: tuple[Path, Model]) -> None:
     finding = Finding(Place(f"src/{MODES}/RC.cpp", 4), "tree-static", "no call", "add the call")
-    build(site, [finding])
+    build(site, finding)
     page = (site[0] / "build/site/checks/tree-static.html").read_text()
     assert "no call" in page
     assert "RC.cpp.html#L4" in page
@@ -452,7 +455,7 @@ def test_lines_of_drivers_that_the_board_did_not_execute_are_listed(tmp_path: Pa
     assert path
 
     def page(name: str) -> str:
-        pages = all_pages(Portal(tmp_path, model, [], CHECKS))
+        pages = all_pages(Portal(tmp_path, model, REPORT, CHECKS))
         return next(page.body for page in pages if page.name == name)
 
     assert "not run on these sources" in page("virtual_k64").partition('id="drivers"')[2]
@@ -479,7 +482,7 @@ def test_the_closed_loop_shows_what_ran_and_what_did_not(tmp_path: Path) -> None
             [good, bad, never], {HOST: LoopRun(False, "step.scenario:3: no")},
         )
     ]  # fmt: skip
-    pages = all_pages(Portal(tmp_path, model, [], CHECKS))
+    pages = all_pages(Portal(tmp_path, model, REPORT, CHECKS))
     page = next(page.body for page in pages if page.name == "closed_loop")
     assert "1050 ms</span>" in page
     assert '<span class="v bad">11 %</span>' in page
@@ -495,7 +498,8 @@ def test_products_are_compared_when_they_were_built(tmp_path: Path) -> None:
     model = make_project(tmp_path)
 
     def page() -> str:
-        pages = all_pages(Portal(tmp_path, model, [], CHECKS))
+        built = dataclasses.replace(model, products=read_products(tmp_path))
+        pages = all_pages(Portal(tmp_path, built, REPORT, CHECKS))
         return next(page.body for page in pages if page.name == "products")
 
     assert "not built from these sources" in page()
@@ -522,7 +526,7 @@ def test_the_structure_tells_what_of_the_design_is_missing(tmp_path: Path) -> No
     model = make_project(tmp_path)
 
     def page(name: str) -> str:
-        pages = all_pages(Portal(tmp_path, model, [], CHECKS))
+        pages = all_pages(Portal(tmp_path, model, REPORT, CHECKS))
         return next(page.body for page in pages if page.name == name)
 
     model.designed_modules = ["MainController", "Mode"]
