@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 from traceability.model.design_model import Model
@@ -76,7 +76,7 @@ class Facets:
     method: list[str]
     binding: list[str]
     level: list[str]
-    goal: list[str]
+    goal: Sequence[str]
 
 
 def facets(model: Model, report: Report, requirement: Requirement) -> Facets:
@@ -98,5 +98,5 @@ def facets(model: Model, report: Report, requirement: Requirement) -> Facets:
     )
 
 
-def options(found: Iterable[Facets], pick: Callable[[Facets], list[str]]) -> list[str]:
+def options(found: Iterable[Facets], pick: Callable[[Facets], Sequence[str]]) -> list[str]:
     return sorted({value for one in found for value in pick(one)})

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from traceability.model.design_model import Model
 from traceability.model.execution import (
     INTERRUPT,
@@ -163,7 +165,7 @@ def _interrupts(model: Model, facts: Facts) -> list[Finding]:
     return found
 
 
-def _called_by_products(handlers: list[str], facts: Facts) -> list[str]:
+def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
     """What the handlers of products that add to the robot call."""
     return [
         call.target

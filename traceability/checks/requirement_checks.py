@@ -6,7 +6,7 @@ What its links depend on is as a person reviewed it.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from pathlib import Path
 
@@ -174,7 +174,7 @@ def _unneeded(model: Model) -> list[Finding]:
     ]
 
 
-def _spare(item: Justified) -> list[str]:
+def _spare(item: Justified) -> Sequence[str]:
     """The names that nothing needs. A path is needed when anything is."""
     if not item.covers:
         return item.names
@@ -327,7 +327,7 @@ def _lines(model: Model) -> list[Finding]:
     ]
 
 
-def _listed(lines: list[int]) -> str:
+def _listed(lines: Sequence[int]) -> str:
     return f"line{'s' if len(lines) > 1 else ''} {', '.join(map(str, lines))}"
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 
 from traceability.model.design_model import Model
@@ -212,7 +213,7 @@ def _finding(use: Use, text: str) -> Finding:
     return Finding(use.places[0], "uses-cycle", text, fix)
 
 
-def _graph(uses: list[Use], depth: int) -> dict[str, set[str]]:
+def _graph(uses: Iterable[Use], depth: int) -> dict[str, set[str]]:
     graph: dict[str, set[str]] = {}
     for use in uses:
         source = "/".join(use.source.split("/")[:depth])

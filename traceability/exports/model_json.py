@@ -6,6 +6,7 @@ import dataclasses
 import json
 import types
 import typing
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from traceability.model.design_model import Model
@@ -100,11 +101,12 @@ def _composed(kind: Any, parts: list[dict[str, Any]]) -> dict[str, Any]:
     found: dict[Any, dict[str, Any]] = {
         types.NoneType: {"type": "null"},
         types.UnionType: {"anyOf": parts},
-        list: {"type": "array", "items": parts[0] if parts else {}},
+        Sequence: {"type": "array", "items": parts[0] if parts else {}},
         tuple: {"type": "array", "prefixItems": parts, "minItems": len(parts), "items": False},
-        dict: {"type": "object", "additionalProperties": parts[-1] if parts else {}},
+        Mapping: {"type": "object", "additionalProperties": parts[-1] if parts else {}},
     }
     origin = typing.get_origin(kind) or kind
+    origin = {list: Sequence, dict: Mapping}.get(origin, origin)
     if origin not in found:
         raise TypeError(f"the schema cannot tell what {kind} is")
     return found[origin]

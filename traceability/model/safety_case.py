@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from pathlib import Path
 
 from traceability.model.design_model import Model
@@ -12,18 +13,25 @@ from traceability.reading.declared_safety import SCENARIOS
 from traceability.reading.gtest_cases import read_tests
 from traceability.reading.safety_cost import read_cost
 from traceability.reading.source_facts import Facts
-from traceability.schema import BindingResult, FaultScenario, Requirement, SafetyGoal, Test
+from traceability.schema import (
+    BindingResult,
+    FaultScenario,
+    Requirement,
+    SafetyCase,
+    SafetyGoal,
+    Test,
+)
 
 
-def add_safety(model: Model, facts: Facts) -> None:
+def safety_of(model: Model, facts: Facts) -> SafetyCase:
     """The case with the tests that play its scenarios, and what git counts.
 
     A parameterised test that names their folder may play each of them, until it has run.
     """
-    model.safety = facts.declared.safety
-    if not model.safety.goals:
-        return
-    model.safety.cost = read_cost(facts.root, model.safety)
+    case = facts.declared.safety
+    if not case.goals:
+        return case
+    playing: dict[str, list[str]] = {}
     texts = {test.place.file: "" for test in model.tests.values()}
     texts = {file: _playing(facts.root / file) for file in texts}
     code = {case.id: case.code for text in texts.values() for case in read_tests(text)}
@@ -31,9 +39,13 @@ def add_safety(model: Model, facts: Facts) -> None:
         body = code.get(test.id, "")
         runs = [name for result in test.results.values() for name in result.recordings]
         every = not runs and body.startswith("TEST_P") and str(SCENARIOS) in texts[test.place.file]
-        for scenario in model.safety.scenarios.values():
-            if every or plays(scenario.name, test.name, body, runs):
-                scenario.tests.append(test.id)
+        for name in case.scenarios:
+            if every or plays(name, test.name, body, runs):
+                playing.setdefault(name, []).append(test.id)
+    scenarios = {
+        name: replace(one, tests=playing.get(name, [])) for name, one in case.scenarios.items()
+    }
+    return replace(case, scenarios=scenarios, cost=read_cost(facts.root, case))
 
 
 def _playing(path: Path) -> str:

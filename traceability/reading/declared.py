@@ -358,7 +358,7 @@ def _execution(path: Path, entries: Entries, declared: Declared) -> None:
 def _trees(root: Path, path: Path, declared: Declared) -> None:
     file = str(path.relative_to(root))
     current = ""
-    stack: list[tuple[int, TreeNode]] = []
+    stack: list[tuple[int, list[TreeNode]]] = []  # depth and children of the nodes above
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
         words = line.split("#")[0].rstrip()
         if not words:
@@ -377,31 +377,28 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
             declared.tree_errors.append((place, "this line is neither an id nor a node", fix))
             continue
         depth = len(match[1]) // 2
-        node = TreeNode(
-            label=f"{match[3]}::{match[4]}",
-            module=match[3].split("::")[0],
-            method=match[4],
-            resolved=None,
-            kind="post" if match[2] else "call",
-            place=place,
-        )
+        label = f"{match[3]}::{match[4]}"
         if depth > (stack[-1][0] + 1 if stack else 0):
-            text = f"{node.label} stands too far to the right"
+            text = f"{label} stands too far to the right"
             declared.tree_errors.append(
                 (place, text, "put it two blanks to the right of its caller")
             )
         while stack and stack[-1][0] >= depth:
             stack.pop()
+        kind = "root" if not stack else "post" if match[2] else "call"
+        children: list[TreeNode] = []
+        node = TreeNode(
+            label, match[3].split("::")[0], match[4], None, kind, place, children=children
+        )
         if stack:
-            stack[-1][1].children.append(node)
+            stack[-1][1].append(node)
         elif declared.trees[current][1] is None:
-            node.kind = "root"
             declared.trees[current] = (declared.trees[current][0], node)
         else:
             text = f"the tree of {current} has a second root"
             declared.tree_errors.append((place, text, "leave one root"))
             continue
-        stack.append((depth, node))
+        stack.append((depth, children))
 
 
 def _told(place: Place) -> str:

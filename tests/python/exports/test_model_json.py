@@ -23,10 +23,12 @@ FOUND = replace(REPORT, findings=[Finding(PLACE, "exec-shared", "text", "fix")])
 def model() -> Model:
     model = make_model()
     place = Place("design/execution.toml", 3)
-    model.contexts = {"timer": ExecutionContext("timer", "interrupt", "t", "x", ["f"], "", place)}
-    model.pipes = [SharedPipe("A::b_", "pipe", "x", "Pipe<int>", place, {"A::w": ["timer"]})]
-    model.shared = [SharedMember("A::b_", "A", "int", place, ["timer"], [], "", "")]
-    return model
+    return replace(
+        model,
+        contexts={"timer": ExecutionContext("timer", "interrupt", "t", "x", ["f"], "", place)},
+        pipes=[SharedPipe("A::b_", "pipe", "x", "Pipe<int>", place, {"A::w": ["timer"]})],
+        shared=[SharedMember("A::b_", "A", "int", place, ["timer"], [], "", "")],
+    )
 
 
 def test_the_schema_is_one() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import product
 from pathlib import Path
 from types import SimpleNamespace
@@ -13,7 +14,7 @@ from tests.python.model.small_case import make_model, report_of, write_case
 from traceability.model.design_model import Model
 from traceability.model.metrics import methods, safety
 from traceability.model.report import Verdict
-from traceability.model.safety_case import add_safety, plays
+from traceability.model.safety_case import plays, safety_of
 from traceability.reading.declared import Declared
 from traceability.reading.declared_safety import (
     evaluate,
@@ -31,8 +32,7 @@ ROOT = Path(__file__).resolve().parents[3]
 def settled(root: Path, result: str | None = "passed", *, fresh: bool = True) -> Model:
     model = make_model(root, result, fresh=fresh)
     facts: Any = SimpleNamespace(root=root, declared=Declared(safety=model.safety))
-    add_safety(model, facts)
-    return model
+    return replace(model, safety=safety_of(model, facts))
 
 
 def test_a_case_is_read_with_its_links_both_ways(tmp_path: Path) -> None:
@@ -165,8 +165,9 @@ def test_an_instance_of_a_test_decides_about_its_scenario(
     """Others that fail do not fail this one."""
     write_case(tmp_path)
     model = settled(tmp_path, "failed")
-    run = model.tests["Safety.FR1_Stops"].results[HOST]
-    run.instances = {"All_Safety.FR1_Stops_lost": own, "All_Safety.FR1_Stops_found": "failed"}
+    runs = model.tests["Safety.FR1_Stops"].results
+    instances = {"All_Safety.FR1_Stops_lost": own, "All_Safety.FR1_Stops_found": "failed"}
+    runs[HOST] = replace(runs[HOST], instances=instances)
     assert report_of(model).scenarios["lost"] == state
 
 
@@ -219,7 +220,7 @@ def test_what_was_not_measured_is_null(tmp_path: Path) -> None:
 def test_the_methods_of_verification_add_up(tmp_path: Path) -> None:
     write_case(tmp_path)
     model = settled(tmp_path)
-    model.requirements["FR-1"].partly = "not all."
+    model.requirements["FR-1"] = replace(model.requirements["FR-1"], partly="not all.")
     counts = methods(model.requirements.values())
     ways = ("by_test", "by_analysis", "by_measurement", "by_inspection")
     assert sum(counts[f"requirements.{way}"] for way in ways) == len(model.requirements)

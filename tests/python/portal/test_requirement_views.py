@@ -30,15 +30,18 @@ def test_mutants_that_were_not_tried_are_no_figures(tmp_path: Path) -> None:
 def test_the_score_of_a_requirement_counts_what_its_own_tests_find(tmp_path: Path) -> None:
     model = make_project(tmp_path)
     place = Place("src/main_control/operation_modes/RC.cpp", 3)
-    model.mutation = Mutation(
-        seed=7,
-        minutes=1.5,
-        total=40,
-        tried=[
-            Mutant(place, "RC::read", "constant", "1 + 1", ["RcTest.Reads"], {"FR-15": True}),
-            Mutant(place, "RC::read", "relation", "a < b", ["RcTest.Reads"], {"FR-15": False}),
-            Mutant(place, "RC::read", "return", "at once", [], {"FR-15": False}),
-        ],
+    model = replace(
+        model,
+        mutation=Mutation(
+            seed=7,
+            minutes=1.5,
+            total=40,
+            tried=[
+                Mutant(place, "RC::read", "constant", "1 + 1", ["RcTest.Reads"], {"FR-15": True}),
+                Mutant(place, "RC::read", "relation", "a < b", ["RcTest.Reads"], {"FR-15": False}),
+                Mutant(place, "RC::read", "return", "at once", [], {"FR-15": False}),
+            ],
+        ),
     )
     page = shown(tmp_path, model, "mutation")
     assert "2<small>/3</small>" in page
@@ -76,10 +79,13 @@ def test_a_measured_requirement_shows_figure_and_bound(tmp_path: Path) -> None:
 
 def test_a_justification_is_shown_with_what_needs_it(tmp_path: Path) -> None:
     model = make_project(tmp_path)
-    model.justified = [
-        Justified("method", ["RC::read"], "It is a tool.", PLACE, ["RC::read"]),
-        Justified("test", ["tests/"], "They are many.", PLACE, ["RcTest.Reads"] * 13),
-    ]
+    model = replace(
+        model,
+        justified=[
+            Justified("method", ["RC::read"], "It is a tool.", PLACE, ["RC::read"]),
+            Justified("test", ["tests/"], "They are many.", PLACE, ["RcTest.Reads"] * 13),
+        ],
+    )
     page = shown(tmp_path, model, "reverse")
     assert "It is a tool." in page
     assert "<summary>13 tests</summary>" in page

@@ -18,7 +18,7 @@ from portal.search import safety_entries
 from tests.python.model.small_case import make_model, report_of, write_case
 from tests.python.portal.fixture import REPORT, make_project
 from traceability.model.design_model import Model
-from traceability.model.safety_case import add_safety
+from traceability.model.safety_case import safety_of
 from traceability.reading.bench_record import PAPER_BENCH
 from traceability.reading.declared import Declared
 from traceability.reading.declared_safety import read_sources
@@ -33,12 +33,17 @@ def portal(tmp_path: Path) -> Portal:
     model = make_project(tmp_path)
     write_case(tmp_path)
     other = make_model(tmp_path)
-    model.safety = other.safety
-    model.requirements |= other.requirements
-    model.tests |= other.tests
-    model.requirements["FR-1"].sources = read_sources("goal: SG-1; decision: of FR-15")
-    facts: Any = SimpleNamespace(root=tmp_path, declared=Declared(safety=model.safety))
-    add_safety(model, facts)
+    sources = read_sources("goal: SG-1; decision: of FR-15")
+    model = replace(
+        model,
+        requirements={
+            **model.requirements,
+            "FR-1": replace(other.requirements["FR-1"], sources=sources),
+        },
+        tests={**model.tests, **other.tests},
+    )
+    facts: Any = SimpleNamespace(root=tmp_path, declared=Declared(safety=other.safety))
+    model = replace(model, safety=safety_of(model, facts))
     return portal_of(tmp_path, model)
 
 
@@ -95,7 +100,9 @@ def test_an_open_goal_says_why(portal: Portal) -> None:
 
 
 def test_a_requirement_shows_what_is_not_verified(portal: Portal) -> None:
-    portal.model.requirements["FR-1"].partly = "only half of it."
+    portal.model.requirements["FR-1"] = replace(
+        portal.model.requirements["FR-1"], partly="only half of it."
+    )
     body = pages(portal)["requirements/FR-1"]
     assert "partly verified" in body
     assert "only half of it." in body
@@ -109,14 +116,10 @@ def test_without_history_the_cost_is_not_available(portal: Portal) -> None:
 
 
 def test_the_cost_lists_touched_files_and_corrections(portal: Portal) -> None:
-    portal.model.safety.cost = SafetyCost(
-        "0123456",
-        "abcdef0",
-        ["extensions/safety/Stop.cpp"],
-        40,
-        [TouchedFile("src/Mode.cpp", 2, 1), TouchedFile("src/Hall.cpp", 5, 5, "A bug.")],
-        3,
-    )
+    touched = [TouchedFile("src/Mode.cpp", 2, 1), TouchedFile("src/Hall.cpp", 5, 5, "A bug.")]
+    cost = SafetyCost("0123456", "abcdef0", ["extensions/safety/Stop.cpp"], 40, touched, 3)
+    model = replace(portal.model, safety=replace(portal.model.safety, cost=cost))
+    portal = portal_of(portal.root, model)
     body = pages(portal)["safety/cost"]
     assert body.index("src/Mode.cpp") < body.index("<code>Stop.cpp</code>")
     assert body.index("A bug.") < body.index("src/Hall.cpp")
