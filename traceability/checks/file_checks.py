@@ -11,7 +11,6 @@ from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place
 from traceability.sources import DESIGN, files_below
 
-SHARED = "design/modules.toml"
 # Beside C++: texts on folders, and what the linker and the build of the K64 read.
 OTHERS = ("module.dox", "CMakeLists.txt")
 OTHER_ENDINGS = (".ld", ".cmake")

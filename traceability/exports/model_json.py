@@ -9,17 +9,9 @@ import typing
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from traceability import schema
 from traceability.model.design_model import Model
 from traceability.model.report import Report
-from traceability.schema import (
-    Clause,
-    Evidence,
-    FaultScenario,
-    Finding,
-    PatternApplication,
-    Requirement,
-    SafetyGoal,
-)
 
 MODEL = "model.json"
 SCHEMA = "model.schema.json"
@@ -27,12 +19,12 @@ DIALECT = "https://json-schema.org/draft/2020-12/schema"
 # What the report adds to the records of the model.
 VERDICT = {"state": str, "reasons": list[str]}
 ADDED: dict[type, dict[str, Any]] = {
-    Model: {"findings": list[Finding]},
-    Requirement: VERDICT,
-    Evidence: {"value": float | None},
-    SafetyGoal: VERDICT,
-    FaultScenario: {"state": str},
-    PatternApplication: {"clauses": list[Clause]},
+    Model: {"findings": list[schema.Finding]},
+    schema.Requirement: VERDICT,
+    schema.Evidence: {"value": float | None},
+    schema.SafetyGoal: VERDICT,
+    schema.FaultScenario: {"state": str},
+    schema.PatternApplication: {"clauses": list[schema.Clause]},
 }
 PLAIN: dict[type, str] = {str: "string", int: "integer", float: "number", bool: "boolean"}
 

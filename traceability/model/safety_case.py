@@ -68,24 +68,15 @@ def safety_verdicts(
 ) -> tuple[dict[str, str], dict[str, Verdict]]:
     """The states of the fault scenarios, and the verdicts of the goals."""
     scenarios = {name: scenario_state(model, one) for name, one in model.safety.scenarios.items()}
-    goals = {
-        name: goal_verdict(model, goal, requirements, scenarios)
-        for name, goal in model.safety.goals.items()
-    }
+    states = scenarios | {name: verdict.state for name, verdict in requirements.items()}
+    goals = {name: _verdict(model, goal, states) for name, goal in model.safety.goals.items()}
     return scenarios, goals
 
 
-def goal_verdict(
-    model: Model,
-    goal: SafetyGoal,
-    requirements: Mapping[str, Verdict],
-    scenarios: Mapping[str, str],
-) -> Verdict:
-    """The verdict of a goal, from those of its requirements and of its fault scenarios."""
-    reasons = [*_reasons(model, goal, requirements, scenarios)]
-    states = [requirements[one.id].state for one in requirements_of(model, goal)]
-    states += [scenarios[one.name] for one in scenarios_of(model, goal)]
-    return Verdict("failed" if "failed" in states else "open" if reasons else "verified", reasons)
+def _verdict(model: Model, goal: SafetyGoal, states: Mapping[str, str]) -> Verdict:
+    reasons = [*_reasons(model, goal, states)]
+    failed = "failed" in {states.get(name) for name in (*goal.requirements, *goal.scenarios)}
+    return Verdict("failed" if failed else "open" if reasons else "verified", reasons)
 
 
 def requirements_of(model: Model, goal: SafetyGoal) -> list[Requirement]:
@@ -115,28 +106,23 @@ def own_result(scenario: FaultScenario, test: Test, run: BindingResult) -> str |
     return next(iter(own), run.result)
 
 
-def _reasons(
-    model: Model,
-    goal: SafetyGoal,
-    requirements: Mapping[str, Verdict],
-    scenarios: Mapping[str, str],
-) -> Iterable[str]:
+def _reasons(model: Model, goal: SafetyGoal, states: Mapping[str, str]) -> Iterable[str]:
     """Why a goal is not verified in this run."""
     yield from (f"it does not hold: {case}" for case in goal.exceptions)
     if not goal.requirements:
         yield "no requirement serves it"
     for name in goal.requirements:
-        verdict = requirements.get(name)
-        if verdict is None:
+        state = states.get(name)
+        if state is None:
             yield f"there is no requirement {name}"
-        elif verdict.state == "partly":
+        elif state == "partly":
             yield f"{name} is partly verified: {model.requirements[name].partly}"
-        elif verdict.state != "verified":
-            yield f"{name} is {STATES[verdict.state]}"
+        elif state != "verified":
+            yield f"{name} is {STATES[state]}"
     if not goal.scenarios:
         yield "no fault scenario is about it"
     for name in goal.scenarios:
-        state = scenarios.get(name)
+        state = states.get(name)
         if state is None:
             yield f"there is no scenario {name}"
         elif state != "verified":

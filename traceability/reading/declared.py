@@ -30,8 +30,6 @@ from traceability.schema import (
 )
 from traceability.sources import files_below
 
-PACKAGE_DESIGN = Path(__file__).parents[2] / "design"
-
 
 @dataclass
 class ClauseText:
