@@ -17,6 +17,13 @@ from traceability.reading.traces import nodes_of
 from traceability.schema import HOST, Clause, Requirement, SafetyCase
 
 METHODS = ("test", "analysis", "measurement", "inspection")  # of verification
+OF_OTHER_STEPS = (  # metrics that are null until a step measures them
+    *("coverage.line", "coverage.branch", "firmware.flash_bytes"),
+    *("firmware.ram_bytes", "firmware.forbidden_parts", "firmware.needless_modules"),
+    *("bench.scenarios", "drift.seeded", "drift.caught"),
+    *("site.pages", "site.dead_links", "build.first_page_s"),
+    *("build.cold_s", "build.edit_s"),
+)
 
 
 def read_measured(root: Path, model: Model) -> dict[str, Any]:
@@ -106,24 +113,11 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
         "trees.executed": (sum(bool(item.runs) for item in requirements) if fresh else None),
         "tests.total": len(runs) if fresh else None,
         "tests.passed": sum(run.result == "passed" for run in runs) if fresh else None,
-        "coverage.line": None,
-        "coverage.branch": None,
         "coverage.drivers_on_board": _executed(model.board_lines),
-        "firmware.flash_bytes": None,
-        "firmware.ram_bytes": None,
         "firmware.stack_bytes": model.stack.total if model.stack and model.stack.proven else None,
-        "firmware.forbidden_parts": None,
-        "firmware.needless_modules": None,
-        "bench.scenarios": None,
         "mutation.tried": len(model.mutation.tried) if model.mutation else None,
         "mutation.found": model.mutation.found if model.mutation else None,
-        "drift.seeded": None,
-        "drift.caught": None,
-        "site.pages": None,
-        "site.dead_links": None,
-        "build.first_page_s": None,
-        "build.cold_s": None,
-        "build.edit_s": None,
+        **dict.fromkeys(OF_OTHER_STEPS),
         **model.measured,
     }
 
