@@ -18,7 +18,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "check",
         description="Builds the model and the site, and checks both against the code. Prints each "
-        "finding as 'file:line: [check] what is wrong; what would mend it'.",
+        "finding as 'file:line: [check] what is wrong; how to fix it'.",
     )
     parser.add_argument(
         "--drift",

@@ -17,7 +17,8 @@ from traceability.reading.results import RESULTS, read_json
 from traceability.schema import Finding, Place
 
 if TYPE_CHECKING:
-    from traceability.model.design_model import Model
+    from traceability.model.build import Built
+    from traceability.model.report import Report
 
 FINDINGS = Path("build/model/findings.json")
 TIMES = RESULTS / "times.json"  # how long commands took, for the metrics
@@ -94,57 +95,62 @@ def make(root: Path, steps: Steps) -> tuple[list[Finding], bool]:
     from traceability.exports.metrics_file import site_figures, write_metrics
     from traceability.model.build import build
 
-    model: Model | None = None
+    built: Built | None = None
+    report: Report | None = None
     findings: list[Finding] = []
 
     def make_model(_log: TextIO) -> str:
-        nonlocal model
+        nonlocal built
         try:
-            model = build(root)
+            built = build(root)
         except UnicodeDecodeError as error:
             from traceability.checks.document_checks import not_text
 
             findings.extend(not_text(root))
             raise FailureError("a file is not UTF-8") from error
-        return f"{len(model.modules)} modules, {len(model.requirements)} requirements"
+        return f"{len(built.model.modules)} modules, {len(built.model.requirements)} requirements"
 
     def run_all(_log: TextIO) -> str:
-        assert model is not None
-        findings.extend(run_checks(model))
+        nonlocal report
+        assert built is not None
+        report = run_checks(*built)
+        findings.extend(report.findings)
         return counted(findings)
 
     def make_site(_log: TextIO) -> str:
-        assert model is not None
-        result = build_site(root, model, findings)
+        assert built is not None and report is not None
+        result = build_site(root, built.model, report)
         findings.extend(result.warnings)
         return f"{result.pages} pages"
 
     def check_links(_log: TextIO) -> str:
-        assert model is not None
+        assert built is not None and report is not None
         site = root / "build" / "site"
-        found = run_link_checks(model, site)
+        found = run_link_checks(*built, site)
         findings.extend(found)
-        write_metrics(root, model, site_figures(site, findings) | read_times(root))
+        measured = site_figures(site, findings) | read_times(root)
+        write_metrics(root, built.model, report, measured)
         return counted(found)
 
     if not steps.run("model", make_model):
         for title in PARTS[1:]:
             steps.skip(title, "there is no model")
         return findings, False
-    whole = steps.run("checks", run_all)
-    if whole and is_unreadable(model):
+    checked = steps.run("checks", run_all)
+    if not checked or is_unreadable(built):
+        missing = "a file of the design cannot be read" if checked else "there are no verdicts"
         for title in PARTS[2:]:
-            steps.skip(title, "a file of the design cannot be read")
+            steps.skip(title, missing)
         return findings, False
     if not steps.run("site", make_site):
         steps.skip("links", "the site was not built")
         return findings, False
-    return findings, steps.run("links", check_links) and whole
+    return findings, steps.run("links", check_links)
 
 
-def is_unreadable(model: Model | None) -> bool:
+def is_unreadable(built: Built | None) -> bool:
     """Whether a part of the design is missing, and every page would show less than there is."""
-    return bool(model and model.facts and model.facts.declared.entries.unreadable)
+    return bool(built and built.facts.declared.entries.unreadable)
 
 
 def counted(findings: list[Finding]) -> str:

@@ -105,9 +105,9 @@ class _Run:
         from traceability.reading.traces import read_traces
         from traceability.schema import HOST
 
-        self.model = build(self.root)
+        self.model, facts = build(self.root)
         traces = read_traces(self.root, self.root / "build" / "model")[HOST]
-        self.plan = make_plan(self.model, traces)
+        self.plan = make_plan(self.model, facts, traces)
         self.mutants = write_switched(self.root, set(self.plan.methods), log)
         return f"{len(self.mutants)} in {len({one.method for one in self.mutants})} methods"
 

@@ -45,7 +45,7 @@ def review(root: Path, options: argparse.Namespace) -> int:
 
     if options.yes and not options.name:
         raise FailureError("--yes is for use with --name")
-    model = build(root)
+    model = build(root).model
     requirement = model.requirements.get(options.id)
     if requirement is None:
         raise FailureError(f"there is no requirement {options.id}")

@@ -26,7 +26,7 @@ PAGES = ("build/pages", "build/pages-cache", "build/site", "build/diagrams")
 def seed_all(root: Path) -> list[Outcome]:
     """Seeds every fault that the state of the project allows, and writes the record."""
     faults = read_faults(root)
-    fresh = not build(root).results_stale
+    fresh = not build(root).model.results_stale
     stages = {"sources"} | ({"results"} if fresh else set())
     if (root / PAGES[2]).is_dir():
         stages |= {"pages", "site"}
@@ -104,12 +104,11 @@ class Copy:
 
     def findings(self) -> list[Finding]:
         if self.stage == "site":
-            return run_link_checks(build(self.tree), self.tree / "build" / "site")
-        model = build(self.tree)
-        found = run_checks(model)
-        if self.stage == "pages":
-            found = [*found, *build_site(self.tree, model, found).warnings]
-        return found
+            return run_link_checks(*build(self.tree), self.tree / "build" / "site")
+        model, facts = build(self.tree)
+        report = run_checks(model, facts)
+        made = build_site(self.tree, model, report).warnings if self.stage == "pages" else []
+        return [*report.findings, *made]
 
     def seed(self, faults: list[Fault]) -> list[Outcome]:
         """What is not found among others, or does not compile with them, is seeded again, alone."""

@@ -39,7 +39,7 @@ def impact(root: Path, options: argparse.Namespace) -> int:
     if path.exists() and path.resolve().is_relative_to(root):
         subject = str(path.resolve().relative_to(root))
     try:
-        found = Impacts(build(root)).of(subject)
+        found = Impacts(build(root).model).of(subject)
     except UnknownSubjectError as error:
         raise FailureError(str(error)) from error
     if options.json:

@@ -6,6 +6,7 @@ paragraphs. A figure or result that this run did not produce is ``None``.
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from traceability.sources import EXTENSIONS
@@ -16,7 +17,7 @@ VIRTUAL_K64 = "virtual K64"
 BINDINGS = (HOST, VIRTUAL_K64)
 
 
-@dataclass
+@dataclass(frozen=True)
 class Place:
     """A line of a file; the path is relative to the root of the project."""
 
@@ -25,24 +26,24 @@ class Place:
     end: int | None = None
 
 
-@dataclass
+@dataclass(frozen=True)
 class Param:
     name: str
     type: str
     text: str
 
 
-@dataclass
+@dataclass(frozen=True)
 class Call:
     """A call as written. ``targets`` are the methods it can reach: one when the call is direct."""
 
     target: str
     virtual: bool
     place: Place
-    targets: list[str] = field(default_factory=list)
+    targets: Sequence[str] = field(default_factory=list)
 
 
-@dataclass
+@dataclass(frozen=True)
 class Constant:
     """A number of the code that texts show."""
 
@@ -51,7 +52,7 @@ class Constant:
     place: Place
 
 
-@dataclass
+@dataclass(frozen=True)
 class Method:
     """A member function of a module. Its id is ``Class::name``; overloads share one id."""
 
@@ -65,30 +66,30 @@ class Method:
     body: Place | None = None
     brief: str = ""
     details: str = ""
-    params: list[Param] = field(default_factory=list)
+    params: Sequence[Param] = field(default_factory=list)
     returns: str = ""
-    pre: list[str] = field(default_factory=list)
-    post: list[str] = field(default_factory=list)
+    pre: Sequence[str] = field(default_factory=list)
+    post: Sequence[str] = field(default_factory=list)
     errors: str = ""
     interrupt: str = ""
-    satisfies: list[str] = field(default_factory=list)
+    satisfies: Sequence[str] = field(default_factory=list)
     documented: bool = False
     inherited_from: str | None = None  # method whose specification holds here
     overrides: str | None = None
-    calls: list[Call] = field(default_factory=list)
-    called_by: list[str] = field(default_factory=list)
+    calls: Sequence[Call] = field(default_factory=list)
+    called_by: Sequence[str] = field(default_factory=list)
 
 
-@dataclass
+@dataclass(frozen=True)
 class Function:
     """A function of a composition: a folder that holds functions, and no module."""
 
     id: str
     place: Place
-    calls: list[Call] = field(default_factory=list)
+    calls: Sequence[Call] = field(default_factory=list)
 
 
-@dataclass
+@dataclass(frozen=True)
 class DataPart:
     """A member of a value type, or a value of an enumeration."""
 
@@ -96,22 +97,22 @@ class DataPart:
     type: str  # "" of a value of an enumeration
     text: str
     unit: str  # "" without one
-    makers: list[str]  # modules
-    readers: list[str]
+    makers: Sequence[str]  # modules
+    readers: Sequence[str]
 
 
-@dataclass
+@dataclass(frozen=True)
 class MessageField:
     """A field of an order, a report or a welcome."""
 
     name: str
     text: str
     width: str = ""  # "u8", "i16"; "" when no message has it
-    writers: list[str] = field(default_factory=list)  # modules
-    readers: list[str] = field(default_factory=list)
+    writers: Sequence[str] = field(default_factory=list)  # modules
+    readers: Sequence[str] = field(default_factory=list)
 
 
-@dataclass
+@dataclass(frozen=True)
 class RoleBinding:
     application: str
     role: str
@@ -119,7 +120,7 @@ class RoleBinding:
     place: Place
 
 
-@dataclass
+@dataclass(frozen=True)
 class Module:
     """A design module, or a documented value type when ``datatype`` is true."""
 
@@ -134,24 +135,24 @@ class Module:
     place: Place
     header: str
     source: str | None
-    bases: list[str] = field(default_factory=list)
-    heirs: list[str] = field(default_factory=list)
-    roles: list[RoleBinding] = field(default_factory=list)
-    methods: list[Method] = field(default_factory=list)
-    parts: list[DataPart] = field(default_factory=list)  # of a value type
-    uses: list[str] = field(default_factory=list)  # modules named in its header or source
-    used_by: list[str] = field(default_factory=list)
-    requirements: list[str] = field(default_factory=list)
-    hides: list[str] = field(default_factory=list)  # headers, constants and types of its secret
-    registers: list[str] = field(default_factory=list)  # blocks that it owns
-    tests: list[str] = field(
+    bases: Sequence[str] = field(default_factory=list)
+    heirs: Sequence[str] = field(default_factory=list)
+    roles: Sequence[RoleBinding] = field(default_factory=list)
+    methods: Sequence[Method] = field(default_factory=list)
+    parts: Sequence[DataPart] = field(default_factory=list)  # of a value type
+    uses: Sequence[str] = field(default_factory=list)  # modules named in its header or source
+    used_by: Sequence[str] = field(default_factory=list)
+    requirements: Sequence[str] = field(default_factory=list)
+    hides: Sequence[str] = field(default_factory=list)  # headers, constants and types of its secret
+    registers: Sequence[str] = field(default_factory=list)  # blocks that it owns
+    tests: Sequence[str] = field(
         default_factory=list
     )  # tests that executed it, or lie in its folder and carry its name
     lines_total: int | None = None
     lines_covered: int | None = None
     branches_total: int | None = None
     branches_covered: int | None = None
-    line_hits: dict[str, dict[int, int]] = field(default_factory=dict)  # file -> line -> hits
+    line_hits: Mapping[str, dict[int, int]] = field(default_factory=dict)  # file -> line -> hits
     flash_bytes: int | None = None
     ram_bytes: int | None = None
 
@@ -166,7 +167,7 @@ def is_extension(logic: str) -> bool:
     return logic.split("/", maxsplit=1)[0] == EXTENSIONS
 
 
-@dataclass
+@dataclass(frozen=True)
 class LogicModule:
     """A folder of the design. The name is as in the paper: ``OperationModes``."""
 
@@ -177,22 +178,22 @@ class LogicModule:
     function: str
     secret: str
     place: Place
-    modules: list[str] = field(default_factory=list)
-    hides: list[str] = field(default_factory=list)  # what only its folder names
-    children: list[str] = field(default_factory=list)
+    modules: Sequence[str] = field(default_factory=list)
+    hides: Sequence[str] = field(default_factory=list)  # what only its folder names
+    children: Sequence[str] = field(default_factory=list)
 
 
-@dataclass
+@dataclass(frozen=True)
 class Clause:
     """A structural clause of a pattern, and whether it holds in one application."""
 
     id: str
     says: str
     holds: bool
-    places: list[Place] = field(default_factory=list)
+    places: Sequence[Place] = field(default_factory=list)
 
 
-@dataclass
+@dataclass(frozen=True)
 class PatternApplication:
     id: str
     pattern: str
@@ -201,11 +202,10 @@ class PatternApplication:
     changes: str
     module: str  # above which it is declared
     place: Place
-    roles: list[RoleBinding] = field(default_factory=list)
-    clauses: list[Clause] = field(default_factory=list)
+    roles: Sequence[RoleBinding] = field(default_factory=list)
 
 
-@dataclass
+@dataclass(frozen=True)
 class TreeNode:
     """A node of a requirement's tree; ``resolved`` is the method that has the body."""
 
@@ -216,11 +216,13 @@ class TreeNode:
     kind: str  # "root", "call", "post"
     place: Place
     reachable: bool | None = None
-    executed: dict[str, bool] = field(
+    executed: Mapping[str, bool] = field(
         default_factory=dict
     )  # binding with a recorded test -> so far
-    outside: list[str] = field(default_factory=list)  # bindings that implement it out of the trace
-    children: list[TreeNode] = field(default_factory=list)
+    outside: Sequence[str] = field(
+        default_factory=list
+    )  # bindings that implement it out of the trace
+    children: Sequence[TreeNode] = field(default_factory=list)
     otherwise: bool = False  # reached by a post instead of a call, or the other way round
 
     @property
@@ -229,7 +231,7 @@ class TreeNode:
         return any(self.executed.values()) if self.executed else None
 
 
-@dataclass
+@dataclass(frozen=True)
 class TraceRow:
     """One call of a recorded run: depth and method."""
 
@@ -238,50 +240,50 @@ class TraceRow:
     module: str | None
 
 
-@dataclass
+@dataclass(frozen=True)
 class TreeRun:
     """A recorded run of a test that holds a whole tree: what the page shows beside the tree."""
 
     test: str
-    rows: list[TraceRow]
+    rows: Sequence[TraceRow]
     start: int  # index of the first shown row in the whole recording
-    places: list[int | None]  # the row that each node of the tree matches, from the root
-    folded: list[FoldedCall] = field(default_factory=list)
+    places: Sequence[int | None]  # the row that each node of the tree matches, from the root
+    folded: Sequence[FoldedCall] = field(default_factory=list)
 
 
-@dataclass
+@dataclass(frozen=True)
 class FoldedCall:
     """Calls of a recorded run that lead from one module into another, alike ones together."""
 
     depth: int
     module: str
-    methods: list[str]  # those that were called from the module above
+    methods: Sequence[str]  # those that were called from the module above
     count: int
-    declared_by: list[str]  # requirements whose trees lead from the one module into the other
+    declared_by: Sequence[str]  # requirements whose trees lead from the one module into the other
 
 
-@dataclass
+@dataclass(frozen=True)
 class MethodCoverage:
     """What the passing tests of one requirement executed of a method, on one binding."""
 
     method: str
     place: Place
-    lines: dict[int, bool]
-    branches: list[bool] | None  # None where branches are not recorded
+    lines: Mapping[int, bool]
+    branches: Sequence[bool] | None  # None where branches are not recorded
 
 
-@dataclass
+@dataclass(frozen=True)
 class LineGap:
     """Lines of a method that no test of its requirements executes; a reason justifies them."""
 
     method: str
     place: Place
-    lines: list[int]
-    requirements: list[str]
+    lines: Sequence[int]
+    requirements: Sequence[str]
     reason: str = ""
 
 
-@dataclass
+@dataclass(frozen=True)
 class BindingResult:
     """A test on one binding: "passed", "failed", "skipped", or None when it did not run."""
 
@@ -289,12 +291,14 @@ class BindingResult:
     milliseconds: float | None = None
     message: str = ""
     stale: bool = False
-    recordings: list[str] = field(default_factory=list)  # files of recorded calls that it may have
+    recordings: Sequence[str] = field(
+        default_factory=list
+    )  # files of recorded calls that it may have
     measured: str = ""  # what the test tells of its run, beside the result
-    instances: dict[str, str] = field(default_factory=dict)  # of a parameterised test -> result
+    instances: Mapping[str, str] = field(default_factory=dict)  # of a parameterised test -> result
 
 
-@dataclass
+@dataclass(frozen=True)
 class Test:
     """A test case, with a result for each binding that it is built for."""
 
@@ -303,9 +307,9 @@ class Test:
     name: str
     brief: str
     place: Place
-    verifies: list[str] = field(default_factory=list)
-    results: dict[str, BindingResult] = field(default_factory=dict)
-    modules: list[str] = field(default_factory=list)
+    verifies: Sequence[str] = field(default_factory=list)
+    results: Mapping[str, BindingResult] = field(default_factory=dict)
+    modules: Sequence[str] = field(default_factory=list)
 
     def gave(self, result: str | None) -> list[str]:
         """The bindings on which it gave this result."""
@@ -316,7 +320,7 @@ class Test:
         return bool(self.results) and all(one.result == "passed" for one in self.results.values())
 
 
-@dataclass
+@dataclass(frozen=True)
 class Evidence:
     """A figure that a tool measures, and its bound. One without a relation could not be read."""
 
@@ -325,33 +329,32 @@ class Evidence:
     bound: float
     unit: str
     place: Place
-    value: float | None = None  # of this run
 
     @property
     def demand(self) -> str:
         return f"{self.relation} {self.bound:g} {self.unit}".strip()
 
-    @property
-    def holds(self) -> bool:
-        if self.value is None:
+    def holds(self, value: float | None) -> bool:
+        """Whether a value that was measured is within the bound."""
+        if value is None:
             return False
         if self.relation == "at most":
-            return self.value <= self.bound
+            return value <= self.bound
         if self.relation == "at least":
-            return self.value >= self.bound
-        return self.relation == "exactly" and self.value == self.bound
+            return value >= self.bound
+        return self.relation == "exactly" and value == self.bound
 
 
-@dataclass
+@dataclass(frozen=True)
 class Review:
     """Who looked at the links of a requirement, and at what: kind -> name -> hash of the text."""
 
     reviewer: str
     date: str
-    hashes: dict[str, dict[str, str]]
+    hashes: Mapping[str, dict[str, str]]
 
 
-@dataclass
+@dataclass(frozen=True)
 class Suspicion:
     """What a link depends on is not as it was reviewed. Kind: requirement, method or test."""
 
@@ -361,7 +364,7 @@ class Suspicion:
     text: str
 
 
-@dataclass
+@dataclass(frozen=True)
 class SourceReference:
     """Where a requirement comes from: ``kind`` is one of ``SOURCE_KINDS``."""
 
@@ -373,12 +376,9 @@ class SourceReference:
 SOURCE_KINDS = ("paper", "goal", "protocol", "data sheet", "decision")
 
 
-@dataclass
+@dataclass(frozen=True)
 class Requirement:
-    """``state``: "verified", "partly", "suspect", "failed", "stale" or "unverified".
-
-    A requirement that is partly verified says in ``partly`` what no test shows.
-    """
+    """A requirement. One that is partly verified says in ``partly`` what no test shows."""
 
     id: str
     text: str
@@ -388,21 +388,19 @@ class Requirement:
     source: str = ""
     priority: str = ""
     level: str = ""  # "system", "software", "driver"
-    products: list[str] = field(default_factory=list)  # "all", or names of products
+    products: Sequence[str] = field(default_factory=list)  # "all", or names of products
     method: str = ""  # of verification: "test", "analysis", "measurement", "inspection"
     partly: str = ""
-    goals: list[str] = field(default_factory=list)  # safety goals that it serves
-    sources: list[SourceReference] = field(default_factory=list)
-    satisfied_by: list[str] = field(default_factory=list)
-    verified_by: list[str] = field(default_factory=list)
+    goals: Sequence[str] = field(default_factory=list)  # safety goals that it serves
+    sources: Sequence[SourceReference] = field(default_factory=list)
+    satisfied_by: Sequence[str] = field(default_factory=list)
+    verified_by: Sequence[str] = field(default_factory=list)
     tree: TreeNode | None = None
-    runs: dict[str, TreeRun] = field(default_factory=dict)  # binding -> run that holds the tree
-    coverage: dict[str, list[MethodCoverage]] = field(default_factory=dict)  # binding -> methods
-    evidence: list[Evidence] = field(default_factory=list)  # instead of calls
+    runs: Mapping[str, TreeRun] = field(default_factory=dict)  # binding -> run that holds the tree
+    coverage: Mapping[str, list[MethodCoverage]] = field(default_factory=dict)  # binding -> methods
+    evidence: Sequence[Evidence] = field(default_factory=list)  # instead of calls
     review: Review | None = None
-    suspicions: list[Suspicion] = field(default_factory=list)
-    state: str = "unverified"
-    reasons: list[str] = field(default_factory=list)
+    suspicions: Sequence[Suspicion] = field(default_factory=list)
 
     @property
     def by_calls(self) -> bool:
@@ -410,7 +408,7 @@ class Requirement:
         return self.id.startswith("FR-") or self.tree is not None
 
 
-@dataclass
+@dataclass(frozen=True)
 class SafeState:
     """A state that the robot goes to, where it is safe and where it is not."""
 
@@ -421,7 +419,7 @@ class SafeState:
     place: Place
 
 
-@dataclass
+@dataclass(frozen=True)
 class Assumption:
     """What hardware and people do for safety, because the firmware cannot."""
 
@@ -431,10 +429,10 @@ class Assumption:
     by: str
     confirm: str
     place: Place
-    hazards: list[str] = field(default_factory=list)
+    hazards: Sequence[str] = field(default_factory=list)
 
 
-@dataclass
+@dataclass(frozen=True)
 class Hazard:
     """A situation that can hurt somebody. ``level`` is its AgPLr; empty when it cannot be found."""
 
@@ -445,60 +443,59 @@ class Hazard:
     severity: str
     exposure: str
     avoidance: str
-    goals: list[str]
-    assumptions: list[str]
+    goals: Sequence[str]
+    assumptions: Sequence[str]
     answer: str  # of the firmware
     place: Place
     level: str = ""
 
 
-@dataclass
+@dataclass(frozen=True)
 class SafetyGoal:
-    """``state``: "verified", "open" or "failed". Times in seconds."""
+    """What must be achieved against hazards. Times in seconds."""
 
     id: str
     title: str
     text: str
-    safe_states: list[str]
+    safe_states: Sequence[str]
     time: float  # in which harm must be averted
     formula: str
     because: str
     reaction: float  # that the firmware needs
     reacts: str
-    requirements: list[str]
-    scenarios: list[str]
+    requirements: Sequence[str]
+    scenarios: Sequence[str]
     place: Place
-    exceptions: list[str] = field(default_factory=list)  # cases in which it is known not to hold
+    exceptions: Sequence[str] = field(
+        default_factory=list
+    )  # cases in which it is known not to hold
     computed: float | None = None  # by the formula
-    hazards: list[str] = field(default_factory=list)
+    hazards: Sequence[str] = field(default_factory=list)
     level: str = ""  # the highest of its hazards
-    state: str = "open"
-    reasons: list[str] = field(default_factory=list)  # why it is not verified
 
 
-@dataclass
+@dataclass(frozen=True)
 class FaultScenario:
     """A scenario in which something fails, the goals that it is about, the tests that play it."""
 
     name: str
     title: str
-    goals: list[str]
+    goals: Sequence[str]
     place: Place
-    tests: list[str] = field(default_factory=list)
-    state: str = "unverified"  # "verified", "failed", "stale" or "unverified"
+    tests: Sequence[str] = field(default_factory=list)
 
 
-@dataclass
+@dataclass(frozen=True)
 class Correction:
     """Files whose edits correct defects; ``for_safety`` of the touched lines do not."""
 
-    paths: list[str]
+    paths: Sequence[str]
     why: str
     place: Place
     for_safety: int = 0
 
 
-@dataclass
+@dataclass(frozen=True)
 class TouchedFile:
     """Lines of a file of the robot that were edited since the base of the safety case."""
 
@@ -512,53 +509,53 @@ class TouchedFile:
         return self.added + self.removed
 
 
-@dataclass
+@dataclass(frozen=True)
 class SafetyCost:
     """What the safety functions took, by git; ``None`` of the model when git cannot tell."""
 
     base: str
     commit: str
-    files_added: list[str]
+    files_added: Sequence[str]
     lines_added: int  # in these files
-    touched: list[TouchedFile]
+    touched: Sequence[TouchedFile]
     for_safety: int  # lines of the robot that were edited for safety functions
 
 
-@dataclass
+@dataclass(frozen=True)
 class SafetyCase:
     """The hazards, the goals against them, and what they assume."""
 
     base: str = ""  # commit before the first safety function
     says: str = ""
-    conditions: list[str] = field(default_factory=list)
-    limits: list[str] = field(default_factory=list)
+    conditions: Sequence[str] = field(default_factory=list)
+    limits: Sequence[str] = field(default_factory=list)
     risk_source: str = ""
-    levels: list[str] = field(default_factory=list)  # the lowest first
-    graph: dict[str, list[str]] = field(default_factory=dict)  # severity -> rows of levels
-    words: dict[str, str] = field(default_factory=dict)
-    priorities: dict[str, str] = field(default_factory=dict)  # level -> of a requirement
-    safe_states: dict[str, SafeState] = field(default_factory=dict)
-    assumptions: dict[str, Assumption] = field(default_factory=dict)
-    hazards: dict[str, Hazard] = field(default_factory=dict)
-    goals: dict[str, SafetyGoal] = field(default_factory=dict)
-    scenarios: dict[str, FaultScenario] = field(default_factory=dict)
-    corrections: list[Correction] = field(default_factory=list)
-    data_sheets: list[str] = field(default_factory=list)
+    levels: Sequence[str] = field(default_factory=list)  # the lowest first
+    graph: Mapping[str, list[str]] = field(default_factory=dict)  # severity -> rows of levels
+    words: Mapping[str, str] = field(default_factory=dict)
+    priorities: Mapping[str, str] = field(default_factory=dict)  # level -> of a requirement
+    safe_states: Mapping[str, SafeState] = field(default_factory=dict)
+    assumptions: Mapping[str, Assumption] = field(default_factory=dict)
+    hazards: Mapping[str, Hazard] = field(default_factory=dict)
+    goals: Mapping[str, SafetyGoal] = field(default_factory=dict)
+    scenarios: Mapping[str, FaultScenario] = field(default_factory=dict)
+    corrections: Sequence[Correction] = field(default_factory=list)
+    data_sheets: Sequence[str] = field(default_factory=list)
     cost: SafetyCost | None = None
 
 
-@dataclass
+@dataclass(frozen=True)
 class Justified:
     """Methods, tests or lines of methods that serve no requirement, and why this is right."""
 
     kind: str  # "method", "test", "line"
-    names: list[str]
+    names: Sequence[str]
     why: str
     place: Place
-    covers: list[str] = field(default_factory=list)  # ids that need it
+    covers: Sequence[str] = field(default_factory=list)  # ids that need it
 
 
-@dataclass
+@dataclass(frozen=True)
 class Mutant:
     """A fault that was seeded in a method of a tree."""
 
@@ -566,25 +563,27 @@ class Mutant:
     method: str
     kind: str
     change: str
-    killed_by: list[str]  # tests
-    own: dict[str, bool]  # requirement whose tree holds the method -> whether its own tests find it
+    killed_by: Sequence[str]  # tests
+    own: Mapping[
+        str, bool
+    ]  # requirement whose tree holds the method -> whether its own tests find it
 
 
-@dataclass
+@dataclass(frozen=True)
 class Mutation:
     """The faults that were tried, of all that there are."""
 
     seed: int
     minutes: float
     total: int
-    tried: list[Mutant]
+    tried: Sequence[Mutant]
 
     @property
     def found(self) -> int:
         return sum(bool(mutant.killed_by) for mutant in self.tried)
 
 
-@dataclass
+@dataclass(frozen=True)
 class Transition:
     source: str
     event: str
@@ -592,12 +591,14 @@ class Transition:
     target: str
     action: str
     place: Place
-    requirements: list[str] = field(default_factory=list)
-    changes: list[Place] = field(default_factory=list)  # where the code makes it; none of a stay
-    tests: list[str] = field(default_factory=list)  # that passed, and made it
+    requirements: Sequence[str] = field(default_factory=list)
+    changes: Sequence[Place] = field(
+        default_factory=list
+    )  # where the code makes it; none of a stay
+    tests: Sequence[str] = field(default_factory=list)  # that passed, and made it
 
 
-@dataclass
+@dataclass(frozen=True)
 class StateMachine:
     """``states`` maps a state's name to the module that realises it.
 
@@ -608,15 +609,15 @@ class StateMachine:
     title: str
     application: str
     initial: str
-    states: dict[str, str]
-    transitions: list[Transition]
+    states: Mapping[str, str]
+    transitions: Sequence[Transition]
     place: Place
-    events: dict[str, str] = field(default_factory=dict)
+    events: Mapping[str, str] = field(default_factory=dict)
     # "from operation to" of changes that tests made and nobody declared -> the tests
-    undeclared: dict[str, list[str]] = field(default_factory=dict)
+    undeclared: Mapping[str, list[str]] = field(default_factory=dict)
 
 
-@dataclass
+@dataclass(frozen=True)
 class ExecutionContext:
     """What the hardware enters: an interrupt, the thread of a control system, or the start."""
 
@@ -624,17 +625,17 @@ class ExecutionContext:
     kind: str  # "interrupt", "thread", "start"
     name: str
     says: str
-    handlers: list[str]
+    handlers: Sequence[str]
     body: str  # the command that a thread executes
     place: Place
-    lines: list[int] = field(default_factory=list)  # of the interrupt controller
+    lines: Sequence[int] = field(default_factory=list)  # of the interrupt controller
     priority: int | None = None
-    first: list[str] = field(default_factory=list)  # methods with which it begins
-    methods: list[str] = field(default_factory=list)  # methods of modules that it may reach
+    first: Sequence[str] = field(default_factory=list)  # methods with which it begins
+    methods: Sequence[str] = field(default_factory=list)  # methods of modules that it may reach
     intended: int | None = None  # the priority that the design gives it
 
 
-@dataclass
+@dataclass(frozen=True)
 class StackCall:
     """A function of the deepest chain of calls, with its frame."""
 
@@ -643,7 +644,7 @@ class StackCall:
     measured: bool  # from its instructions: the compiler did not tell it
 
 
-@dataclass
+@dataclass(frozen=True)
 class StackContext:
     """What one context needs at most, and the chain of calls that needs it."""
 
@@ -652,21 +653,23 @@ class StackContext:
     kind: str  # "start", "thread", "interrupt", "fault"
     priority: int | None
     bytes: int
-    chain: list[StackCall]
+    chain: Sequence[StackCall]
 
 
-@dataclass
+@dataclass(frozen=True)
 class StackProof:
     """The stack that the image of the robot needs at most, in bytes."""
 
     exception_frame: int  # what the hardware stores at each entry
     limit: int = 0  # what the linker script gives
     seen: int | None = None  # the most that a run in closed loop used
-    contexts: list[StackContext] = field(default_factory=list)
-    unresolved: list[tuple[str, Place]] = field(default_factory=list)  # calls: function, place
-    cycles: list[list[str]] = field(default_factory=list)
-    dynamic: list[str] = field(default_factory=list)  # functions whose frame has no bound
-    untold: list[str] = field(default_factory=list)  # of ours: the compiler told nothing of them
+    contexts: Sequence[StackContext] = field(default_factory=list)
+    unresolved: Sequence[tuple[str, Place]] = field(default_factory=list)  # calls: function, place
+    cycles: Sequence[list[str]] = field(default_factory=list)
+    dynamic: Sequence[str] = field(default_factory=list)  # functions whose frame has no bound
+    untold: Sequence[str] = field(
+        default_factory=list
+    )  # of ours: the compiler told nothing of them
 
     @property
     def proven(self) -> bool:
@@ -691,7 +694,7 @@ class StackProof:
         return sum(one.bytes for one in levels) + self.exception_frame * (len(levels) - 1)
 
 
-@dataclass
+@dataclass(frozen=True)
 class SharedPipe:
     """A pipe of the robot; ``writers`` and ``readers`` are methods with their contexts."""
 
@@ -700,11 +703,11 @@ class SharedPipe:
     says: str
     type: str
     place: Place
-    writers: dict[str, list[str]] = field(default_factory=dict)
-    readers: dict[str, list[str]] = field(default_factory=dict)
+    writers: Mapping[str, list[str]] = field(default_factory=dict)
+    readers: Mapping[str, list[str]] = field(default_factory=dict)
 
 
-@dataclass
+@dataclass(frozen=True)
 class SharedMember:
     """A member that one context changes and another one changes or reads."""
 
@@ -712,22 +715,22 @@ class SharedMember:
     module: str
     type: str
     place: Place
-    writers: list[str]
-    readers: list[str]
+    writers: Sequence[str]
+    readers: Sequence[str]
     protection: str  # "" when nothing tells
     why: str
 
 
-@dataclass
+@dataclass(frozen=True)
 class Use:
     """Actual use between logic modules: an include, or a call."""
 
     source: str
     target: str
-    places: list[Place]
+    places: Sequence[Place]
 
 
-@dataclass
+@dataclass(frozen=True)
 class AllowedUse:
     source: str
     target: str
@@ -735,27 +738,27 @@ class AllowedUse:
     place: Place
 
 
-@dataclass
+@dataclass(frozen=True)
 class Apart:
     """Modules that never name the others, nor the others them."""
 
-    modules: list[str]
-    others: list[str]
+    modules: Sequence[str]
+    others: Sequence[str]
     why: str
     place: Place
 
 
-@dataclass
+@dataclass(frozen=True)
 class Cycle:
     """Logic modules that may use each other in a ring, and the pattern that causes it."""
 
     within: str
-    modules: list[str]
+    modules: Sequence[str]
     pattern: str
     place: Place
 
 
-@dataclass
+@dataclass(frozen=True)
 class ArchitectureElement:
     """An element of the Process Control architecture and the modules that refine it."""
 
@@ -763,11 +766,11 @@ class ArchitectureElement:
     kind: str
     name: str
     text: str
-    modules: list[str]
+    modules: Sequence[str]
     place: Place
 
 
-@dataclass
+@dataclass(frozen=True)
 class PaperPlace:
     """A figure, table, section or box of the paper."""
 
@@ -777,50 +780,50 @@ class PaperPlace:
     place: Place
 
 
-@dataclass
+@dataclass(frozen=True)
 class PaperElement:
     """What the paper names, and where it is here. ``here`` holds targets as "kind:name"."""
 
     kind: str
     name: str
-    here: list[str]
+    here: Sequence[str]
     alias: str = ""  # why it has another name here
     deviation: str = ""  # what is different here on purpose
     note: str = ""
-    where: list[str] = field(default_factory=list)  # places of the paper that name it
+    where: Sequence[str] = field(default_factory=list)  # places of the paper that name it
     place: Place = field(default_factory=lambda: Place("", 0))
 
 
-@dataclass
+@dataclass(frozen=True)
 class LikelyChange:
     """What a change takes that an application of a pattern absorbs."""
 
     application: str
     pattern: str
     hidden_by: str  # module
-    altered: list[str]  # modules that each hide one way that exists
+    altered: Sequence[str]  # modules that each hide one way that exists
     role: str  # role of a new class; "" when none is added
-    derives: list[str]  # what a new class derives from
+    derives: Sequence[str]  # what a new class derives from
     logic: str  # where the present ones are
-    edits: list[str]  # modules that make a new class known
-    untouched: list[str]
-    requirements: list[str]  # to look at again
-    tests: list[str]
-    steps: list[str]
-    examples: list[str]  # modules of extensions that are such a change
+    edits: Sequence[str]  # modules that make a new class known
+    untouched: Sequence[str]
+    requirements: Sequence[str]  # to look at again
+    tests: Sequence[str]
+    steps: Sequence[str]
+    examples: Sequence[str]  # modules of extensions that are such a change
 
 
-@dataclass
+@dataclass(frozen=True)
 class ArchitectureGroup:
     """Modules that the high-level diagram draws in one box; ``module`` stands for all of them."""
 
     name: str
     module: str
-    modules: list[str]
+    modules: Sequence[str]
     place: Place
 
 
-@dataclass
+@dataclass(frozen=True)
 class Connection:
     """A line of the high-level diagram: "call", "interrupt", "command", "pipe" or "physical"."""
 
@@ -829,20 +832,20 @@ class Connection:
     target: str
     connector: str
     place: Place
-    way: list[str] = field(default_factory=list)  # methods; none of a line outside the code
+    way: Sequence[str] = field(default_factory=list)  # methods; none of a line outside the code
 
 
-@dataclass
+@dataclass(frozen=True)
 class BoardFinding:
     """A kind of mistake that the virtual K64 finds, and the tests that make it happen."""
 
     id: str
     says: str
     place: Place
-    tests: list[str] = field(default_factory=list)
+    tests: Sequence[str] = field(default_factory=list)
 
 
-@dataclass
+@dataclass(frozen=True)
 class BeliefSource:
     """Where a belief of the virtual board comes from."""
 
@@ -852,7 +855,7 @@ class BeliefSource:
     place: Place
 
 
-@dataclass
+@dataclass(frozen=True)
 class BoardBelief:
     """A value of a register on which the virtual board depends, and its meaning."""
 
@@ -870,7 +873,7 @@ class BoardBelief:
         return self.register.rpartition("::")[2]
 
 
-@dataclass
+@dataclass(frozen=True)
 class DriverFault:
     """A mistake seeded in a driver, and what the virtual K64 found in the image made from it."""
 
@@ -881,33 +884,33 @@ class DriverFault:
     text: str
 
 
-@dataclass
+@dataclass(frozen=True)
 class Finding:
-    """What a check found. ``text`` says what is wrong, ``mend`` what would mend it."""
+    """What a check found. ``text`` says what is wrong, ``fix`` how to fix it."""
 
     place: Place
     check: str
     text: str
-    mend: str
+    fix: str
 
 
-@dataclass
+@dataclass(frozen=True)
 class Curve:
     """A value over time. Its kind is "set_point", "measured" or "truth"."""
 
     kind: str
     binding: str
-    points: list[tuple[float, float]]  # seconds, value
+    points: Sequence[tuple[float, float]]  # seconds, value
 
 
-@dataclass
+@dataclass(frozen=True)
 class LoopPlot:
     title: str
     unit: str
-    curves: list[Curve]
+    curves: Sequence[Curve]
 
 
-@dataclass
+@dataclass(frozen=True)
 class LoopFigure:
     """A figure of a run in closed loop, with the greatest value that is allowed."""
 
@@ -915,14 +918,14 @@ class LoopFigure:
     limit: float
     unit: str
     requirement: str  # "" without one
-    values: dict[str, float | None]  # binding that ran -> value; None when it has none
+    values: Mapping[str, float | None]  # binding that ran -> value; None when it has none
 
     def holds(self, binding: str) -> bool:
         value = self.values[binding]
         return value is not None and value <= self.limit
 
 
-@dataclass
+@dataclass(frozen=True)
 class LoopRun:
     """Whether all expectations of the scenario held, and what was printed if not."""
 
@@ -931,13 +934,13 @@ class LoopRun:
     stack: int | None = None  # bytes that it used, on the virtual K64
 
 
-@dataclass
+@dataclass(frozen=True)
 class LoopScenario:
     name: str
     title: str
     says: str
     file: str
     place: Place
-    plots: list[LoopPlot]
-    figures: list[LoopFigure]
-    runs: dict[str, LoopRun]  # binding -> run with these sources
+    plots: Sequence[LoopPlot]
+    figures: Sequence[LoopFigure]
+    runs: Mapping[str, LoopRun]  # binding -> run with these sources

@@ -19,7 +19,6 @@ from traceability.reading.bench_record import (
     SPEED_LEAST,
     TIMINGS,
     Paper,
-    read_bench,
 )
 
 BIN_US = 20
@@ -29,7 +28,7 @@ WORDS = {**TIMINGS, "board": "a board"}
 
 
 def bench_page(portal: Portal) -> Page:
-    record = read_bench(portal.root)
+    record = portal.model.bench
     runs: dict[str, Any] = record["scenarios"] if record else {}
     return portal.page(
         "bench",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from portal.links import Links
@@ -72,7 +73,7 @@ class CallGraph:
         for function in model.functions.values():
             self._add(function.id, function.calls, links.source(function.place))
 
-    def _add(self, caller: str, calls: list[Call], link: str | None) -> None:
+    def _add(self, caller: str, calls: Iterable[Call], link: str | None) -> None:
         for call in calls:
             for target in {call.target, *call.targets}:
                 ends = self.callers.setdefault(target, [])

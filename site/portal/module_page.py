@@ -103,7 +103,7 @@ def board_hits(portal: Portal, module: Module) -> dict[str, dict[int, int]]:
     return {
         path: {line: int(hit) for line, hit in sorted(measured[path].items())}
         for path in (module.header, module.source)
-        if path in measured
+        if path and path in measured
     }
 
 

@@ -97,12 +97,6 @@ class Navigation:
     def data(self) -> list[dict[str, object]]:
         return [asdict(group) for group in self.groups]
 
-    def group_of(self, nav: str) -> str:
-        for group in self.groups:
-            if any(entry.id == nav for entry in group.entries):
-                return group.id
-        return ""
-
 
 def entry(doc: Doc) -> Entry:
     return Entry(f"docs/{doc.name}", doc.title, doc.address)

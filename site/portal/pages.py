@@ -24,7 +24,7 @@ from portal.requirement_pages import aligned, first_run, requirement_page, requi
 from portal.safety_pages import safety_pages
 from portal.source_pages import source_page, sources_page
 from traceability.model.orphan_methods import methods_without, tests_without
-from traceability.reading.products import PRODUCTS, read_products
+from traceability.reading.products import PRODUCTS
 from traceability.schema import Method, PatternApplication, Place, Requirement, TreeNode
 
 HIGH_LEVEL = "High-level diagram"
@@ -137,7 +137,7 @@ def real_method(portal: Portal, node: TreeNode) -> Method | None:
 
 
 def products_page(portal: Portal) -> Page:
-    products = read_products(portal.root)
+    products = portal.model.products
     held = [set(product["modules"]) for product in (products or {}).values()]
     common = set.intersection(*held) if held else set()
     return portal.page(

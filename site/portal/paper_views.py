@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
 
@@ -145,7 +145,7 @@ def heirs(portal: Portal, module: Module, depth: int, above: list[Method]) -> It
             yield from heirs(portal, heir, depth + 1, [*taken, *methods])
 
 
-def unique(methods: list[Method]) -> list[Method]:
+def unique(methods: Iterable[Method]) -> list[Method]:
     return list({method.name: method for method in methods}.values())
 
 

@@ -21,9 +21,10 @@ from portal.package_diagram import package_diagrams
 from traceability.model.design_model import Model
 from traceability.model.execution import INTERRUPT, START
 from traceability.model.impact import Impact, Impacts
-from traceability.model.metrics import figures
-from traceability.reading.seeded_fault_record import Outcome, read_record
-from traceability.reading.seeded_faults import Fault, read_faults
+from traceability.model.metrics import metrics
+from traceability.model.report import Report
+from traceability.reading.seeded_fault_record import Outcome
+from traceability.reading.seeded_faults import Fault
 from traceability.schema import (
     HOST,
     ExecutionContext,
@@ -56,7 +57,7 @@ class CheckText:
     why: str
     holds: str
     blind: str
-    mend: str
+    fix: str
 
 
 @dataclass
@@ -78,23 +79,19 @@ def heading_anchor(title: str) -> str:
 class Portal:
     """Everything that a template may ask for."""
 
-    def __init__(
-        self, root: Path, model: Model, findings: list[Finding], checks: list[CheckText]
-    ) -> None:
+    def __init__(self, root: Path, model: Model, report: Report, checks: list[CheckText]) -> None:
         self.root = root
         self.model = model
-        self.findings = findings
+        self.report = report
         self.checks = {check.id: check for check in checks}
-        self.faults = read_faults(root)
-        self.outcomes = read_record(root)
         self.links = Links(model, set(self.checks))
         self.names = names.Names(model, self.links)
         self.calls = CallGraph(model, self.links)
         self.code = Highlighter(root, root / "build" / "pages-cache" / "code")
         self.impacts = Impacts(model)
         self.docs = hand_written(root / "docs")
-        self.navigation = Navigation(model, self.docs, len(self.checks), len(self.faults))
-        self.metrics = figures(root, model)
+        self.navigation = Navigation(model, self.docs, len(self.checks), len(model.faults))
+        self.metrics = metrics(model, report)
         self.designs = [m for m in model.modules.values() if not m.datatype]
         self.datatypes = [m for m in model.modules.values() if m.datatype]
         self.diagrams = self._diagrams()
@@ -137,6 +134,7 @@ class Portal:
             environment.filters[kind] = getattr(self.names, kind)
         environment.globals.update(
             model=self.model,
+            report=self.report,
             portal=self,
             n=self.names,
             links=self.links,
@@ -169,7 +167,7 @@ class Portal:
 
     @property
     def clauses(self) -> int:
-        return sum(c.holds for a in self.model.patterns.values() for c in a.clauses)
+        return sum(one.holds for clauses in self.report.clauses.values() for one in clauses)
 
     @property
     def early(self) -> int:
@@ -202,6 +200,11 @@ class Portal:
             return "ok"
         measured = requirement.tree is not None and requirement.tree.ran is not None
         return "bad" if measured else "none"
+
+    def kept(self, requirement: Requirement) -> int:
+        """How much of the evidence of a requirement is within its bound."""
+        measured = self.report.measured
+        return sum(one.holds(measured[one.figure]) for one in requirement.evidence)
 
     def executed_on(self, requirement: Requirement) -> str:
         return ", ".join(requirement.runs)
@@ -394,11 +397,11 @@ class Portal:
         return names.glyph("ok", "holds")
 
     def faults_of(self, check: str) -> list[Fault]:
-        return [fault for fault in self.faults if fault.check == check]
+        return [fault for fault in self.model.faults if fault.check == check]
 
     def outcome_of(self, fault: Fault) -> Outcome | None:
         """What became of a fault; ``None`` when it was not seeded in the present state."""
-        return next((one for one in self.outcomes or [] if one.name == fault.name), None)
+        return next((one for one in self.model.outcomes or [] if one.name == fault.name), None)
 
     def verdict_on(self, fault: Fault) -> Markup:
         outcome = self.outcome_of(fault)
@@ -409,4 +412,4 @@ class Portal:
         return names.glyph("ok", "found") if outcome.caught else names.glyph("bad", "missed")
 
     def findings_of(self, check: str) -> list[Finding]:
-        return [finding for finding in self.findings if finding.check == check]
+        return [finding for finding in self.report.findings if finding.check == check]

@@ -13,7 +13,8 @@ from traceability.schema import HOST, MethodCoverage, Requirement, StateMachine,
 def requirements_page(portal: Portal) -> Page:
     model = portal.model
     found = {
-        item.id: verification_views.facets(model, item) for item in model.requirements.values()
+        item.id: verification_views.facets(model, portal.report, item)
+        for item in model.requirements.values()
     }
     picks = {
         "state": lambda one: [one.state],
@@ -49,6 +50,7 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
         "requirements",
         "requirement",
         requirement=requirement,
+        verdict=portal.report.requirements[requirement.id],
         nodes=nodes,
         runs=[
             (binding, run, aligned(portal, requirement, run))

@@ -8,8 +8,7 @@ from functools import partial
 
 from portal.portal import Page, Portal
 from traceability.model.safety_case import requirements_of, scenarios_of
-from traceability.reading.bench_record import read_bench, read_paper_bench
-from traceability.reading.products import DEFAULT, read_products
+from traceability.reading.products import DEFAULT
 from traceability.schema import SafetyGoal
 
 PAPER_PRODUCT = "weeding_robot_paper"
@@ -56,6 +55,7 @@ def goal_page(portal: Portal, goal: SafetyGoal) -> Page:
         "safety_goal",
         case=model.safety,
         goal=goal,
+        verdict=portal.report.goals[goal.id],
         requirements=requirements_of(model, goal),
         scenarios=scenarios_of(model, goal),
     )
@@ -89,7 +89,7 @@ def cost_page(portal: Portal) -> Page:
 
 
 def sizes(portal: Portal) -> Iterator[Compared]:
-    products = read_products(portal.root) or {}
+    products = portal.model.products or {}
     safe, paper = products.get(DEFAULT, {}), products.get(PAPER_PRODUCT, {})
     yield Compared("flash of the image", "bytes", safe.get("flash"), paper.get("flash"))
     yield Compared("RAM of the image, stack included", "bytes", safe.get("ram"), paper.get("ram"))
@@ -97,8 +97,7 @@ def sizes(portal: Portal) -> Iterator[Compared]:
 
 def cycles(portal: Portal) -> Iterator[Compared]:
     """The longest time from the clock pulse to the report, in each scenario of the bench."""
-    safe = read_bench(portal.root)
-    paper = read_paper_bench(portal.root)
+    safe, paper = portal.model.bench, portal.model.bench_paper
     names = list((safe or {}).get("scenarios", {})) or ["any scenario of the bench"]
     for name in names:
         title = f"longest control cycle, {name.replace('_', ' ')}"

@@ -17,6 +17,7 @@ from portal.sphinx_pages import BODIES, body_file, run_sphinx, write_sources
 from portal.writing import remove_others, write_changed
 from traceability.exports import model_json, verification_table
 from traceability.model.design_model import Model
+from traceability.model.report import Report
 from traceability.schema import Finding, Place
 
 PARTS = 8  # of the pages: more than cores, so that none waits long for another
@@ -30,15 +31,15 @@ class SiteResult:
     warnings: list[Finding] = field(default_factory=list)
 
 
-def build_site(root: Path, model: Model, findings: list[Finding]) -> SiteResult:
-    """Brings ``build/site`` up to date with the model."""
+def build_site(root: Path, model: Model, report: Report) -> SiteResult:
+    """Brings ``build/site`` up to date with the model and its verdicts."""
     root = root.resolve()
     pages, site = root / "build" / "pages", root / "build" / "site"
     try:
-        portal = Portal(root, model, findings, check_texts())
+        portal = Portal(root, model, report, check_texts())
     except DiagramError as error:
-        mend = "correct what the diagram is made from, see the message of PlantUML"
-        return SiteResult(0, [Finding(Place("design", 0), "doc-diagram", str(error), mend)])
+        fix = "correct what the diagram is made from, see the message of PlantUML"
+        return SiteResult(0, [Finding(Place("design", 0), "doc-diagram", str(error), fix)])
     kept = write_sources(portal, pages)
     with get_context("fork").Pool(os.cpu_count() or 1, _share, (portal, site)) as pool:
         exported = pool.apply_async(_write_exports)
@@ -56,7 +57,7 @@ def build_site(root: Path, model: Model, findings: list[Finding]) -> SiteResult:
 def check_texts() -> list[CheckText]:
     from traceability.checks.registry import CHECKS
 
-    return [CheckText(c.id, c.title, c.why, c.holds, c.blind, c.mend) for c in CHECKS]
+    return [CheckText(c.id, c.title, c.why, c.holds, c.blind, c.fix) for c in CHECKS]
 
 
 # What a process is forked with: too large to be sent to it.
@@ -80,7 +81,7 @@ def _write_part(bodies: Path, part: int) -> list[Page]:
 def _write_exports() -> None:
     portal, site = _shared[-1]
     write_exports(portal, site)
-    verification_table.write_exports(portal.root, site, portal.model)
+    verification_table.write_exports(portal.root, site, portal.model, portal.report)
 
 
 def write_exports(portal: Portal, site: Path) -> None:
@@ -88,7 +89,7 @@ def write_exports(portal: Portal, site: Path) -> None:
     files = diagram_files(portal.diagrams)
     kept = [name.rpartition("/")[2] for name in files]
     remove_others(site / DIAGRAMS, "*.puml", kept)
-    files[model_json.MODEL] = model_json.model_text(portal.model)
+    files[model_json.MODEL] = model_json.model_text(portal.model, portal.report)
     files[model_json.SCHEMA] = model_json.schema_text()
     for name, text in files.items():
         write_changed(site / name, text)

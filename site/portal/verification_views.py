@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 from traceability.model.design_model import Model
+from traceability.model.report import Report
 from traceability.reading.traces import nodes_of
 from traceability.schema import HOST, VIRTUAL_K64, MethodCoverage, Requirement
 
@@ -75,10 +76,10 @@ class Facets:
     method: list[str]
     binding: list[str]
     level: list[str]
-    goal: list[str]
+    goal: Sequence[str]
 
 
-def facets(model: Model, requirement: Requirement) -> Facets:
+def facets(model: Model, report: Report, requirement: Requirement) -> Facets:
     names = [method.split("::")[0] for method in requirement.satisfied_by]
     for node in nodes_of(requirement.tree) if requirement.tree else []:
         names.append(node.module)
@@ -87,7 +88,7 @@ def facets(model: Model, requirement: Requirement) -> Facets:
         binding for test in requirement.verified_by for binding in model.tests[test].gave("passed")
     }
     return Facets(
-        requirement.state,
+        report.requirements[requirement.id].state,
         sorted({module.logic for module in modules}),
         sorted({role.application for module in modules for role in module.roles}),
         [requirement.method] if requirement.method else [],
@@ -97,5 +98,5 @@ def facets(model: Model, requirement: Requirement) -> Facets:
     )
 
 
-def options(found: Iterable[Facets], pick: Callable[[Facets], list[str]]) -> list[str]:
+def options(found: Iterable[Facets], pick: Callable[[Facets], Sequence[str]]) -> list[str]:
     return sorted({value for one in found for value in pick(one)})

@@ -15,6 +15,7 @@ from tools.mutation.runs import Outcome, run_tests
 from traceability.model.design_model import Model
 from traceability.model.trees import accepted
 from traceability.reading.results import RESULTS
+from traceability.reading.source_facts import Facts
 from traceability.reading.traces import Traces, nodes_of
 from traceability.schema import HOST, Test
 
@@ -50,14 +51,13 @@ class Tried:
     own: dict[str, bool]
 
 
-def make_plan(model: Model, traces: Traces) -> Plan:
-    assert model.facts is not None
+def make_plan(model: Model, facts: Facts, traces: Traces) -> Plan:
     plan = Plan({}, {}, {})
     for requirement in model.requirements.values():
         if requirement.tree is None:
             continue
         for node in nodes_of(requirement.tree):
-            for method in accepted(node, model.facts):
+            for method in accepted(node, facts):
                 held = plan.methods.setdefault(method, [])
                 if requirement.id not in held:
                     held.append(requirement.id)

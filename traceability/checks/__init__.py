@@ -26,10 +26,12 @@ from traceability.checks import (
     use_checks,
 )
 from traceability.checks.registry import KNOWN
-from traceability.model.build import set_states
 from traceability.model.design_model import Model
-from traceability.model.evidence import settle_evidence
+from traceability.model.evidence import measured_values
 from traceability.model.metrics import figures
+from traceability.model.report import Report
+from traceability.model.verdicts import make_report
+from traceability.reading.source_facts import Facts
 from traceability.schema import Finding
 
 FAMILIES = (
@@ -54,22 +56,21 @@ FAMILIES = (
 )
 
 
-def run_checks(model: Model) -> list[Finding]:
-    """All findings but those of the site's links, sorted. The model keeps them too."""
-    assert model.facts is not None, "the model was not built from sources"
-    waits = bool(model.facts.declared.entries.unreadable)
-    families = FAMILIES[:1] if waits else FAMILIES
-    found = [finding for family in families for finding in family(model, model.facts)]
-    settle_evidence(model, figures(model.facts.root, model), found, KNOWN)
-    set_states(model)
-    model.findings = sort(found + requirement_checks.unmet(model))
-    return list(model.findings)
+def run_checks(model: Model, facts: Facts) -> Report:
+    """The report, with all findings but those of the site's links, sorted."""
+    families = FAMILIES[:1] if facts.declared.entries.unreadable else FAMILIES
+    found = [finding for family in families for finding in family(model, facts)]
+    clauses, broken = pattern_checks.decide(model, facts)
+    found += broken
+    measured = measured_values(model, figures(model, clauses), found, KNOWN)
+    findings = sort(found + requirement_checks.unmet(model, measured))
+    return make_report(model, findings, clauses, measured)
 
 
-def run_link_checks(model: Model, site: Path) -> list[Finding]:
+def run_link_checks(model: Model, facts: Facts, site: Path) -> list[Finding]:
     """The dead links of the built site, and the pages that it should have."""
-    clicks = link_checks.dead_clicks(site) if model.facts else []
-    return sort(link_checks.check(model, site) + paper_checks.check_pages(model, site) + clicks)
+    pages = paper_checks.check_pages(model, facts, site)
+    return sort(link_checks.check(model, site) + pages + link_checks.dead_clicks(site))
 
 
 def sort(findings: list[Finding]) -> list[Finding]:
@@ -78,4 +79,4 @@ def sort(findings: list[Finding]) -> list[Finding]:
 
 def message(finding: Finding) -> str:
     place = f"{finding.place.file}:{finding.place.line}"
-    return f"{place}: [{finding.check}] {finding.text}; {finding.mend}"
+    return f"{place}: [{finding.check}] {finding.text}; {finding.fix}"

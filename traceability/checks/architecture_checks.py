@@ -36,11 +36,11 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         missing = [name for name in ends if name not in model.modules]
         if missing:
             text = f"there is no module {missing[0]}"
-            mend = "correct the end of the connection"
+            fix = "correct the end of the connection"
             place = facts.declared.entries.line_in(connection.place, missing[0])
-            found.append(Finding(place, "arch-module", text, mend))
+            found.append(Finding(place, "arch-module", text, fix))
         elif not connection.way:
             text = f"the code has no {connection.kind} from {ends[0]} to {ends[1]}"
-            mend = "correct the connection, or the code"
-            found.append(Finding(connection.place, "arch-code", text, mend))
+            fix = "correct the connection, or the code"
+            found.append(Finding(connection.place, "arch-code", text, fix))
     return found

@@ -65,8 +65,8 @@ def _beliefs(model: Model, facts: Facts) -> Iterator[Finding]:
             )
 
 
-def _belief(belief: BoardBelief, text: str, mend: str) -> Finding:
-    return Finding(belief.place, "board-belief", text, mend)
+def _belief(belief: BoardBelief, text: str, fix: str) -> Finding:
+    return Finding(belief.place, "board-belief", text, fix)
 
 
 def _text(facts: Facts, file: str) -> str:

@@ -21,7 +21,7 @@ def check(_model: Model, facts: Facts) -> list[Finding]:
     ]
     found += missing_paths(facts.root)
     for problem in facts.declared.entries.problems:
-        found.append(Finding(problem.place, "design-entry", problem.text, problem.mend))
+        found.append(Finding(problem.place, "design-entry", problem.text, problem.fix))
     found += [
         Finding(place, "doc-warning", text.rstrip(" ."), "correct the comment")
         for place, text in facts.warnings

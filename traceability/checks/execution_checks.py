@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from traceability.model.design_model import Model
 from traceability.model.execution import (
     INTERRUPT,
@@ -95,8 +97,8 @@ def _pipes(model: Model, facts: Facts) -> list[Finding]:
                 text = (
                     f"more than one context {what} the {pipe.name}: {', '.join(sorted(contexts))}"
                 )
-                mend = "give each its own pipe: one writer, one reader"
-                found.append(Finding(pipe.place, "exec-shared", text, mend))
+                fix = "give each its own pipe: one writer, one reader"
+                found.append(Finding(pipe.place, "exec-shared", text, fix))
     known = {pipe.id for pipe in model.pipes}
     for name, pipe_text in facts.declared.pipes.items():
         if name not in known:
@@ -114,9 +116,9 @@ def _priorities(model: Model, facts: Facts) -> list[Finding]:
             given = facts.syntax.constants[name]
             if given != context.intended:
                 text = f"{context.id} has the priority {given} here, and {context.intended} in "
-                mend = "correct the priority, or change the design"
+                fix = "correct the priority, or change the design"
                 place = _place_of(name, facts)
-                found[name] = _declared(place, f"{text}{context.place.file}", mend)
+                found[name] = _declared(place, f"{text}{context.place.file}", fix)
     return list(found.values())
 
 
@@ -137,8 +139,8 @@ def _ends(facts: Facts) -> list[Finding]:
     ]
 
 
-def _declared(place: Place, text: str, mend: str) -> Finding:
-    return Finding(place, "exec-declared", text, mend)
+def _declared(place: Place, text: str, fix: str) -> Finding:
+    return Finding(place, "exec-declared", text, fix)
 
 
 def _interrupts(model: Model, facts: Facts) -> list[Finding]:
@@ -158,12 +160,12 @@ def _interrupts(model: Model, facts: Facts) -> list[Finding]:
         for name in sorted(set(reached) & set(forbidden)):
             way = " > ".join(way_to(name, reached))
             text = f"{name} is @isr{{no}}, and the interrupt '{context.name}' calls it: {way}"
-            mend = "let a thread call it, or make it safe and write @isr{yes}"
-            found.append(Finding(forbidden[name].place, "exec-isr", text, mend))
+            fix = "let a thread call it, or make it safe and write @isr{yes}"
+            found.append(Finding(forbidden[name].place, "exec-isr", text, fix))
     return found
 
 
-def _called_by_products(handlers: list[str], facts: Facts) -> list[str]:
+def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
     """What the handlers of products that add to the robot call."""
     return [
         call.target
@@ -191,8 +193,8 @@ def _unprotected(model: Model, facts: Facts) -> list[Finding]:
             locked = any(call.target == f"{LOCK}::{LOCK}" for call in body.calls)
             if member.id in body.touches and body.id in reached and not locked:
                 text = f"{body.id} uses {member.id} without the {LOCK} that is to protect it"
-                mend = f"make an {LOCK} first, or state the protection that there is"
-                found.append(Finding(body.place, "exec-shared", text, mend))
+                fix = f"make an {LOCK} first, or state the protection that there is"
+                found.append(Finding(body.place, "exec-shared", text, fix))
     return found
 
 

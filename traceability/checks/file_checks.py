@@ -11,7 +11,6 @@ from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place
 from traceability.sources import DESIGN, files_below
 
-SHARED = "design/modules.toml"
 # Beside C++: texts on folders, and what the linker and the build of the K64 read.
 OTHERS = ("module.dox", "CMakeLists.txt")
 OTHER_ENDINGS = (".ld", ".cmake")
@@ -30,8 +29,8 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _finding(place: Place, text: str) -> Finding:
-    mend = "make it a private detail of a module, or a module, or a @datatype"
-    return Finding(place, "module-file", text, mend)
+    fix = "make it a private detail of a module, or a module, or a @datatype"
+    return Finding(place, "module-file", text, fix)
 
 
 def _files(model: Model, facts: Facts) -> list[Finding]:
@@ -98,8 +97,8 @@ def _loose(facts: Facts) -> list[Finding]:
         module = facts.written_in.get(held.place.file)
         if module in facts.modules:
             text = f"{held.name} can change, and stands outside the objects of {module}"
-            mend = "make it a member, or a constant"
-            found.append(Finding(held.place, "module-file", text, mend))
+            fix = "make it a member, or a constant"
+            found.append(Finding(held.place, "module-file", text, fix))
     return found
 
 

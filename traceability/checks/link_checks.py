@@ -138,8 +138,8 @@ def dead_clicks(site: Path) -> list[Finding]:
         for click in CLICK.findall(line) if line.startswith("clicks") else ():
             if not has_page(site, click):
                 text = f"the site has no page {click}, to which a question leads"
-                mend = "name the page that has the answer"
-                found.append(Finding(Place(QUESTIONS, number), "link-site", text, mend))
+                fix = "name the page that has the answer"
+                found.append(Finding(Place(QUESTIONS, number), "link-site", text, fix))
     return found
 
 
@@ -196,8 +196,8 @@ def missing_paths(root: Path) -> list[Finding]:
                 top, name = named.split("/")[0], root / named
                 known = (root / top).is_dir() or name.suffix in SOURCES
                 if known and top != "build" and not name.exists():
-                    text, mend = f"there is no {named}", "name a file that exists"
-                    found.append(Finding(Place(file, number), "link-doc", text, mend))
+                    text, fix = f"there is no {named}", "name a file that exists"
+                    found.append(Finding(Place(file, number), "link-doc", text, fix))
     return found
 
 

@@ -117,8 +117,8 @@ def _written(model: Model, facts: Facts) -> list[Finding]:
     if total is not None and {len(listed), len(set(listed))} != {total}:
         different = len(set(listed))
         text = f"the design lists {len(listed)} modules, {different} different; the paper {total}"
-        mend = "correct the lists of design/modules.toml"
-        found.append(Finding(Place("design/modules.toml", 1), "module-count", text, mend))
+        fix = "correct the lists of design/modules.toml"
+        found.append(Finding(Place("design/modules.toml", 1), "module-count", text, fix))
     return found
 
 
@@ -133,8 +133,8 @@ def _function(module: Module, comment: Comment, functions: dict[str, str]) -> li
     else:
         functions[words_of(module.function)] = module.name
         return []
-    mend = "say above the class what this module alone is for, once"
-    return [Finding(module.place, "module-function", wrong, mend)]
+    fix = "say above the class what this module alone is for, once"
+    return [Finding(module.place, "module-function", wrong, fix)]
 
 
 def says(text: str) -> bool:
@@ -169,19 +169,19 @@ def _nested(facts: Facts) -> list[Finding]:
 def _silent(facts: Facts, known: list[Finding]) -> Iterator[Finding]:
     """What a header lets others use says what it is. The manual tells what a register is."""
     seen = {(one.place.file, one.place.line) for one in known if one.check == "module-spec"}
-    mend = "make it private, or say beside it what it is"
+    fix = "make it private, or say beside it what it is"
     for one in facts.syntax.silent:
         place = one.place
         if (place.file, place.line) in seen or place.file == REGISTERS:
             continue
         if place.end is None or not _has_words(place, facts):
-            yield Finding(place, "module-spec", f"{one.name} is public, and has no @brief", mend)
+            yield Finding(place, "module-spec", f"{one.name} is public, and has no @brief", fix)
     for fact in facts.syntax.classes:
         described = facts.comment(fact).words("tparam")
         for name in fact.parameters if described else ():
             if name not in described:
                 text = f"{fact.name}, {name} is public, and has no @tparam"
-                yield Finding(fact.place, "module-spec", text, mend)
+                yield Finding(fact.place, "module-spec", text, fix)
 
 
 def _units(model: Model, facts: Facts) -> list[Finding]:

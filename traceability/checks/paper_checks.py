@@ -36,8 +36,8 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
             found.append(Finding(entry.place, "paper-complete", text, "remove one of the two"))
         elif key not in concordance.named:
             text = f"design/paper.toml lists no {entry.kind} {entry.name}"
-            mend = "correct the kind or the name, or remove the entry"
-            found.append(Finding(entry.place, "paper-complete", text, mend))
+            fix = "correct the kind or the name, or remove the entry"
+            found.append(Finding(entry.place, "paper-complete", text, fix))
         entries[key] = entry
     found += [
         Finding(
@@ -152,12 +152,11 @@ def _name_here(target: str, model: Model) -> str:
     return application.title if application else name
 
 
-def check_pages(model: Model, site: Path) -> list[Finding]:
+def check_pages(model: Model, facts: Facts, site: Path) -> list[Finding]:
     """The generated pages that entries name exist in the built site, and so do their anchors."""
-    line_in = model.facts.declared.entries.line_in if model.facts else lambda place, _: place
     return [
         Finding(
-            line_in(entry.place, target),
+            facts.declared.entries.line_in(entry.place, target),
             "paper-stale",
             f"the paper's {entry.kind} {entry.name} is said to be on {target}, which is no page",
             "name the page that shows it",

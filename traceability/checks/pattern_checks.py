@@ -33,8 +33,14 @@ def check(model: Model, facts: Facts) -> list[Finding]:
     for application in model.patterns.values():
         found += _known(application, facts)
         found += _missing_roles(application, model, facts)
-        found += _clauses(application, model, facts)
     return found
+
+
+def decide(model: Model, facts: Facts) -> tuple[dict[str, list[Clause]], list[Finding]]:
+    """Decides every clause in every application of its pattern."""
+    parts = {name: _clauses(one, model, facts) for name, one in model.patterns.items()}
+    clauses = {name: clauses for name, (clauses, _) in parts.items()}
+    return clauses, [finding for _, found in parts.values() for finding in found]
 
 
 def _known(application: PatternApplication, facts: Facts) -> list[Finding]:
@@ -60,7 +66,7 @@ def _known(application: PatternApplication, facts: Facts) -> list[Finding]:
         for name, text in texts.items()
         if not text
     ]
-    return [Finding(application.place, "pattern-known", text, mend) for text, mend in problems]
+    return [Finding(application.place, "pattern-known", text, fix) for text, fix in problems]
 
 
 def _declared_once(model: Model, facts: Facts) -> list[Finding]:
@@ -89,8 +95,8 @@ def _roles(model: Model, facts: Facts) -> list[Finding]:
                 problem = again, "leave one of the two"
             seen.add((binding.application, binding.role))
             if problem:
-                text, mend = problem
-                found.append(Finding(binding.place, "pattern-role-unknown", text, mend))
+                text, fix = problem
+                found.append(Finding(binding.place, "pattern-role-unknown", text, fix))
     return found
 
 
@@ -163,18 +169,18 @@ def _undecided(facts: Facts) -> list[Finding]:
         if name not in clauses
     ]
     return absent + [
-        Finding(facts.declared.entries.line_in(clause.place, word), "pattern-known", text, mend)
+        Finding(facts.declared.entries.line_in(clause.place, word), "pattern-known", text, fix)
         for clause in clauses.values()
-        for text, word, mend in _clause_problems(clause, facts)
+        for text, word, fix in _clause_problems(clause, facts)
     ]
 
 
 def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, str]]:
-    """What is wrong with a clause, the word in question, and what mends it."""
+    """What is wrong with a clause, the word in question, and its fix."""
     found: list[tuple[str, str, str]] = []
     if clause.id not in CLAUSES:
-        mend = "correct the id, or write what decides it in traceability/checks/pattern_clauses.py"
-        found.append((f"nothing decides the clause {clause.id}", clause.id, mend))
+        fix = "correct the id, or write what decides it in traceability/checks/pattern_clauses.py"
+        found.append((f"nothing decides the clause {clause.id}", clause.id, fix))
     if not clause.id.startswith(f"pattern-{clause.pattern.split()[0].lower()}-"):
         text = f"{clause.id} is no clause of the pattern {clause.pattern}"
         found.append((text, clause.pattern, "correct the pattern"))
@@ -197,8 +203,8 @@ def _counts(facts: Facts) -> list[Finding]:
                 f"the design has {len(known)} applications of {pattern.name}, not "
                 f"{pattern.applications}"
             )
-            mend = f"correct the entries of {APPLICATIONS}"
-            found.append(Finding(pattern.place, "pattern-count", text, mend))
+            fix = f"correct the entries of {APPLICATIONS}"
+            found.append(Finding(pattern.place, "pattern-count", text, fix))
     return found
 
 
@@ -218,13 +224,13 @@ def _required(facts: Facts) -> list[Finding]:
             for module in modules
             if module not in facts.classes
         ]
-        mend = f"bind each role of the pattern in {APPLICATIONS}"
+        fix = f"bind each role of the pattern in {APPLICATIONS}"
         found += [
             Finding(
                 facts.declared.entries.line_in(item.place, word),
                 "pattern-role-required",
                 text,
-                mend,
+                fix,
             )
             for text, word in problems
         ]
@@ -313,22 +319,24 @@ def _plays_heir(heir: str, binding: RoleBinding, model: Model, facts: Facts) -> 
     return False
 
 
-def _clauses(application: PatternApplication, model: Model, facts: Facts) -> list[Finding]:
-    """Decides every clause of the pattern, and leaves the result in the application."""
+def _clauses(
+    application: PatternApplication, model: Model, facts: Facts
+) -> tuple[list[Clause], list[Finding]]:
+    """Decides every clause of the pattern in one application."""
+    clauses: list[Clause] = []
     found: list[Finding] = []
-    application.clauses = []
     shape = Shape(application, facts)
     for clause in facts.declared.clauses.values():
         if clause.pattern != application.pattern or clause.id not in CLAUSES:
             continue
         broken = list({(p.file, p.line, t): (p, t) for p, t in CLAUSES[clause.id](shape)}.values())
         places = [place for place, _ in broken] or _about(application, clause, model)
-        application.clauses.append(Clause(clause.id, clause.says, not broken, places))
+        clauses.append(Clause(clause.id, clause.says, not broken, places))
         found += [
-            Finding(place, clause.id, f"{text} ({application.id})", clause.mend)
+            Finding(place, clause.id, f"{text} ({application.id})", clause.fix)
             for place, text in broken
         ]
-    return found
+    return clauses, found
 
 
 def _about(application: PatternApplication, clause: ClauseText, model: Model) -> list[Place]:

@@ -27,8 +27,8 @@ def check(model: Model, facts: Facts) -> list[Finding]:
     return found + [finding for block in facts.declared.blocks for finding in _idle(block, facts)]
 
 
-def _finding(place: Place, text: str, mend: str) -> Finding:
-    return Finding(place, "secret-registers", text, mend)
+def _finding(place: Place, text: str, fix: str) -> Finding:
+    return Finding(place, "secret-registers", text, fix)
 
 
 def _owners(facts: Facts) -> dict[str, Block]:
@@ -80,26 +80,26 @@ def _used(model: Model, facts: Facts) -> list[Finding]:
 
 def _past_the_table(facts: Facts) -> list[Finding]:
     """A register that is not in the table, or an address made from a number."""
-    mend = f"add the register to {REGISTERS}, and use it there"
+    fix = f"add the register to {REGISTERS}, and use it there"
     own = [
-        _finding(name.place, "a register is made outside the table of registers", mend)
+        _finding(name.place, "a register is made outside the table of registers", fix)
         for name in facts.syntax.names
         if name.target == "Register"
         and name.how == "type"
         and name.place.file not in (REGISTERS, REGISTER)
     ]
     own += [
-        _finding(place, "an instruction of the processor reaches past the drivers", mend)
+        _finding(place, "an instruction of the processor reaches past the drivers", fix)
         for place in facts.syntax.instructions
         if not is_board(place.file) or _reaches(place, facts)
     ]
     own += [
-        _finding(place, "memory that changes by itself is reached past the registers", mend)
+        _finding(place, "memory that changes by itself is reached past the registers", fix)
         for place in facts.syntax.volatile
         if place.file != REGISTER
     ]
     return own + [
-        _finding(place, "a number is made into an address", mend)
+        _finding(place, "a number is made into an address", fix)
         for place in facts.syntax.casts
         if place.file != REGISTER
     ]
@@ -126,14 +126,14 @@ def _twice(facts: Facts) -> list[Finding]:
         if address is None:
             if re.search(r"\bRegister\s*<", line.split("//")[0]):
                 text = "the address of the register is no number"
-                mend = "write the number that the manual gives"
-                found.append(_finding(Place(REGISTERS, number), text, mend))
+                fix = "write the number that the manual gives"
+                found.append(_finding(Place(REGISTERS, number), text, fix))
             continue
         owner = first.setdefault(int(address[1].replace("'", ""), 16), block)
         if owner != block:
             text = f"the address {address[1]} of {block} stands in {owner} already"
-            mend = "leave it in the block that the manual names"
-            found.append(_finding(Place(REGISTERS, number), text, mend))
+            fix = "leave it in the block that the manual names"
+            found.append(_finding(Place(REGISTERS, number), text, fix))
     return found
 
 
@@ -174,14 +174,14 @@ def _given(facts: Facts) -> list[Finding]:
             if body.place.file == REGISTER or (own and not _is_open(body, word, facts)):
                 continue
             text = f"{function} {'gives' if word == 'result' else 'is handed'} a register"
-            mend = "let the owner read or write it, and give what it means"
-            found[body.place.file, body.place.line] = _finding(body.place, text, mend)
+            fix = "let the owner read or write it, and give what it means"
+            found[body.place.file, body.place.line] = _finding(body.place, text, fix)
     for fact in facts.syntax.classes:
         for field in fact.fields:
             if field.access == "public" and CLASS in field.classes:
                 text = f"{fact.name}::{field.name} is a register that others can use"
-                mend = "make it private"
-                found[field.place.file, field.place.line] = _finding(field.place, text, mend)
+                fix = "make it private"
+                found[field.place.file, field.place.line] = _finding(field.place, text, fix)
     return list(found.values())
 
 

@@ -1,4 +1,4 @@
-"""Every check: what holds when it is silent, what it cannot see, and what mends a finding."""
+"""Every check: what holds when it is silent, what it cannot see, and how to fix a finding."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class Check:
     title: str
     holds: str
     blind: str
-    mend: str
+    fix: str
 
     @property
     def why(self) -> str:
@@ -26,7 +26,7 @@ class Check:
     @property
     def text(self) -> str:
         """The whole description, as plain text."""
-        return f"{self.holds} What it cannot see: {self.blind} To mend a finding: {self.mend}"
+        return f"{self.holds} What it cannot see: {self.blind} To fix a finding: {self.fix}"
 
 
 # The first word of an id names its family.
@@ -720,7 +720,7 @@ _FIXED = [
 def _clauses() -> list[Check]:
     # What is wrong with the file, the model tells.
     entries = Entries(CLAUSES.parents[1]).tables(
-        CLAUSES, "clause", {"id": str, "pattern": str, "says": str, "mend": str}, {"about": list}
+        CLAUSES, "clause", {"id": str, "pattern": str, "says": str, "fix": str}, {"about": list}
     )
     return [
         Check(
@@ -728,7 +728,7 @@ def _clauses() -> list[Check]:
             f"{entry['pattern']}: {entry['id'].split('-', 2)[2].replace('-', ' ')}",
             f"In every application of {entry['pattern']}: {entry['says']}",
             "intent: it compares the shape of the code only.",
-            f"{entry['mend']}.",
+            f"{entry['fix']}.",
         )
         for entry, _ in entries
     ]

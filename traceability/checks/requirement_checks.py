@@ -6,7 +6,7 @@ What its links depend on is as a person reviewed it.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from pathlib import Path
 
@@ -112,17 +112,17 @@ def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
         for source in requirement.sources:
             if not source.kind:
                 text = f"the source of {requirement.id} has no kind: {source.name}"
-                mend = f"begin it with one of: {', '.join(f'{kind}:' for kind in SOURCE_KINDS)}"
+                fix = f"begin it with one of: {', '.join(f'{kind}:' for kind in SOURCE_KINDS)}"
             elif source.kind in names and source.name not in names[source.kind]:
                 named = f"{source.kind}: {source.name}"
                 text = f"{requirement.id} has the source {named}, which does not exist"
-                mend = "correct the name"
+                fix = "correct the name"
             elif source.kind == "goal" and source.name not in requirement.goals:
                 text = f"{requirement.id} has the source {source.name} and no @goal {source.name}"
-                mend = "write the @goal, or remove the source"
+                fix = "write the @goal, or remove the source"
             else:
                 continue
-            yield Finding(requirement.place, "req-source", text, mend)
+            yield Finding(requirement.place, "req-source", text, fix)
 
 
 def headings(page: Path) -> list[str]:
@@ -174,7 +174,7 @@ def _unneeded(model: Model) -> list[Finding]:
     ]
 
 
-def _spare(item: Justified) -> list[str]:
+def _spare(item: Justified) -> Sequence[str]:
     """The names that nothing needs. A path is needed when anything is."""
     if not item.covers:
         return item.names
@@ -220,7 +220,7 @@ def _requirements(model: Model) -> list[Finding]:
     return found
 
 
-def unmet(model: Model) -> list[Finding]:
+def unmet(model: Model, measured: Mapping[str, float | None]) -> list[Finding]:
     """Evidence that is missing or beyond its bound. The other checks are part of the evidence."""
     return [
         Finding(
@@ -231,7 +231,7 @@ def unmet(model: Model) -> list[Finding]:
         )
         for requirement in model.requirements.values()
         for evidence in requirement.evidence
-        for reason in reasons(evidence)
+        for reason in reasons(evidence, measured[evidence.figure])
     ]
 
 
@@ -327,7 +327,7 @@ def _lines(model: Model) -> list[Finding]:
     ]
 
 
-def _listed(lines: list[int]) -> str:
+def _listed(lines: Sequence[int]) -> str:
     return f"line{'s' if len(lines) > 1 else ''} {', '.join(map(str, lines))}"
 
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from traceability.model.design_model import Model
+from traceability.model.safety_case import scenario_state
 from traceability.reading.declared_safety import SCENARIOS
 from traceability.reading.source_facts import Facts
 from traceability.schema import Assumption, Finding, Hazard, Place, SafetyGoal
@@ -73,13 +74,13 @@ def _hazards(model: Model, facts: Facts) -> Iterator[Finding]:
     for hazard in model.safety.hazards.values():
         if not hazard.goals and not hazard.assumptions:
             text = f"{hazard.id} has no safety goal and no assumption of use"
-            mend = "name the goal that averts it, or the assumption that covers it"
-            yield Finding(_at(facts, hazard), "hazard-covered", text, mend)
+            fix = "name the goal that averts it, or the assumption that covers it"
+            yield Finding(_at(facts, hazard), "hazard-covered", text, fix)
         if not hazard.level:
             risk = f"{hazard.severity}, {hazard.exposure}, {hazard.avoidance}"
             text = f"the risk graph has no level for {risk} of {hazard.id}"
-            mend = "write S0 to S3, E0 to E4 and C0 to C3, or complete the graph"
-            yield Finding(_at(facts, hazard), "hazard-covered", text, mend)
+            fix = "write S0 to S3, E0 to E4 and C0 to C3, or complete the graph"
+            yield Finding(_at(facts, hazard), "hazard-covered", text, fix)
 
 
 def _goals(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -90,9 +91,9 @@ def _goals(model: Model, facts: Facts) -> Iterator[Finding]:
             "requirement": (goal.requirements, "list the requirements that have its @goal"),
             "safe state": (goal.safe_states, "name a safe state that is declared"),
         }
-        for part, (there, mend) in parts.items():
+        for part, (there, fix) in parts.items():
             if not there:
-                yield Finding(_at(facts, goal), "hazard-goal", f"{goal.id} has no {part}", mend)
+                yield Finding(_at(facts, goal), "hazard-goal", f"{goal.id} has no {part}", fix)
 
 
 def _times(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -103,13 +104,13 @@ def _times(model: Model, facts: Facts) -> Iterator[Finding]:
             yield Finding(_at(facts, goal), "hazard-time", text, "write a formula of numbers")
         elif goal.time > goal.computed + 1e-9 or goal.time < 0.9 * goal.computed:
             text = f"{goal.id} has {goal.time:g} s, and its formula gives {goal.computed:.3g} s"
-            mend = "round the value of the formula down, or correct the formula"
-            yield Finding(_at(facts, goal), "hazard-time", text, mend)
+            fix = "round the value of the formula down, or correct the formula"
+            yield Finding(_at(facts, goal), "hazard-time", text, fix)
         if goal.reaction > goal.time:
             needed, allowed = f"{goal.reaction:g} s", f"{goal.time:g} s"
             text = f"the firmware needs {needed} for {goal.id}, which allows {allowed}"
-            mend = "react sooner, or derive another time"
-            yield Finding(_at(facts, goal), "hazard-time", text, mend)
+            fix = "react sooner, or derive another time"
+            yield Finding(_at(facts, goal), "hazard-time", text, fix)
 
 
 def _requirements(model: Model, _facts: Facts) -> Iterator[Finding]:
@@ -122,8 +123,8 @@ def _requirements(model: Model, _facts: Facts) -> Iterator[Finding]:
                 yield Finding(requirement.place, "hazard-requirement", text, "correct the @goal")
             elif requirement.id not in goal.requirements:
                 text = f"{requirement.id} serves {name}, which does not list it"
-                mend = f"add it to the requirements of {name} in design/safety_case.toml"
-                yield Finding(requirement.place, "hazard-requirement", text, mend)
+                fix = f"add it to the requirements of {name} in design/safety_case.toml"
+                yield Finding(requirement.place, "hazard-requirement", text, fix)
 
 
 def _listed_requirements(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -132,14 +133,14 @@ def _listed_requirements(model: Model, facts: Facts) -> Iterator[Finding]:
         for name in goal.requirements:
             requirement = model.requirements.get(name)
             if requirement is None:
-                text, mend = f"{goal.id} lists {name}, which does not exist", "correct the id"
+                text, fix = f"{goal.id} lists {name}, which does not exist", "correct the id"
             elif goal.id not in requirement.goals:
                 text = f"{goal.id} lists {name}, which does not name it"
-                mend = f"write @goal {goal.id} below {name}, or remove it from the list"
+                fix = f"write @goal {goal.id} below {name}, or remove it from the list"
             else:
                 continue
             place = facts.declared.entries.line_in(goal.place, name)
-            yield Finding(place, "hazard-requirement", text, mend)
+            yield Finding(place, "hazard-requirement", text, fix)
 
 
 def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
@@ -147,8 +148,8 @@ def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
     for scenario in model.safety.scenarios.values():
         where, check = scenario.place, "hazard-scenario"
         if not scenario.goals:
-            mend = "write a comment '# goal SG-1' with its goal near its first line"
-            yield Finding(where, check, f"the scenario {scenario.name} names no goal", mend)
+            fix = "write a comment '# goal SG-1' with its goal near its first line"
+            yield Finding(where, check, f"the scenario {scenario.name} names no goal", fix)
         for name in scenario.goals:
             goal = model.safety.goals.get(name)
             if goal is None:
@@ -156,13 +157,13 @@ def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
                 yield Finding(where, check, text, "correct the id")
             elif scenario.name not in goal.scenarios:
                 text = f"the scenario {scenario.name} is about {name}, which does not list it"
-                mend = f"add it to the scenarios of {name} in design/safety_case.toml"
-                yield Finding(where, check, text, mend)
+                fix = f"add it to the scenarios of {name} in design/safety_case.toml"
+                yield Finding(where, check, text, fix)
         if not scenario.tests:
             text = f"no test plays the scenario {scenario.name}"
             yield Finding(where, check, text, "play it in a test of tests/")
-        elif scenario.state in ("failed", "unverified"):
-            word = "failed" if scenario.state == "failed" else "did not pass"
+        elif (state := scenario_state(model, scenario)) in ("failed", "unverified"):
+            word = "failed" if state == "failed" else "did not pass"
             text = f"the scenario {scenario.name} {word} in {', '.join(scenario.tests)}"
             yield Finding(
                 where, check, text, "correct the firmware or the scenario, then run ./wr test"
@@ -180,8 +181,8 @@ def _listed_scenarios(model: Model, facts: Facts) -> Iterator[Finding]:
                 yield Finding(place, "hazard-scenario", text, "correct the name")
             elif goal.id not in scenario.goals:
                 text = f"{goal.id} lists the scenario {name}, which does not name it"
-                mend = f"write '# goal {goal.id}' into the scenario, or remove it from the list"
-                yield Finding(place, "hazard-scenario", text, mend)
+                fix = f"write '# goal {goal.id}' into the scenario, or remove it from the list"
+                yield Finding(place, "hazard-scenario", text, fix)
 
 
 def _assumptions(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -189,8 +190,8 @@ def _assumptions(model: Model, facts: Facts) -> Iterator[Finding]:
     for assumption in model.safety.assumptions.values():
         if not assumption.hazards:
             text = f"{assumption.id} covers no hazard"
-            mend = "name it in the assumptions of a hazard, or remove it"
-            yield Finding(_at(facts, assumption), "hazard-assumption", text, mend)
+            fix = "name it in the assumptions of a hazard, or remove it"
+            yield Finding(_at(facts, assumption), "hazard-assumption", text, fix)
 
 
 def _priorities(model: Model, _facts: Facts) -> Iterator[Finding]:

@@ -28,14 +28,14 @@ def _open(model: Model, facts: Facts) -> list[Finding]:
         for field in facts.classes[module.name].fields:
             if field.access == "public" and not field.constant:
                 text = f"{module.name}::{field.name} is public data"
-                mend = "make it private, and give it an operation"
-                found.append(Finding(field.place, "secret-open", text, mend))
+                fix = "make it private, and give it an operation"
+                found.append(Finding(field.place, "secret-open", text, fix))
     for friend in facts.syntax.friends:
         module_, other = friend.by.split("::")[0], friend.target.split("::")[0]
         if module_ != other:
             text = f"{module_} lets its friend {other} see what it hides"
-            mend = "remove the friend: let it use the interface"
-            found.append(Finding(friend.place, "secret-open", text, mend))
+            fix = "remove the friend: let it use the interface"
+            found.append(Finding(friend.place, "secret-open", text, fix))
     return found
 
 
@@ -58,8 +58,8 @@ def _given_out(model: Model, facts: Facts) -> list[Finding]:
                 continue
             for member in filter(None, map(own.get, results.get(f"result {method.id}", []))):
                 text = f"{method.id} lets who calls it change the private {member}"
-                mend = "give a value, or a reference to const"
-                found.append(Finding(method.place, "secret-open", text, mend))
+                fix = "give a value, or a reference to const"
+                found.append(Finding(method.place, "secret-open", text, fix))
     return found
 
 
@@ -82,8 +82,8 @@ def _hidden(model: Model, facts: Facts) -> list[Finding]:
         uses = _uses(hidden.name, facts)
         if uses is None or not any(hidden.allows(place.file) for place in uses):
             text = f"{hidden.owner} hides {hidden.name}, and does not use it"
-            mend = "name a header, a constant, a function or a type of its own"
-            found.append(Finding(hidden.place, "secret-hidden", text, mend))
+            fix = "name a header, a constant, a function or a type of its own"
+            found.append(Finding(hidden.place, "secret-hidden", text, fix))
             continue
         first = {(p.file, p.line): p for p in uses if not hidden.allows(p.file)}
         found += [

@@ -17,26 +17,26 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _calls(proof: StackProof) -> list[Finding]:
-    mend = f"call an object that a builder gives, or declare the call in {DECLARED}"
+    fix = f"call an object that a builder gives, or declare the call in {DECLARED}"
     found = [
-        Finding(place, "stack-call", f"nobody knows what {function} calls here", mend)
+        Finding(place, "stack-call", f"nobody knows what {function} calls here", fix)
         for function, place in proof.unresolved
     ]
     if proof.untold:
         text = f"the compiler told nothing of {len(proof.untold)} functions, as {min(proof.untold)}"
-        mend = "remove build/k64 and build again, without a cache of compilations"
-        found.append(Finding(SCRIPT, "stack-call", text, mend))
+        fix = "remove build/k64 and build again, without a cache of compilations"
+        found.append(Finding(SCRIPT, "stack-call", text, fix))
     return found
 
 
 def _cycles(proof: StackProof, facts: Facts) -> list[Finding]:
-    mend = "write a loop with a bound"
+    fix = "write a loop with a bound"
     found = []
     for cycle in proof.cycles:
         bodies = [body for name in cycle for body in facts.bodies.get(name, [])]
         place = bodies[0].place if bodies else SCRIPT
         text = f"recursion: {' > '.join([*cycle, cycle[0]])}"
-        found.append(Finding(place, "stack-recursion", text, mend))
+        found.append(Finding(place, "stack-recursion", text, fix))
     return found
 
 
@@ -44,14 +44,14 @@ def _bound(proof: StackProof) -> list[Finding]:
     found = []
     for function in proof.dynamic:
         text = f"the frame of {function} has no bound"
-        mend = "give each array a size that is known when it is compiled"
-        found.append(Finding(SCRIPT, "stack-bound", text, mend))
+        fix = "give each array a size that is known when it is compiled"
+        found.append(Finding(SCRIPT, "stack-bound", text, fix))
     if proof.proven and proof.total > proof.limit:
         text = f"the stack has {proof.limit} bytes, and {proof.total} may be needed"
-        mend = "raise stackSize, or shorten the deepest chain on the page Execution"
-        found.append(Finding(SCRIPT, "stack-bound", text, mend))
+        fix = "raise stackSize, or shorten the deepest chain on the page Execution"
+        found.append(Finding(SCRIPT, "stack-bound", text, fix))
     if proof.seen is not None and proof.seen > proof.total:
         text = f"a run used {proof.seen} bytes of the stack, more than the proven {proof.total}"
-        mend = "find the call that the proof does not know"
-        found.append(Finding(SCRIPT, "stack-bound", text, mend))
+        fix = "find the call that the proof does not know"
+        found.append(Finding(SCRIPT, "stack-bound", text, fix))
     return found

@@ -49,9 +49,9 @@ def _machines_missing(model: Model, facts: Facts) -> list[Finding]:
 def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
     """The names that a machine is made of."""
 
-    def finding(text: str, mend: str, name: str, step: Transition | None = None) -> Finding:
+    def finding(text: str, fix: str, name: str, step: Transition | None = None) -> Finding:
         place = facts.declared.entries.line_in(step.place if step else machine.place, name)
-        return Finding(place, "fsm-declared", text, mend)
+        return Finding(place, "fsm-declared", text, fix)
 
     known = facts.declared.applications.get(machine.application)
     if known is None or known.pattern != "State":
@@ -81,14 +81,14 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
         ]
         if step.event not in machine.events:
             text = f"the event '{step.event}' has no operation"
-            mend = "name it in [events], or correct the event"
-            found.append(finding(text, mend, step.event, step))
+            fix = "name it in [events], or correct the event"
+            found.append(finding(text, fix, step.event, step))
         if not step.requirements:
             text = f"{words(step)} serves no requirement"
             found.append(finding(text, "name the requirements of it", "requirements", step))
         found += [
-            finding(text, mend, word, step)
-            for text, mend, word in _asked_for(step, machine, model, facts)
+            finding(text, fix, word, step)
+            for text, fix, word in _asked_for(step, machine, model, facts)
         ]
     return (
         found
@@ -108,7 +108,7 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
 def _asked_for(
     step: Transition, machine: StateMachine, model: Model, facts: Facts
 ) -> list[tuple[str, str, str]]:
-    """What is wrong with the requirements of a transition: text, mending, the word in question."""
+    """What is wrong with the requirements of a transition: text, fix, the word in question."""
     asked = [model.requirements[name] for name in step.requirements if name in model.requirements]
     found = [
         (f"there is no requirement {name}", "correct the id", name)
@@ -127,11 +127,11 @@ def _asked_for(
         for one in asked
         if not any(method.split("::")[0] in family for method in _serving(one))
     ]
-    mend = "write the figure of the requirement"
+    fix = "write the figure of the requirement"
     return found + [
         (
             f"the figure '{figure[0]}' of {words(step)} stands in none of its requirements",
-            mend,
+            fix,
             figure[0],
         )
         for part in (step.event, step.guard, step.action)
@@ -183,9 +183,9 @@ def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Fin
         return []
     given = ", ".join(sorted(code.initial)) or "no state"
     text = f"{code.composition} begins with {given}, and the machine with {machine.initial}"
-    mend = "correct 'initial', or give the first state to the Context"
+    fix = "correct 'initial', or give the first state to the Context"
     place = facts.declared.entries.line_in(machine.place, "initial")
-    return [Finding(place, "fsm-code", text, mend)]
+    return [Finding(place, "fsm-code", text, fix)]
 
 
 def _operation(
@@ -255,8 +255,8 @@ def _seen(machine: StateMachine) -> list[Finding]:
     for change, tests in machine.undeclared.items():
         source, operation, target = change.split(" ")
         text = f"{tests[0]} makes {source} change to {target} in {operation}, which is not declared"
-        mend = "declare the transition, or correct the code"
-        found.append(Finding(machine.place, "fsm-seen", text, mend))
+        fix = "declare the transition, or correct the code"
+        found.append(Finding(machine.place, "fsm-seen", text, fix))
     return found
 
 

@@ -11,7 +11,7 @@ from traceability.schema import Finding, Place, Requirement, TreeNode
 
 def check(model: Model, facts: Facts) -> list[Finding]:
     found = [
-        Finding(place, "tree-node", text, mend) for place, text, mend in facts.declared.tree_errors
+        Finding(place, "tree-node", text, fix) for place, text, fix in facts.declared.tree_errors
     ]
     for name, (place, _) in facts.declared.trees.items():
         if name not in model.requirements:

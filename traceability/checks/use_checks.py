@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 
 from traceability.model.design_model import Model
@@ -38,13 +39,13 @@ def _board(root: Path) -> list[Finding]:
         for include in includes_of(root, file):
             if is_board(include.target) and not file.startswith(PROGRAMS):
                 text = f"{file} includes {include.target}, which only the composition sees"
-                mend = "test the image on the virtual K64 instead"
+                fix = "test the image on the virtual K64 instead"
             elif file.startswith(VIRTUAL_BOARD) and include.target.startswith(OF_FIRMWARE):
                 text = f"the virtual K64 includes {include.target} of the firmware"
-                mend = "write what it needs from the manual of the part: a mistake is not shared"
+                fix = "write what it needs from the manual of the part: a mistake is not shared"
             else:
                 continue
-            found.append(Finding(include.place, "uses-board", text, mend))
+            found.append(Finding(include.place, "uses-board", text, fix))
     return found
 
 
@@ -208,11 +209,11 @@ def _idle_cycles(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _finding(use: Use, text: str) -> Finding:
-    mend = "remove one of the uses, or declare the cycle in design/uses.toml"
-    return Finding(use.places[0], "uses-cycle", text, mend)
+    fix = "remove one of the uses, or declare the cycle in design/uses.toml"
+    return Finding(use.places[0], "uses-cycle", text, fix)
 
 
-def _graph(uses: list[Use], depth: int) -> dict[str, set[str]]:
+def _graph(uses: Iterable[Use], depth: int) -> dict[str, set[str]]:
     graph: dict[str, set[str]] = {}
     for use in uses:
         source = "/".join(use.source.split("/")[:depth])

@@ -8,17 +8,18 @@ from pathlib import Path
 from typing import Any
 
 from traceability.model.design_model import Model
-from traceability.model.metrics import figures
+from traceability.model.metrics import metrics
+from traceability.model.report import Report
 from traceability.schema import Finding
 
 METRICS = Path("build/metrics.json")
 
 
-def write_metrics(root: Path, model: Model, measured: dict[str, Any] | None = None) -> Path:
-    """Writes the figures. ``measured`` adds what other steps of the run found, by key."""
+def write_metrics(root: Path, model: Model, report: Report, measured: dict[str, Any]) -> Path:
+    """Writes the metrics. ``measured`` adds what other steps of the run found, by key."""
     path = root / METRICS
     path.parent.mkdir(parents=True, exist_ok=True)
-    found = figures(root, model) | (measured or {})
+    found = metrics(model, report) | measured
     text = json.dumps(found, indent=1, sort_keys=True) + "\n"
     if not path.exists() or path.read_text(encoding="utf-8") != text:
         path.write_text(text, encoding="utf-8")

@@ -6,21 +6,43 @@ import dataclasses
 import json
 import types
 import typing
+from collections.abc import Mapping, Sequence
 from typing import Any
 
+from traceability import schema
 from traceability.model.design_model import Model
+from traceability.model.report import Report
 
 MODEL = "model.json"
 SCHEMA = "model.schema.json"
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
-APART = {"facts"}  # what the model was made from; no document reads it
+# What the report adds to the records of the model.
+VERDICT = {"state": str, "reasons": list[str]}
+ADDED: dict[type, dict[str, Any]] = {
+    Model: {"findings": list[schema.Finding]},
+    schema.Requirement: VERDICT,
+    schema.Evidence: {"value": float | None},
+    schema.SafetyGoal: VERDICT,
+    schema.FaultScenario: {"state": str},
+    schema.PatternApplication: {"clauses": list[schema.Clause]},
+}
 PLAIN: dict[type, str] = {str: "string", int: "integer", float: "number", bool: "boolean"}
 
 
-def model_text(model: Model) -> str:
-    """The model as JSON. Places, names and texts are those of the pages."""
-    data = dataclasses.asdict(dataclasses.replace(model, facts=None))
-    return json.dumps({key: value for key, value in data.items() if key not in APART}, indent=1)
+def model_text(model: Model, report: Report) -> str:
+    """The model with the verdicts as JSON. Places, names and texts are those of the pages."""
+    data, verdicts = dataclasses.asdict(model), dataclasses.asdict(report)
+    for name, requirement in data["requirements"].items():
+        requirement.update(verdicts["requirements"][name])
+        for evidence in requirement["evidence"]:
+            evidence["value"] = report.measured[evidence["figure"]]
+    for name, goal in data["safety"]["goals"].items():
+        goal.update(verdicts["goals"][name])
+    for name, scenario in data["safety"]["scenarios"].items():
+        scenario["state"] = report.scenarios[name]
+    for name, application in data["patterns"].items():
+        application["clauses"] = verdicts["clauses"][name]
+    return json.dumps(data | {"findings": verdicts["findings"]}, indent=1)
 
 
 def schema_text() -> str:
@@ -39,12 +61,11 @@ def model_schema() -> dict[str, Any]:
 
 
 def _class(kind: type, definitions: dict[str, Any]) -> dict[str, Any]:
-    hints = typing.get_type_hints(kind)
-    fields = [one.name for one in dataclasses.fields(kind) if one.name not in APART]
+    fields = typing.get_type_hints(kind) | ADDED.get(kind, {})
     described = {
         "type": "object",
-        "properties": {name: _type(hints[name], definitions) for name in fields},
-        "required": fields,
+        "properties": {name: _type(one, definitions) for name, one in fields.items()},
+        "required": list(fields),
         "additionalProperties": False,
     }
     words = (kind.__doc__ or "").strip()
@@ -54,6 +75,8 @@ def _class(kind: type, definitions: dict[str, Any]) -> dict[str, Any]:
 
 
 def _type(kind: Any, definitions: dict[str, Any]) -> dict[str, Any]:
+    if kind is Any:
+        return {}
     if kind in PLAIN:
         return {"type": PLAIN[kind]}
     if isinstance(kind, type) and dataclasses.is_dataclass(kind):
@@ -70,11 +93,12 @@ def _composed(kind: Any, parts: list[dict[str, Any]]) -> dict[str, Any]:
     found: dict[Any, dict[str, Any]] = {
         types.NoneType: {"type": "null"},
         types.UnionType: {"anyOf": parts},
-        list: {"type": "array", "items": parts[0] if parts else {}},
+        Sequence: {"type": "array", "items": parts[0] if parts else {}},
         tuple: {"type": "array", "prefixItems": parts, "minItems": len(parts), "items": False},
-        dict: {"type": "object", "additionalProperties": parts[-1] if parts else {}},
+        Mapping: {"type": "object", "additionalProperties": parts[-1] if parts else {}},
     }
     origin = typing.get_origin(kind) or kind
+    origin = {list: Sequence, dict: Mapping}.get(origin, origin)
     if origin not in found:
         raise TypeError(f"the schema cannot tell what {kind} is")
     return found[origin]

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from traceability.model.design_model import Model
+from traceability.model.report import Report
 from traceability.reading.results import RESULTS
 from traceability.reading.traces import nodes_of
 from traceability.schema import Requirement
@@ -16,11 +17,11 @@ from traceability.schema import Requirement
 JSON, JUNIT = "verification.json", "verification.xml"
 
 
-def write_exports(root: Path, site: Path, model: Model) -> None:
+def write_exports(root: Path, site: Path, model: Model, report: Report) -> None:
     """The same table for other programs: JSON, and JUnit with a test case for each requirement."""
     texts = {
-        JSON: json.dumps(table(model), indent=1) + "\n",
-        JUNIT: ET.tostring(junit(model), encoding="unicode") + "\n",
+        JSON: json.dumps(table(model, report), indent=1) + "\n",
+        JUNIT: ET.tostring(junit(model, report), encoding="unicode") + "\n",
     }
     for folder in (root / RESULTS, site):
         folder.mkdir(parents=True, exist_ok=True)
@@ -28,27 +29,28 @@ def write_exports(root: Path, site: Path, model: Model) -> None:
             (folder / name).write_text(text, encoding="utf-8")
 
 
-def table(model: Model) -> dict[str, Any]:
+def table(model: Model, report: Report) -> dict[str, Any]:
     return {
         "commit": model.commit,
         "sources": model.sources_hash,
-        "requirements": [row(model, item) for item in model.requirements.values()],
+        "requirements": [row(model, report, item) for item in model.requirements.values()],
         "justified": [asdict(gap) for gap in model.line_gaps if gap.reason],
     }
 
 
-def row(model: Model, requirement: Requirement) -> dict[str, Any]:
+def row(model: Model, report: Report, requirement: Requirement) -> dict[str, Any]:
+    verdict = report.requirements[requirement.id]
     nodes = nodes_of(requirement.tree) if requirement.tree else []
     return {
         "id": requirement.id,
         "section": requirement.section,
-        "state": requirement.state,
+        "state": verdict.state,
         "level": requirement.level,
         "products": requirement.products,
         "method": requirement.method,
         "partly": requirement.partly,
         "goals": requirement.goals,
-        "reasons": requirement.reasons,
+        "reasons": verdict.reasons,
         "suspect": [f"{one.kind} {one.name} {one.text}" for one in requirement.suspicions],
         "review": requirement.review
         and {"reviewer": requirement.review.reviewer, "date": requirement.review.date},
@@ -65,11 +67,15 @@ def row(model: Model, requirement: Requirement) -> dict[str, Any]:
             binding: [asdict(method) for method in methods]
             for binding, methods in requirement.coverage.items()
         },
-        "evidence": [asdict(one) | {"holds": one.holds} for one in requirement.evidence],
+        "evidence": [
+            asdict(one) | {"value": value, "holds": one.holds(value)}
+            for one in requirement.evidence
+            for value in [report.measured[one.figure]]
+        ],
     }
 
 
-def junit(model: Model) -> ET.Element:
+def junit(model: Model, report: Report) -> ET.Element:
     top = ET.Element("testsuites", name="requirements")
     sections: dict[str, ET.Element] = {}
     for requirement in model.requirements.values():
@@ -79,10 +85,11 @@ def junit(model: Model) -> ET.Element:
             )
         suite = sections[requirement.section]
         case = ET.SubElement(suite, "testcase", classname=requirement.section, name=requirement.id)
-        if requirement.state != "verified":
-            texts = [*requirement.reasons, *filter(None, [requirement.partly])]
+        verdict = report.requirements[requirement.id]
+        if verdict.state != "verified":
+            texts = [*verdict.reasons, *filter(None, [requirement.partly])]
             texts += [f"{s.name} {s.text}" for s in requirement.suspicions]
-            failure = ET.SubElement(case, "failure", message=requirement.state)
+            failure = ET.SubElement(case, "failure", message=verdict.state)
             failure.text = "\n".join(texts)
     for suite in [*sections.values(), top]:
         suite.set("tests", str(len(list(suite.iter("testcase")))))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
 from traceability.schema import Connection
@@ -10,14 +12,14 @@ POST = "ControlThread::post"  # a thread executes its body later
 BODIES = "field ControlThread::body_"
 
 
-def add_connections(model: Model, facts: Facts) -> None:
-    model.groups = facts.declared.groups
-    model.connections = facts.declared.connections
-    for connection in model.connections:
-        if connection.kind == "pipe":
-            connection.way = pipe_between(model, connection)
-        elif connection.kind != "physical":
-            connection.way = calls_between(facts, connection)
+def connections_of(model: Model, facts: Facts) -> list[Connection]:
+    return [replace(one, way=way_of(model, facts, one)) for one in facts.declared.connections]
+
+
+def way_of(model: Model, facts: Facts, connection: Connection) -> list[str]:
+    if connection.kind == "pipe":
+        return pipe_between(model, connection)
+    return [] if connection.kind == "physical" else calls_between(facts, connection)
 
 
 def is_outside(connection: Connection) -> bool:

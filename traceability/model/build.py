@@ -4,24 +4,27 @@ from __future__ import annotations
 
 import re
 import subprocess
+from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
-from traceability.model.architecture import add_connections
+from traceability.model.architecture import connections_of
 from traceability.model.design_model import Model
-from traceability.model.dictionary import add_dictionary
+from traceability.model.dictionary import with_dictionary
 from traceability.model.evidence import read_evidence
-from traceability.model.evidence import reasons as reasons_of_evidence
-from traceability.model.execution import add_execution
-from traceability.model.likely_changes import add_changes
+from traceability.model.execution import with_execution
+from traceability.model.likely_changes import changes_of
+from traceability.model.metrics import read_measured
 from traceability.model.orphan_methods import justify
-from traceability.model.reviews import add_reviews
-from traceability.model.safety_case import add_safety, settle_safety
+from traceability.model.reviews import with_reviews
+from traceability.model.safety_case import safety_of
 from traceability.model.stack import prove
-from traceability.model.state_machines import add_machines
-from traceability.model.tests import add_board_findings, add_executed_modules, add_tests
-from traceability.model.trees import add_trees
-from traceability.model.verification import add_verification
+from traceability.model.state_machines import machines_of
+from traceability.model.tests import with_board_findings, with_executed_modules, with_tests
+from traceability.model.trees import with_trees
+from traceability.model.verification import with_verification
 from traceability.reading.ast_facts import BodyFact, CallFact, ClassFact, MethodFact
+from traceability.reading.bench_record import read_bench, read_paper_bench
 from traceability.reading.closed_loop_record import read_closed_loop
 from traceability.reading.comments import NO_COMMENT, Comment
 from traceability.reading.coverage import Coverage, read_coverage
@@ -29,12 +32,14 @@ from traceability.reading.declared import read_declared
 from traceability.reading.declared_safety import read_sources, words_of
 from traceability.reading.doxygen_run import doxygen_beside
 from traceability.reading.mutation_record import read_mutation
+from traceability.reading.products import read_products
 from traceability.reading.results import read_sizes
+from traceability.reading.seeded_fault_record import read_record
+from traceability.reading.seeded_faults import read_faults
 from traceability.reading.source_facts import Facts, gather_facts
 from traceability.reading.syntax import read_syntax
-from traceability.reading.traces import Traces, nodes_of, read_traces
+from traceability.reading.traces import Traces, read_traces
 from traceability.schema import (
-    BINDINGS,
     HOST,
     VIRTUAL_K64,
     Call,
@@ -55,7 +60,14 @@ from traceability.sources import DESIGN, SRC, files_below, source_hash
 DRIVERS = f"{SRC}/k64/"
 
 
-def build(root: Path) -> Model:
+class Built(NamedTuple):
+    """The model for pages and exports, and the facts that it is made from, for the checks."""
+
+    model: Model
+    facts: Facts
+
+
+def build(root: Path) -> Built:
     build_folder = root / "build" / "model"
     with doxygen_beside(root, build_folder) as doxygen:
         syntax = read_syntax(root, build_folder / "cache")
@@ -65,7 +77,7 @@ def build(root: Path) -> Model:
         facts = gather_facts(root, syntax, declared)
         model = _assemble(root, build_folder, facts, traces, coverage)
         facts.warnings = doxygen.warnings()
-    return model
+    return Built(model, facts)
 
 
 def _assemble(
@@ -75,57 +87,53 @@ def _assemble(
     traces: dict[str, Traces],
     coverage: dict[str, Coverage],
 ) -> Model:
-    model = Model(
-        commit=commit(root),
-        version=_version(root),
-        sources_hash=source_hash(root),
-        results_hashes={},
-    )
-    model.facts = facts
-    if facts.declared.entries.unreadable:
+    declared = facts.declared
+    model = Model(commit(root), _version(root), source_hash(root), {})
+    if declared.entries.unreadable:
         return model
-    _add_logic_modules(model, facts)
-    _add_modules(model, facts)
-    _add_calls(model, facts)
-    _add_constants(model, facts)
-    _add_patterns(model, facts)
-    _add_requirements(model, facts)
-    _add_uses(model, facts)
-    model.machines = facts.declared.machines
-    names = facts.declared.names
-    model.designed_modules = [name for folder in names for name in names[folder]]
-    model.designed_applications = {
-        item.id: item.pattern for item in facts.declared.applications.values()
-    }
-    model.architecture = facts.declared.architecture
-    model.allowed_uses = facts.declared.allowed
-    model.allowed_cycles = facts.declared.cycles
-    model.kept_apart = facts.declared.apart
+    model = replace(
+        model,
+        modules=_modules(facts),
+        constants=_constants(facts),
+        designed_modules=[name for names in declared.names.values() for name in names],
+        designed_applications={item.id: item.pattern for item in declared.applications.values()},
+        architecture=declared.architecture,
+        groups=declared.groups,
+        allowed_uses=declared.allowed,
+        allowed_cycles=declared.cycles,
+        kept_apart=declared.apart,
+        paper=declared.concordance.entries,
+        paper_places=declared.concordance.places,
+        closed_loop=read_closed_loop(root, declared.entries),
+        mutation=read_mutation(root, model.sources_hash),
+        files=source_files(root),
+        bench=read_bench(root),
+        bench_paper=read_paper_bench(root),
+        products=read_products(root),
+        faults=read_faults(root),
+        outcomes=read_record(root),
+    )
+    model = replace(model, logic_modules=_logic_modules(model, facts))
+    model = _with_calls(model, facts)
+    model = replace(model, patterns=_patterns(model, facts), uses=_uses(model, facts))
+    model = _with_requirements(model, facts)
     called = {call.target for body in facts.syntax.bodies for call in body.calls}
     for recordings in traces.values():
         recordings.vectors = set(model.functions) - called
-    add_tests(model, facts)
-    add_board_findings(model, facts)
-    model.closed_loop = read_closed_loop(root, facts.declared.entries)
-    add_executed_modules(model, traces)
-    add_machines(model, facts, traces, build_folder / "cache")
-    add_execution(model, facts)
-    model.stack = prove(root, model, facts)
-    add_connections(model, facts)
-    add_dictionary(model, facts)
-    _add_measures(model, root, coverage)
-    add_trees(model, facts, traces, build_folder / "cache")
-    add_verification(model, facts, coverage)
-    model.mutation = read_mutation(root, model.sources_hash)
-    justify(model, facts.declared.justified)
-    add_reviews(model, root, facts.declared.entries)
-    add_safety(model, facts)
-    set_states(model)
-    model.paper = facts.declared.concordance.entries
-    model.paper_places = facts.declared.concordance.places
-    add_changes(model, facts.declared.changes)
-    model.files = source_files(root)
-    return model
+    model = with_board_findings(with_tests(model, facts), facts)
+    model = with_executed_modules(model, traces)
+    model = replace(model, machines=machines_of(model, facts, traces, build_folder / "cache"))
+    model = with_execution(model, facts)
+    model = replace(
+        model, stack=prove(root, model, facts), connections=connections_of(model, facts)
+    )
+    model = _with_measures(with_dictionary(model, facts), root, coverage)
+    model = with_trees(model, facts, traces, build_folder / "cache")
+    model = justify(with_verification(model, facts, coverage), declared.justified)
+    model = with_reviews(model, root, declared.entries)
+    model = replace(model, safety=safety_of(model, facts))
+    changes, measured = changes_of(model, declared.changes), read_measured(root, model)
+    return replace(model, changes=changes, measured=measured)
 
 
 def source_files(root: Path) -> list[str]:
@@ -156,16 +164,13 @@ def camel(folder: str) -> str:
     return "".join(word.capitalize() for word in folder.rsplit("/", maxsplit=1)[-1].split("_"))
 
 
-def _add_logic_modules(model: Model, facts: Facts) -> None:
+def _logic_modules(model: Model, facts: Facts) -> dict[str, LogicModule]:
     folders = {str(Path(place.file).parent) for place in _places(facts)}
-    for folder in {str(up) for path in folders for up in (Path(path), *Path(path).parents)}:
-        logic = folder.removeprefix(f"{SRC}/")
-        if folder not in (SRC, "."):
-            model.logic_modules[logic] = _logic_module(facts, folder, str(Path(folder).parent))
-    model.logic_modules = dict(sorted(model.logic_modules.items()))
-    for logic_module in model.logic_modules.values():
-        if logic_module.parent:
-            model.logic_modules[logic_module.parent].children.append(logic_module.id)
+    every = {str(up) for path in folders for up in (Path(path), *Path(path).parents)}
+    made = [_logic_module(model, facts, one) for one in every - {SRC, "."}]
+    found = {one.id: one for one in sorted(made, key=lambda one: one.id)}
+    children = {name: [one.id for one in found.values() if one.parent == name] for name in found}
+    return {name: replace(one, children=children[name]) for name, one in found.items()}
 
 
 def _places(facts: Facts) -> list[Place]:
@@ -174,14 +179,16 @@ def _places(facts: Facts) -> list[Place]:
     return classes + [body.place for body in facts.syntax.bodies]
 
 
-def _logic_module(facts: Facts, folder: str, parent: str) -> LogicModule:
+def _logic_module(model: Model, facts: Facts, folder: str) -> LogicModule:
+    parent = str(Path(folder).parent)
+    logic = folder.removeprefix(f"{SRC}/")
     comment = facts.folders.get(folder, NO_COMMENT)
     place = Place(f"{folder}/module.dox", 1)
     if not (facts.root / place.file).exists():
         first = min(place.file for place in _places(facts) if place.file.startswith(folder))
         place = Place(first, 1)
     return LogicModule(
-        id=folder.removeprefix(f"{SRC}/"),
+        id=logic,
         name=camel(folder),
         parent=None if parent in (SRC, ".") else parent.removeprefix(f"{SRC}/"),
         brief=comment.brief,
@@ -189,10 +196,12 @@ def _logic_module(facts: Facts, folder: str, parent: str) -> LogicModule:
         secret=comment.one("secret"),
         hides=comment.all("hides"),
         place=place,
+        modules=[m.name for m in model.modules.values() if m.logic == logic and not m.datatype],
     )
 
 
-def _add_modules(model: Model, facts: Facts) -> None:
+def _modules(facts: Facts) -> dict[str, Module]:
+    found: dict[str, Module] = {}
     sources = {str(path.relative_to(facts.root)) for path in files_below(facts.root, DESIGN)}
     for fact in facts.syntax.classes:
         if not fact.place.file.endswith(".hpp"):
@@ -202,12 +211,11 @@ def _add_modules(model: Model, facts: Facts) -> None:
         nested = "::" in fact.name
         if not datatype and (nested or fact.local or fact.kind in ("enum", "alias")):
             continue
-        logic = logic_of(fact.place.file)
         source = fact.place.file.removesuffix(".hpp") + ".cpp"
-        module = Module(
+        found[fact.name] = Module(
             name=fact.name,
             qualified=fact.qualified,
-            logic=logic,
+            logic=logic_of(fact.place.file),
             abstract=fact.abstract or _for_heirs_only(fact),
             datatype=datatype,
             brief=comment.brief,
@@ -219,25 +227,23 @@ def _add_modules(model: Model, facts: Facts) -> None:
             source=source if source in sources else None,
             bases=fact.bases,
             heirs=sorted(facts.heirs.get(fact.name, [])),
+            roles=[
+                RoleBinding(tag.argument, tag.arguments[-1], fact.name, tag.place)
+                for tag in comment.of("role")
+            ],
+            registers=[b.name for b in facts.declared.blocks if fact.name in b.owners],
+            methods=[
+                _method(method, facts)
+                for method in fact.methods
+                if not method.deleted
+                and not method.name.startswith("~")
+                and not (method.defaulted and method.kind == "constructor")
+            ],
         )
-        module.roles = [
-            RoleBinding(tag.argument, tag.arguments[-1], fact.name, tag.place)
-            for tag in comment.of("role")
-        ]
-        module.registers = [b.name for b in facts.declared.blocks if fact.name in b.owners]
-        module.methods = [
-            _method(method, facts)
-            for method in fact.methods
-            if not method.deleted
-            and not method.name.startswith("~")
-            and not (method.defaulted and method.kind == "constructor")
-        ]
-        model.modules[fact.name] = module
-        if logic in model.logic_modules and not module.datatype:
-            model.logic_modules[logic].modules.append(fact.name)
-    for module in model.modules.values():
-        for method in module.methods:
-            _inherit_specification(method, model)
+    return {
+        name: replace(module, methods=[_specified(method, found) for method in module.methods])
+        for name, module in found.items()
+    }
 
 
 def _for_heirs_only(fact: ClassFact) -> bool:
@@ -282,38 +288,39 @@ def _body_of(fact: MethodFact, bodies: list[BodyFact]) -> BodyFact | None:
     return bodies[0] if bodies else None
 
 
-def _inherit_specification(method: Method, model: Model) -> None:
-    if method.documented:
-        return
-    upper = method.overrides
+def _specified(method: Method, modules: dict[str, Module]) -> Method:
+    """The method, with the specification that it inherits when it has none of its own."""
+    upper = None if method.documented else method.overrides
     while upper is not None:
-        owner = model.modules.get(upper.rsplit("::", 1)[0])
+        owner = modules.get(upper.rsplit("::", 1)[0])
         above = next((item for item in owner.methods if item.id == upper), None) if owner else None
         if above is None:
-            return
-        if above.brief and above.inherited_from is None:
-            own = method.params
-            method.params = [
-                Param(own[i].name or item.name, item.type, own[i].text or item.text)
-                for i, item in enumerate(above.params)
-                if i < len(own)
-            ]
-            method.brief, method.details = above.brief, above.details
-            method.returns = method.returns or above.returns
-            method.errors = method.errors or above.errors
-            method.pre, method.post = method.pre or above.pre, method.post or above.post
-            method.interrupt = method.interrupt or above.interrupt
-            method.documented = True
-            method.inherited_from = upper
-            return
+            break
+        if above.brief:
+            return replace(
+                method,
+                params=[
+                    Param(own.name or item.name, item.type, own.text or item.text)
+                    for own, item in zip(method.params, above.params, strict=False)
+                ],
+                brief=above.brief,
+                details=above.details,
+                returns=method.returns or above.returns,
+                errors=method.errors or above.errors,
+                pre=method.pre or above.pre,
+                post=method.post or above.post,
+                interrupt=above.interrupt,
+                documented=True,
+                inherited_from=upper,
+            )
         upper = above.overrides
+    return method
 
 
-def _add_calls(model: Model, facts: Facts) -> None:
-    methods: dict[str, list[Method]] = {}
-    for module in model.modules.values():
-        for method in module.methods:
-            methods.setdefault(method.id, []).append(method)
+def _with_calls(model: Model, facts: Facts) -> Model:
+    functions: dict[str, Function] = {}
+    made: dict[tuple[str, str, int], list[Call]] = {}  # method, place of its body
+    callers: dict[str, dict[str, None]] = {}
     for body in facts.syntax.bodies:
         calls = [
             Call(call.target, call.virtual, call.place, facts.targets(call.target, call.virtual))
@@ -322,50 +329,68 @@ def _add_calls(model: Model, facts: Facts) -> None:
         folder = model.logic_modules.get(logic_of(body.place.file))
         if not body.owner and folder is not None and not folder.modules:
             # Each product has a composition of its own: the first one is that of the robot itself.
-            model.functions.setdefault(body.id, Function(body.id, body.place, calls))
-        for method in methods.get(body.id, []):
-            if method.body and (method.body.file, method.body.line) == (
-                body.place.file,
-                body.place.line,
-            ):
-                method.calls = calls
-        for target in {target for call in calls for target in call.targets}:
-            for method in methods.get(target, []):
-                if body.id not in method.called_by and body.id != target:
-                    method.called_by.append(body.id)
-    _add_users(model, facts)
+            functions.setdefault(body.id, Function(body.id, body.place, calls))
+        made[body.id, body.place.file, body.place.line] = calls
+        for target in {target for call in calls for target in call.targets} - {body.id}:
+            callers.setdefault(target, {})[body.id] = None
+
+    def called(one: Method) -> Method:
+        calls = made[one.id, one.body.file, one.body.line] if one.body else []
+        return replace(one, calls=calls, called_by=list(callers.get(one.id, {})))
+
+    uses, used_by = _users(model, facts)
+    modules = {
+        name: replace(
+            module,
+            methods=[called(method) for method in module.methods],
+            uses=list(uses.get(name, {})),
+            used_by=list(used_by.get(name, {})),
+        )
+        for name, module in model.modules.items()
+    }
+    return replace(model, modules=modules, functions=functions)
 
 
-def _add_constants(model: Model, facts: Facts) -> None:
+def _constants(facts: Facts) -> dict[str, Constant]:
     """The constants by their names, without names that stand for several numbers."""
     found: dict[str, list[Constant]] = {}
     for fact in facts.syntax.values:
         if fact.place.file.startswith(tuple(f"{name}/" for name in DESIGN)):
             one = Constant(fact.number, fact.unit, fact.place)
             found.setdefault(fact.name, []).append(one)
-    for name, ones in sorted(found.items()):
-        if len({(one.number, one.unit) for one in ones}) == 1:
-            model.constants[name] = ones[0]
+    return {
+        name: ones[0]
+        for name, ones in sorted(found.items())
+        if len({(one.number, one.unit) for one in ones}) == 1
+    }
 
 
-def _add_users(model: Model, facts: Facts) -> None:
+Named = dict[str, dict[str, None]]  # module -> others, in order
+
+
+def _users(model: Model, facts: Facts) -> tuple[Named, Named]:
+    """What each module names, and by which ones it is named."""
+    uses: Named = {}
+    used_by: Named = {}
     for named in facts.syntax.names:
         user, used = facts.user(named.by, named.place), named.target.split("::")[0]
         if user not in model.modules or used not in model.modules or user == used:
             continue
         if model.modules[used].datatype or model.modules[user].datatype:
             continue
-        if used not in model.modules[user].uses:
-            model.modules[user].uses.append(used)
-            model.modules[used].used_by.append(user)
+        uses.setdefault(user, {})[used] = None
+        used_by.setdefault(used, {})[user] = None
+    return uses, used_by
 
 
-def _add_patterns(model: Model, facts: Facts) -> None:
+def _patterns(model: Model, facts: Facts) -> dict[str, PatternApplication]:
+    bindings = [binding for module in model.modules.values() for binding in module.roles]
+    found: dict[str, PatternApplication] = {}
     for module in model.modules.values():
         for part in facts.comment_of(module.name).parts("patternapp"):
             tag = part.tags[0]
             name, pattern, title = [*tag.arguments, "", "", ""][:3]
-            model.patterns[name] = PatternApplication(
+            found[name] = PatternApplication(
                 id=name,
                 pattern=pattern,
                 title=title,
@@ -373,12 +398,9 @@ def _add_patterns(model: Model, facts: Facts) -> None:
                 changes=part.one("changes"),
                 module=module.name,
                 place=tag.place,
+                roles=[binding for binding in bindings if binding.application == name],
             )
-    for module in model.modules.values():
-        for binding in module.roles:
-            if binding.application in model.patterns:
-                model.patterns[binding.application].roles.append(binding)
-    model.patterns = dict(sorted(model.patterns.items()))
+    return dict(sorted(found.items()))
 
 
 def requirement_key(name: str) -> tuple[str, int]:
@@ -386,32 +408,32 @@ def requirement_key(name: str) -> tuple[str, int]:
     return (kind, int(number) if number.isdigit() else 0)
 
 
-def _add_requirements(model: Model, facts: Facts) -> None:
+def _with_requirements(model: Model, facts: Facts) -> Model:
     sections: dict[str, str] = {}
+    found: dict[str, Requirement] = {}
     for comment in facts.comments.below(("requirements",)):
         for tag in comment.of("page"):
             sections[tag.place.file] = tag.source.splitlines()[0].split(maxsplit=2)[-1]
         for part in comment.parts("requirement"):
-            _add_requirement(model, part, sections)
-    model.requirements = dict(
-        sorted(model.requirements.items(), key=lambda entry: requirement_key(entry[0]))
-    )
-    for module in model.modules.values():
-        for method in module.methods:
-            for name in method.satisfies:
-                requirement = model.requirements.get(name)
-                if requirement is None:
-                    continue
-                if method.id not in requirement.satisfied_by:
-                    requirement.satisfied_by.append(method.id)
-                if name not in module.requirements:
-                    module.requirements.append(name)
-        module.requirements.sort(key=requirement_key)
+            found.setdefault(part.tags[0].argument, _requirement(part, sections))
+    methods: dict[str, dict[str, None]] = {}
+    modules: dict[str, Module] = {}
+    for name, module in model.modules.items():
+        tagged = [(id_, method) for method in module.methods for id_ in method.satisfies]
+        for id_, method in tagged:
+            methods.setdefault(id_, {})[method.id] = None
+        known = {id_ for id_, _ in tagged if id_ in found}
+        modules[name] = replace(module, requirements=sorted(known, key=requirement_key))
+    requirements = {
+        name: replace(found[name], satisfied_by=list(methods.get(name, {})))
+        for name in sorted(found, key=requirement_key)
+    }
+    return replace(model, modules=modules, requirements=requirements)
 
 
-def _add_requirement(model: Model, part: Comment, sections: dict[str, str]) -> None:
+def _requirement(part: Comment, sections: dict[str, str]) -> Requirement:
     tag = part.tags[0]
-    requirement = Requirement(
+    return Requirement(
         id=tag.argument,
         text=tag.text,
         section=sections.get(tag.place.file, ""),
@@ -427,7 +449,6 @@ def _add_requirement(model: Model, part: Comment, sections: dict[str, str]) -> N
         sources=read_sources(part.one("source")),
         evidence=[read_evidence(text, tag.place) for text in part.all("evidence")],
     )
-    model.requirements.setdefault(tag.argument, requirement)
 
 
 def logic_of(file: str) -> str:
@@ -435,7 +456,7 @@ def logic_of(file: str) -> str:
     return str(Path(file).parent).removeprefix(f"{SRC}/")
 
 
-def _add_uses(model: Model, facts: Facts) -> None:
+def _uses(model: Model, facts: Facts) -> list[Use]:
     found: dict[tuple[str, str], list[Place]] = {}
     others: dict[tuple[str, str], Place] = {}  # the first call or name, where nothing is included
     folders = {fact.name: logic_of(fact.place.file) for fact in facts.syntax.classes}
@@ -454,9 +475,11 @@ def _add_uses(model: Model, facts: Facts) -> None:
         if target is not None:
             others.setdefault((logic_of(name.place.file), target), name.place)
     found = {pair: [place] for pair, place in others.items()} | found
-    for (source, target), places in sorted(found.items()):
-        if source != target and source.startswith(tuple(model.logic_modules)):
-            model.uses.append(Use(source, target, places))
+    return [
+        Use(source, target, places)
+        for (source, target), places in sorted(found.items())
+        if source != target and source.startswith(tuple(model.logic_modules))
+    ]
 
 
 def _declared_in(call: CallFact, facts: Facts) -> str:
@@ -467,25 +490,41 @@ def _declared_in(call: CallFact, facts: Facts) -> str:
     return call.declared
 
 
-def _add_measures(model: Model, root: Path, coverage: dict[str, Coverage]) -> None:
-    whole, covered = coverage[HOST].whole, coverage[HOST].all()
-    model.board_lines = _board_lines(model, coverage[VIRTUAL_K64])
+def _with_measures(model: Model, root: Path, coverage: dict[str, Coverage]) -> Model:
     sizes = read_sizes(root)
-    for module in model.modules.values():
-        if module.datatype:
-            continue
-        for file in (module.header, module.source):
-            if file is None or file not in whole.lines:
-                continue
-            lines, hit = whole.lines[file], covered.lines.get(file, set())
-            branches, taken = whole.branches[file], covered.branches.get(file, set())
-            module.line_hits[file] = {line: int(line in hit) for line in sorted(lines)}
-            module.lines_total = (module.lines_total or 0) + len(lines)
-            module.lines_covered = (module.lines_covered or 0) + len(lines & hit)
-            module.branches_total = (module.branches_total or 0) + len(branches)
-            module.branches_covered = (module.branches_covered or 0) + len(branches & taken)
-        if module.name in sizes:
-            module.flash_bytes, module.ram_bytes = sizes[module.name]
+    modules: dict[str, Module] = {}
+    for name, module in model.modules.items():
+        flash, ram = sizes.get(name, (None, None))
+        modules[name] = (
+            module
+            if module.datatype
+            else replace(_covered(module, coverage[HOST]), flash_bytes=flash, ram_bytes=ram)
+        )
+    board_lines = _board_lines(model, coverage[VIRTUAL_K64])
+    return replace(model, modules=modules, board_lines=board_lines)
+
+
+def _covered(module: Module, coverage: Coverage) -> Module:
+    """The module with what the tests executed of its files."""
+    whole, covered = coverage.whole, coverage.all()
+    files = [
+        one for one in (module.header, module.source) if one is not None and one in whole.lines
+    ]
+    if not files:
+        return module
+    hit = {file: covered.lines.get(file, set()) for file in files}
+    taken = [whole.branches[file] & covered.branches.get(file, set()) for file in files]
+    return replace(
+        module,
+        line_hits={
+            file: {line: int(line in hit[file]) for line in sorted(whole.lines[file])}
+            for file in files
+        },
+        lines_total=sum(len(whole.lines[file]) for file in files),
+        lines_covered=sum(len(whole.lines[file] & hit[file]) for file in files),
+        branches_total=sum(len(whole.branches[file]) for file in files),
+        branches_covered=sum(len(one) for one in taken),
+    )
 
 
 def _board_lines(model: Model, coverage: Coverage) -> dict[str, dict[int, bool]] | None:
@@ -498,46 +537,3 @@ def _board_lines(model: Model, coverage: Coverage) -> dict[str, dict[int, bool]]
         for file, lines in sorted(coverage.whole.lines.items())
         if file.startswith(DRIVERS)
     }
-
-
-def set_states(model: Model) -> None:
-    """Anew after the checks, which count among the evidence."""
-    for requirement in model.requirements.values():
-        requirement.reasons = _reasons(model, requirement)
-        if any(model.tests[name].gave("failed") for name in requirement.verified_by):
-            requirement.state = "failed"
-        elif requirement.reasons:
-            requirement.state = "unverified"
-        else:
-            requirement.state = "stale" if model.results_stale else _sound_state(requirement)
-    settle_safety(model)
-
-
-def _sound_state(requirement: Requirement) -> str:
-    """The state of a requirement of which all tests and all evidence hold."""
-    if requirement.suspicions:
-        return "suspect"
-    return "partly" if requirement.partly else "verified"
-
-
-def _reasons(model: Model, requirement: Requirement) -> list[str]:
-    """Why a requirement is not verified."""
-    reasons: list[str] = []
-    for evidence in requirement.evidence:
-        reasons += reasons_of_evidence(evidence)
-    if requirement.by_calls and not requirement.satisfied_by:
-        reasons.append("no method satisfies it")
-    if not requirement.evidence and not requirement.verified_by:
-        reasons.append("no test verifies it")
-    for result, words in (("failed", "failed"), ("skipped", "skipped"), (None, "did not run")):
-        for binding in BINDINGS:
-            tests = [n for n in requirement.verified_by if binding in model.tests[n].gave(result)]
-            if tests:
-                reasons.append(f"{words} on the {binding}: {', '.join(tests)}")
-    if requirement.tree is None:
-        return [*reasons, "it has no tree of invocations"] if requirement.by_calls else reasons
-    nodes = nodes_of(requirement.tree)
-    reasons += [f"no call reaches {node.label}" for node in nodes if not node.reachable]
-    if not requirement.runs:
-        reasons.append("no passing test executed its tree")
-    return reasons

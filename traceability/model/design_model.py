@@ -6,9 +6,12 @@ declarations in ``design/``, test results, traces, coverage and sizes.
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
-from traceability.reading.source_facts import Facts
+from traceability.reading.seeded_fault_record import Outcome
+from traceability.reading.seeded_faults import Fault
 from traceability.schema import (
     AllowedUse,
     Apart,
@@ -22,7 +25,6 @@ from traceability.schema import (
     Cycle,
     DriverFault,
     ExecutionContext,
-    Finding,
     Function,
     Justified,
     LikelyChange,
@@ -47,53 +49,58 @@ from traceability.schema import (
 )
 
 
-@dataclass
+@dataclass(frozen=True)
 class Model:
     commit: str
     version: str
     sources_hash: str
-    results_hashes: dict[str, str | None]  # binding with tests -> sources of its last run
-    logic_modules: dict[str, LogicModule] = field(default_factory=dict)
-    modules: dict[str, Module] = field(default_factory=dict)
-    functions: dict[str, Function] = field(default_factory=dict)
-    constants: dict[str, Constant] = field(default_factory=dict)  # by the names that texts use
-    patterns: dict[str, PatternApplication] = field(default_factory=dict)
-    requirements: dict[str, Requirement] = field(default_factory=dict)
-    tests: dict[str, Test] = field(default_factory=dict)
-    justified: list[Justified] = field(default_factory=list)
+    results_hashes: Mapping[str, str | None]  # binding with tests -> sources of its last run
+    logic_modules: Mapping[str, LogicModule] = field(default_factory=dict)
+    modules: Mapping[str, Module] = field(default_factory=dict)
+    functions: Mapping[str, Function] = field(default_factory=dict)
+    constants: Mapping[str, Constant] = field(default_factory=dict)  # by the names that texts use
+    patterns: Mapping[str, PatternApplication] = field(default_factory=dict)
+    requirements: Mapping[str, Requirement] = field(default_factory=dict)
+    tests: Mapping[str, Test] = field(default_factory=dict)
+    justified: Sequence[Justified] = field(default_factory=list)
     mutation: Mutation | None = None  # of these sources
-    machines: dict[str, StateMachine] = field(default_factory=dict)
-    contexts: dict[str, ExecutionContext] = field(default_factory=dict)
+    machines: Mapping[str, StateMachine] = field(default_factory=dict)
+    contexts: Mapping[str, ExecutionContext] = field(default_factory=dict)
     stack: StackProof | None = None  # of the image, when it was built from the present sources
-    pipes: list[SharedPipe] = field(default_factory=list)
-    shared: list[SharedMember] = field(default_factory=list)
-    uses: list[Use] = field(default_factory=list)
-    allowed_uses: list[AllowedUse] = field(default_factory=list)
-    allowed_cycles: list[Cycle] = field(default_factory=list)
-    kept_apart: list[Apart] = field(default_factory=list)
-    architecture: list[ArchitectureElement] = field(default_factory=list)
-    messages: list[MessageField] = field(default_factory=list)
-    groups: list[ArchitectureGroup] = field(default_factory=list)
-    connections: list[Connection] = field(default_factory=list)
-    paper: list[PaperElement] = field(default_factory=list)
-    paper_places: list[PaperPlace] = field(default_factory=list)
-    changes: dict[str, LikelyChange] = field(default_factory=dict)  # by application
-    board_findings: dict[str, BoardFinding] = field(default_factory=dict)
-    beliefs: list[BoardBelief] = field(default_factory=list)
-    belief_sources: dict[str, BeliefSource] = field(default_factory=dict)
-    driver_faults: list[DriverFault] | None = None  # of these sources
+    pipes: Sequence[SharedPipe] = field(default_factory=list)
+    shared: Sequence[SharedMember] = field(default_factory=list)
+    uses: Sequence[Use] = field(default_factory=list)
+    allowed_uses: Sequence[AllowedUse] = field(default_factory=list)
+    allowed_cycles: Sequence[Cycle] = field(default_factory=list)
+    kept_apart: Sequence[Apart] = field(default_factory=list)
+    architecture: Sequence[ArchitectureElement] = field(default_factory=list)
+    messages: Sequence[MessageField] = field(default_factory=list)
+    groups: Sequence[ArchitectureGroup] = field(default_factory=list)
+    connections: Sequence[Connection] = field(default_factory=list)
+    paper: Sequence[PaperElement] = field(default_factory=list)
+    paper_places: Sequence[PaperPlace] = field(default_factory=list)
+    changes: Mapping[str, LikelyChange] = field(default_factory=dict)  # by application
+    board_findings: Mapping[str, BoardFinding] = field(default_factory=dict)
+    beliefs: Sequence[BoardBelief] = field(default_factory=list)
+    belief_sources: Mapping[str, BeliefSource] = field(default_factory=dict)
+    driver_faults: Sequence[DriverFault] | None = None  # of these sources
     # File of the drivers -> line -> whether the tests executed it on the virtual K64.
-    board_lines: dict[str, dict[int, bool]] | None = None
-    line_gaps: list[LineGap] = field(default_factory=list)
-    reviews_of_nothing: list[str] = field(default_factory=list)  # requirements that are no more
+    board_lines: Mapping[str, dict[int, bool]] | None = None
+    line_gaps: Sequence[LineGap] = field(default_factory=list)
+    reviews_of_nothing: Sequence[str] = field(default_factory=list)  # requirements that are no more
     # What the design asks for, be it written or not.
-    designed_modules: list[str] = field(default_factory=list)
-    designed_applications: dict[str, str] = field(default_factory=dict)  # id -> pattern
-    closed_loop: list[LoopScenario] = field(default_factory=list)
+    designed_modules: Sequence[str] = field(default_factory=list)
+    designed_applications: Mapping[str, str] = field(default_factory=dict)  # id -> pattern
+    closed_loop: Sequence[LoopScenario] = field(default_factory=list)
     safety: SafetyCase = field(default_factory=SafetyCase)
-    findings: list[Finding] = field(default_factory=list)
-    files: list[str] = field(default_factory=list)  # sources that get a source page
-    facts: Facts | None = field(default=None, repr=False)  # for the checks; no document reads it
+    # Records of other steps; ``None`` when they are not of the present sources.
+    bench: Mapping[str, Any] | None = None
+    bench_paper: Mapping[str, Any] | None = None  # of the product without safety functions
+    products: Mapping[str, dict[str, Any]] | None = None  # product -> what its image holds
+    faults: Sequence[Fault] = field(default_factory=list)  # that are seeded to test the checks
+    outcomes: Sequence[Outcome] | None = None  # what became of them
+    measured: Mapping[str, Any] = field(default_factory=dict)  # metrics of other steps
+    files: Sequence[str] = field(default_factory=list)  # sources that get a source page
 
     def stale_on(self, binding: str) -> bool:
         """Whether the results of a binding are missing or older than the sources."""

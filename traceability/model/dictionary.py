@@ -6,6 +6,7 @@ Who makes a part is who assigns it or names it in a list; who reads it names it 
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 from traceability.model.design_model import Model
@@ -18,16 +19,16 @@ ACCESS = re.compile(r"\w*(Reader|Writer)::(read|write)([UI]\d+)")
 UNIT = re.compile(r"\[([^\]]+)\]")
 
 
-def add_dictionary(model: Model, facts: Facts) -> None:
+def with_dictionary(model: Model, facts: Facts) -> Model:
     users = part_users(model, facts)
+    modules = dict(model.modules)
     for module in model.modules.values():
-        if not module.datatype:
-            continue
-        for part in parts_of(module.name, facts):
+        parts: list[DataPart] = []
+        for part in parts_of(module.name, facts) if module.datatype else []:
             makers, readers = users.get(f"{module.name}::{part.name}", (set(), set()))
             text = facts.comment(part).brief
             unit = UNIT.search(text) or UNIT.search(unit_text(part.type, model))
-            module.parts.append(
+            parts.append(
                 DataPart(
                     part.name,
                     part.type,
@@ -37,7 +38,8 @@ def add_dictionary(model: Model, facts: Facts) -> None:
                     sorted(readers - makers - {module.name}),
                 )
             )
-    model.messages = message_fields(model, facts)
+        modules[module.name] = replace(module, parts=parts)
+    return replace(model, modules=modules, messages=message_fields(model, facts))
 
 
 def parts_of(name: str, facts: Facts) -> list[FieldFact]:
@@ -75,10 +77,9 @@ def part_users(model: Model, facts: Facts) -> dict[str, tuple[set[str], set[str]
 
 def message_fields(model: Model, facts: Facts) -> list[MessageField]:
     """The fields of the messages, in the order in which they are declared."""
-    found = {
-        part.name: MessageField(part.name, facts.comment(part).brief)
-        for part in parts_of(FIELDS, facts)
-    }
+    parts = parts_of(FIELDS, facts)
+    widths: dict[str, str] = {}
+    users: dict[tuple[str, str], dict[str, None]] = {}  # field, "write" or "read" -> modules
     tables: dict[str, list[str]] = {}  # a member that holds names of fields -> the names
     for flow in facts.syntax.flows:
         tables.setdefault(flow.into, []).extend(flow.sources)
@@ -88,11 +89,17 @@ def message_fields(model: Model, facts: Facts) -> list[MessageField]:
             access = ACCESS.fullmatch(call.target)
             for place in call.args[0] if access and call.args else ():
                 for one in (place, *tables.get(place, [])):
-                    entry = found.get(one.removeprefix(f"constant {FIELDS}::"))
-                    if entry is None or access is None:
-                        continue
-                    entry.width = access[3].lower()
-                    users = entry.writers if access[2] == "write" else entry.readers
-                    if name not in users:
-                        users.append(name)
-    return list(found.values())
+                    part = one.removeprefix(f"constant {FIELDS}::")
+                    if access is not None:
+                        widths[part] = access[3].lower()
+                        users.setdefault((part, access[2]), {})[name] = None
+    return [
+        MessageField(
+            part.name,
+            facts.comment(part).brief,
+            widths.get(part.name, ""),
+            list(users.get((part.name, "write"), {})),
+            list(users.get((part.name, "read"), {})),
+        )
+        for part in parts
+    ]

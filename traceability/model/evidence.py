@@ -23,19 +23,19 @@ def read_evidence(text: str, place: Place) -> Evidence:
     return Evidence(match[1], match[2], float(match[3]), match[4] or "", place)
 
 
-def settle_evidence(
+def measured_values(
     model: Model, figures: Mapping[str, Any], findings: Iterable[Finding], checks: Collection[str]
-) -> None:
-    """Gives each evidence the figure that was measured. What was not measured stays missing."""
+) -> dict[str, float | None]:
+    """Figure of an evidence -> its value in this run; ``None`` when it was not measured."""
     counts = Counter(finding.check for finding in findings)
-    for requirement in model.requirements.values():
-        for evidence in requirement.evidence:
-            if evidence.figure.startswith(CHECKS):
-                pattern = evidence.figure.removeprefix(CHECKS)
-                known = fnmatch.filter(checks, pattern)
-                evidence.value = float(sum(counts[one] for one in known)) if known else None
-            else:
-                evidence.value = figure_of(figures, evidence.figure)
+    found: dict[str, float | None] = {}
+    for name in {one.figure for item in model.requirements.values() for one in item.evidence}:
+        if name.startswith(CHECKS):
+            known = fnmatch.filter(checks, name.removeprefix(CHECKS))
+            found[name] = float(sum(counts[one] for one in known)) if known else None
+        else:
+            found[name] = figure_of(figures, name)
+    return found
 
 
 def figure_of(figures: Mapping[str, Any], name: str) -> float | None:
@@ -51,12 +51,12 @@ def figure_of(figures: Mapping[str, Any], name: str) -> float | None:
     return float(value) if isinstance(value, (int, float)) else None
 
 
-def reasons(evidence: Evidence) -> list[str]:
+def reasons(evidence: Evidence, value: float | None) -> list[str]:
     """Why the evidence does not verify its requirement; nothing when it does."""
     if not evidence.relation:
         return [f"its evidence cannot be read: {evidence.figure}"]
-    if evidence.value is None:
+    if value is None:
         return [f"{evidence.figure} was not measured"]
-    if not evidence.holds:
-        return [f"{evidence.figure} is {evidence.value:g} and must be {evidence.demand}"]
+    if not evidence.holds(value):
+        return [f"{evidence.figure} is {value:g} and must be {evidence.demand}"]
     return []

@@ -7,7 +7,7 @@ gave.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from traceability.model.design_model import Model
 from traceability.reading.ast_facts import BodyFact, FieldFact
@@ -31,23 +31,31 @@ class Code:
     reached: dict[str, dict[str, str]] = field(default_factory=dict)  # context -> method -> caller
 
 
-def add_execution(model: Model, facts: Facts) -> None:
+def with_execution(model: Model, facts: Facts) -> Model:
     code = Code(handler_lines(facts))
     priorities = line_priorities(facts)
-    for context in facts.declared.contexts.values():
-        context.lines = sorted({n for one in context.handlers for n in code.lines.get(one, [])})
-        names = {priorities[line] for line in context.lines if line in priorities}
-        known = {facts.syntax.constants[name] for name in names}
-        context.priority = next(iter(known)) if len(known) == 1 else None
+    contexts: dict[str, ExecutionContext] = {}
+    for name, context in facts.declared.contexts.items():
+        lines = sorted({n for one in context.handlers for n in code.lines.get(one, [])})
+        names = {priorities[line] for line in lines if line in priorities}
+        known = {facts.syntax.constants[one] for one in names}
         narrowed = {DISPATCH: context.body} if context.body else {}
         reached = facts.references.reached(context.handlers, narrowed, facts.declared.ends)
         code.reached[context.id] = reached
         owned = {m: m.rpartition("::")[0].split("::")[0] for m in reached}
-        context.methods = sorted(m for m, name in owned.items() if name in model.modules)
-        context.first = first_methods(context, reached, model)
-    model.contexts = facts.declared.contexts
-    model.pipes = pipes_of(model, facts, code)
-    model.shared = shared_members(model, facts, code)
+        contexts[name] = replace(
+            context,
+            lines=lines,
+            priority=next(iter(known)) if len(known) == 1 else None,
+            methods=sorted(m for m, owner in owned.items() if owner in model.modules),
+            first=first_methods(context, reached, model),
+        )
+    return replace(
+        model,
+        contexts=contexts,
+        pipes=pipes_of(model, facts, code),
+        shared=shared_members(model, facts, code),
+    )
 
 
 def first_methods(context: ExecutionContext, reached: dict[str, str], model: Model) -> list[str]:
@@ -111,17 +119,8 @@ def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
     held = {
         one.name for places in facts.references.known.values() for one in places if one.kind == PIPE
     }
-    found: dict[str, SharedPipe] = {}
-    for name in sorted(held):
-        declared = facts.declared.pipes.get(name)
-        place, kind = place_of(name, facts)
-        found[name] = SharedPipe(
-            id=name,
-            name=declared.name if declared else name,
-            says=declared.says if declared else "",
-            type=kind,
-            place=place,
-        )
+    writers: dict[str, dict[str, list[str]]] = {name: {} for name in held}
+    readers: dict[str, dict[str, list[str]]] = {name: {} for name in held}
     for body in facts.syntax.bodies:
         if not body.place.file.startswith("src/"):
             continue
@@ -130,11 +129,17 @@ def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
             if owner != PIPE or operation not in ("write", *READS):
                 continue
             for one in facts.references.objects(call.on, PIPE):
-                users = found[one.name].writers if operation == "write" else found[one.name].readers
+                users = (writers if operation == "write" else readers)[one.name]
                 for user in users_of(body, one, model, facts):
                     users[user] = contexts_of(user, code)
+    found: list[SharedPipe] = []
+    for name in sorted(held):
+        declared = facts.declared.pipes.get(name)
+        place, kind = place_of(name, facts)
+        title, says = (declared.name, declared.says) if declared else (name, "")
+        found.append(SharedPipe(name, title, says, kind, place, writers[name], readers[name]))
     order = {name: number for number, name in enumerate(facts.declared.pipes)}
-    return sorted(found.values(), key=lambda one: order.get(one.id, len(order)))
+    return sorted(found, key=lambda one: order.get(one.id, len(order)))
 
 
 def users_of(user: BodyFact, pipe: Object, model: Model, facts: Facts) -> list[str]:

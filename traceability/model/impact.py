@@ -8,6 +8,7 @@ change of an heir does not reach those that know the abstraction only.
 from __future__ import annotations
 
 import difflib
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from traceability.model.design_model import Model
@@ -72,7 +73,7 @@ class Impacts:
             found.setdefault(user, f"names {name}")
         return {one: why for one, why in found.items() if one in self.model.modules and one != name}
 
-    def _bases(self, name: str) -> list[str]:
+    def _bases(self, name: str) -> Sequence[str]:
         return self.model.modules[name].bases if name in self.model.modules else []
 
     def _calls(self, owner: str, method: str) -> bool:

@@ -13,12 +13,14 @@ from traceability.reading.traces import nodes_of
 from traceability.schema import LikelyChange, PatternApplication
 
 
-def add_changes(model: Model, texts: ChangeTexts) -> None:
+def changes_of(model: Model, texts: ChangeTexts) -> dict[str, LikelyChange]:
+    found: dict[str, LikelyChange] = {}
     for application in model.patterns.values():
         recipe = texts.recipes.get(application.pattern)
         if recipe:
             particular = texts.particulars.get(application.id, Particular())
-            model.changes[application.id] = _change(model, application, recipe, particular)
+            found[application.id] = _change(model, application, recipe, particular)
+    return found
 
 
 def _change(

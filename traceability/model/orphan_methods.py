@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from dataclasses import replace
+
 from traceability.model.design_model import Model
 from traceability.reading.traces import nodes_of
 from traceability.schema import Justified, Method, Module, Test
@@ -47,23 +50,25 @@ def tests_without(model: Model) -> list[Test]:
     return [test for test in model.tests.values() if not test.verifies]
 
 
-def justify(model: Model, declared: list[Justified]) -> None:
-    """Notes which methods, tests and lines each justification is needed for."""
-    model.justified = declared
+def justify(model: Model, declared: Iterable[Justified]) -> Model:
+    """Adds which methods, tests and lines each justification is needed for."""
     methods = [method.id for _, method in methods_without(model)]
     tests = tests_without(model)
-    for item in model.justified:
+    reasons: dict[str, str] = {}
+    justified: list[Justified] = []
+    for item in declared:
         if item.kind == "method":
-            item.covers = [name for name in methods if name in item.names]
+            covers = [name for name in methods if name in item.names]
         elif item.kind == "line":
-            gaps = [gap for gap in model.line_gaps if gap.method in item.names]
-            item.covers = [gap.method for gap in gaps]
-            for gap in gaps:
-                gap.reason = item.why
+            covers = [gap.method for gap in model.line_gaps if gap.method in item.names]
+            reasons |= dict.fromkeys(covers, item.why)
         else:
             places = tuple(name for name in item.names if "/" in name)
-            item.covers = [
+            covers = [
                 test.id
                 for test in tests
                 if test.id in item.names or test.place.file.startswith(places)
             ]
+        justified.append(replace(item, covers=covers))
+    gaps = [replace(gap, reason=reasons.get(gap.method, "")) for gap in model.line_gaps]
+    return replace(model, justified=justified, line_gaps=gaps)

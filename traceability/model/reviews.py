@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from traceability.model.design_model import Model
@@ -143,30 +143,34 @@ def hashes(texts: Iterable[LinkText]) -> dict[str, dict[str, str]]:
     return found
 
 
-def add_reviews(model: Model, root: Path, entries: Entries) -> None:
+def with_reviews(model: Model, root: Path, entries: Entries) -> Model:
     reviews = read_reviews(root, entries)
     sources = Sources(root)
-    for requirement in model.requirements.values():
-        requirement.review = reviews.get(requirement.id)
-        texts = link_texts(model, requirement, sources)
-        requirement.suspicions = suspicions(requirement, texts)
-    model.reviews_of_nothing = sorted(reviews.keys() - model.requirements.keys())
+    requirements: dict[str, Requirement] = {}
+    for name, requirement in model.requirements.items():
+        review = reviews.get(name)
+        found = suspicions(requirement, review, link_texts(model, requirement, sources))
+        requirements[name] = replace(requirement, review=review, suspicions=found)
+    of_nothing = sorted(reviews.keys() - model.requirements.keys())
+    return replace(model, requirements=requirements, reviews_of_nothing=of_nothing)
 
 
-def suspicions(requirement: Requirement, texts: list[LinkText]) -> list[Suspicion]:
+def suspicions(
+    requirement: Requirement, review: Review | None, texts: list[LinkText]
+) -> list[Suspicion]:
     """What is not as it was reviewed."""
-    if requirement.review is None:
+    if review is None:
         return [Suspicion("requirement", requirement.id, requirement.place, "was never reviewed")]
     found: list[Suspicion] = []
     now = {(one.kind, one.name): one for one in texts}
     for (kind, name), one in now.items():
-        known = requirement.review.hashes[kind].get(name)
+        known = review.hashes[kind].get(name)
         if known is None:
             found.append(Suspicion(kind, name, one.place, "was added since the review"))
         elif known != one.hash:
             found.append(Suspicion(kind, name, one.place, "changed since the review"))
     for kind in KINDS:
-        for name in requirement.review.hashes[kind]:
+        for name in review.hashes[kind]:
             if (kind, name) not in now:
                 text = "was removed since the review"
                 found.append(Suspicion(kind, name, requirement.place, text))

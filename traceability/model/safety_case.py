@@ -1,28 +1,37 @@
-"""Adds the safety case to the model, and settles what this run shows of its goals."""
+"""Adds the safety case to the model, and decides what this run shows of its goals."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from pathlib import Path
 
 from traceability.model.design_model import Model
+from traceability.model.report import Verdict
 from traceability.reading.declared_safety import SCENARIOS
 from traceability.reading.gtest_cases import read_tests
 from traceability.reading.safety_cost import read_cost
 from traceability.reading.source_facts import Facts
-from traceability.schema import BindingResult, FaultScenario, Requirement, SafetyGoal, Test
+from traceability.schema import (
+    BindingResult,
+    FaultScenario,
+    Requirement,
+    SafetyCase,
+    SafetyGoal,
+    Test,
+)
 
 
-def add_safety(model: Model, facts: Facts) -> None:
+def safety_of(model: Model, facts: Facts) -> SafetyCase:
     """The case with the tests that play its scenarios, and what git counts.
 
     A parameterised test that names their folder may play each of them, until it has run.
     """
-    model.safety = facts.declared.safety
-    if not model.safety.goals:
-        return
-    model.safety.cost = read_cost(facts.root, model.safety)
+    case = facts.declared.safety
+    if not case.goals:
+        return case
+    playing: dict[str, list[str]] = {}
     texts = {test.place.file: "" for test in model.tests.values()}
     texts = {file: _playing(facts.root / file) for file in texts}
     code = {case.id: case.code for text in texts.values() for case in read_tests(text)}
@@ -30,9 +39,13 @@ def add_safety(model: Model, facts: Facts) -> None:
         body = code.get(test.id, "")
         runs = [name for result in test.results.values() for name in result.recordings]
         every = not runs and body.startswith("TEST_P") and str(SCENARIOS) in texts[test.place.file]
-        for scenario in model.safety.scenarios.values():
-            if every or plays(scenario.name, test.name, body, runs):
-                scenario.tests.append(test.id)
+        for name in case.scenarios:
+            if every or plays(name, test.name, body, runs):
+                playing.setdefault(name, []).append(test.id)
+    scenarios = {
+        name: replace(one, tests=playing.get(name, [])) for name, one in case.scenarios.items()
+    }
+    return replace(case, scenarios=scenarios, cost=read_cost(facts.root, case))
 
 
 def _playing(path: Path) -> str:
@@ -50,17 +63,20 @@ def plays(scenario: str, case: str, body: str, runs: Iterable[str]) -> bool:
 # ---- verdicts -------------------------------------------------------------------
 
 
-def settle_safety(model: Model) -> None:
-    """The state of each scenario and each goal, after that of the requirements."""
-    for scenario in model.safety.scenarios.values():
-        scenario.state = scenario_state(model, scenario)
-    for goal in model.safety.goals.values():
-        goal.reasons = [*_reasons(model, goal)]
-        states = [one.state for one in requirements_of(model, goal)]
-        states += [one.state for one in scenarios_of(model, goal)]
-        goal.state = "open" if goal.reasons else "verified"
-        if "failed" in states:
-            goal.state = "failed"
+def safety_verdicts(
+    model: Model, requirements: Mapping[str, Verdict]
+) -> tuple[dict[str, str], dict[str, Verdict]]:
+    """The states of the fault scenarios, and the verdicts of the goals."""
+    scenarios = {name: scenario_state(model, one) for name, one in model.safety.scenarios.items()}
+    states = scenarios | {name: verdict.state for name, verdict in requirements.items()}
+    goals = {name: _verdict(model, goal, states) for name, goal in model.safety.goals.items()}
+    return scenarios, goals
+
+
+def _verdict(model: Model, goal: SafetyGoal, states: Mapping[str, str]) -> Verdict:
+    reasons = [*_reasons(model, goal, states)]
+    failed = "failed" in {states.get(name) for name in (*goal.requirements, *goal.scenarios)}
+    return Verdict("failed" if failed else "open" if reasons else "verified", reasons)
 
 
 def requirements_of(model: Model, goal: SafetyGoal) -> list[Requirement]:
@@ -90,27 +106,27 @@ def own_result(scenario: FaultScenario, test: Test, run: BindingResult) -> str |
     return next(iter(own), run.result)
 
 
-def _reasons(model: Model, goal: SafetyGoal) -> Iterable[str]:
+def _reasons(model: Model, goal: SafetyGoal, states: Mapping[str, str]) -> Iterable[str]:
     """Why a goal is not verified in this run."""
     yield from (f"it does not hold: {case}" for case in goal.exceptions)
     if not goal.requirements:
         yield "no requirement serves it"
     for name in goal.requirements:
-        requirement = model.requirements.get(name)
-        if requirement is None:
+        state = states.get(name)
+        if state is None:
             yield f"there is no requirement {name}"
-        elif requirement.state == "partly":
-            yield f"{name} is partly verified: {requirement.partly}"
-        elif requirement.state != "verified":
-            yield f"{name} is {STATES[requirement.state]}"
+        elif state == "partly":
+            yield f"{name} is partly verified: {model.requirements[name].partly}"
+        elif state != "verified":
+            yield f"{name} is {STATES[state]}"
     if not goal.scenarios:
         yield "no fault scenario is about it"
     for name in goal.scenarios:
-        scenario = model.safety.scenarios.get(name)
-        if scenario is None:
+        state = states.get(name)
+        if state is None:
             yield f"there is no scenario {name}"
-        elif scenario.state != "verified":
-            yield f"the scenario {name} is {STATES[scenario.state]}"
+        elif state != "verified":
+            yield f"the scenario {name} is {STATES[state]}"
 
 
 STATES = {

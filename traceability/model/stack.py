@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import fnmatch
 import tomllib
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from traceability.model.design_model import Model
@@ -64,10 +64,9 @@ def prove(root: Path, model: Model, facts: Facts) -> StackProof | None:
     graph = read_graph(built.parents[2], built)
     frame = FRAME_WITH_FLOATS if uses_floats(elf) else FRAME
     proof = Prover(graph, facts, model, read_declared(root)).prove(frame)
-    proof.limit = symbol_value(elf, "stackSize")
     runs = [run for scenario in model.closed_loop or [] for run in scenario.runs.values()]
-    proof.seen = max((run.stack for run in runs if run.stack is not None), default=None)
-    return proof
+    seen = max((run.stack for run in runs if run.stack is not None), default=None)
+    return replace(proof, limit=symbol_value(elf, "stackSize"), seen=seen)
 
 
 def most_entries(model: Model, declared: Declared) -> dict[str, int]:
@@ -106,11 +105,13 @@ class Prover:
                 key = (call.place.file, call.place.line)
                 self.written.setdefault(key, []).append((body.id, call))
         self.most = most_entries(model, declared)
-        self.proof = StackProof(exception_frame=0)
+        self.contexts: list[StackContext] = []
+        self.unresolved: list[tuple[str, Place]] = []
+        self.cycles: list[list[str]] = []
+        self.untold: list[str] = []
         self.body = ""  # the command of the thread that is looked at
 
     def prove(self, frame: int) -> StackProof:
-        self.proof.exception_frame = frame
         for context in self.model.contexts.values():
             self.body = context.body
             roots = [s for one in context.handlers for s in self.symbols.get(one, [])]
@@ -122,14 +123,20 @@ class Prover:
         for handler in self.declared.faults:
             for symbol in self.symbols.get(handler, []):
                 self._add("faults", "faults", "fault", -1, self.deepest(symbol))
-        self.proof.dynamic = sorted(one.name for one in self.graph.values() if one.dynamic)
-        return self.proof
+        return StackProof(
+            exception_frame=frame,
+            contexts=self.contexts,
+            unresolved=self.unresolved,
+            cycles=self.cycles,
+            dynamic=sorted(one.name for one in self.graph.values() if one.dynamic),
+            untold=self.untold,
+        )
 
     def _add(
         self, one: str, name: str, kind: str, priority: int | None, chain: list[StackCall]
     ) -> None:
         depth = sum(call.bytes for call in chain)
-        self.proof.contexts.append(StackContext(one, name, kind, priority, depth, chain))
+        self.contexts.append(StackContext(one, name, kind, priority, depth, chain))
 
     # ---- the deepest chain of calls -------------------------------------------------
 
@@ -146,7 +153,7 @@ class Prover:
     ) -> list[StackCall]:
         function = self.graph[symbol]
         if function.measured and function.blind and function.name.startswith("wr::"):
-            self.proof.untold += {function.name}.difference(self.proof.untold)
+            self.untold += {function.name}.difference(self.untold)
         method = short_name(function.name)
         if method in self.most:
             entered = {**entered, method: entered.get(method, 0) + 1}
@@ -177,8 +184,8 @@ class Prover:
 
     def _note_cycle(self, path: list[str], target: str) -> None:
         cycle = [short_name(self.graph[one].name) for one in path[path.index(target) :]]
-        if not any(set(cycle) == set(known) for known in self.proof.cycles):
-            self.proof.cycles.append(cycle)
+        if not any(set(cycle) == set(known) for known in self.cycles):
+            self.cycles.append(cycle)
 
     # ---- what a function calls ------------------------------------------------------
 
@@ -198,6 +205,6 @@ class Prover:
                 narrowed = self.body and body == RUN_OF_THREAD and call.target == DISPATCH
                 targets += [self.body] if narrowed else self.facts.references.targets(call)
         symbols = [symbol for one in targets for symbol in self.symbols.get(one, [])]
-        if not symbols and not any(known == place for _, known in self.proof.unresolved):
-            self.proof.unresolved.append((short_name(function.name), place))
+        if not symbols and not any(known == place for _, known in self.unresolved):
+            self.unresolved.append((short_name(function.name), place))
         return symbols

@@ -307,16 +307,17 @@ class _Run:
         self.running, self.changed = None, None
 
 
-def add_machines(model: Model, facts: Facts, recordings: dict[str, Traces], cache: Path) -> None:
+def machines_of(
+    model: Model, facts: Facts, recordings: dict[str, Traces], cache: Path
+) -> dict[str, StateMachine]:
     """Each transition with its places in the code and the passing tests that show it."""
-    codes = {name: read_machine(m, facts) for name, m in model.machines.items()}
-    for name, machine in model.machines.items():
-        for step in machine.transitions:
-            step.changes = [one.place for one in matching(machine, step, codes[name])]
-    for name, code in codes.items():
-        events = set(model.machines[name].events.values())
-        watcher = Watcher(code, events, _family(name, model, facts))
-        _note_all(model, name, code, watch_all(watcher, recordings[HOST], cache / f"{name}.pickle"))
+    found: dict[str, StateMachine] = {}
+    for name, machine in facts.declared.machines.items():
+        code = read_machine(machine, facts)
+        watcher = Watcher(code, set(machine.events.values()), _family(machine, facts))
+        seen = watch_all(watcher, recordings[HOST], cache / f"{name}.pickle")
+        found[name] = _shown(machine, code, _passing(model, seen))
+    return found
 
 
 def matching(machine: StateMachine, step: Transition, code: MachineCode) -> list[Change]:
@@ -356,33 +357,43 @@ def watch_all(watcher: Watcher, traces: Traces, cache: Path) -> dict[str, list[S
     return kept(cache, parts, watch)
 
 
-def _note_all(model: Model, name: str, code: MachineCode, seen: dict[str, list[Seen]]) -> None:
-    """Only what a passing test shows counts."""
-    for test in model.tests.values():
-        result = test.results.get(HOST)
-        for recording in result.recordings if result and result.result == "passed" else []:
-            _note(model.machines[name], code, seen.get(recording, []), test.id)
+def _passing(model: Model, seen: dict[str, list[Seen]]) -> list[tuple[str, Seen]]:
+    """Each passing test with what its recordings show."""
+    return [
+        (test.id, one)
+        for test in model.tests.values()
+        if HOST in test.gave("passed")
+        for recording in test.results[HOST].recordings
+        for one in seen.get(recording, [])
+    ]
 
 
-def _family(name: str, model: Model, facts: Facts) -> set[str]:
-    known = facts.declared.applications.get(model.machines[name].application)
+def _family(machine: StateMachine, facts: Facts) -> set[str]:
+    known = facts.declared.applications.get(machine.application)
     bases = known.roles.get("State", []) if known else []
     return {one for base in bases for one in (base, *facts.heirs.get(base, []))}
 
 
-def _note(machine: StateMachine, code: MachineCode, seen: list[Seen], test: str) -> None:
-    for one in seen:
+def _shown(machine: StateMachine, code: MachineCode, seen: list[tuple[str, Seen]]) -> StateMachine:
+    """The machine with its changes in the code, and the tests that make its transitions."""
+    changes = [matching(machine, step, code) for step in machine.transitions]
+    tests: list[dict[str, None]] = [{} for _ in changes]
+    undeclared: dict[str, list[str]] = {}
+    for test, one in seen:
         shown = False
-        for step in machine.transitions:
+        for step, there, makers in zip(machine.transitions, changes, tests, strict=True):
             if (step.source, step.target) != (one.source, one.target):
                 continue
             if machine.events.get(step.event) != one.operation:
                 continue
-            paths = {change.path for change in matching(machine, step, code)}
-            if is_stay(step) or one.path in paths:
+            if is_stay(step) or one.path in {change.path for change in there}:
                 shown = True
-                if test not in step.tests:
-                    step.tests.append(test)
+                makers[test] = None
         if not shown and one.source != one.target:
-            undeclared = (one.source, one.operation, one.target)
-            machine.undeclared.setdefault(" ".join(undeclared), []).append(test)
+            words = (one.source, one.operation, one.target)
+            undeclared.setdefault(" ".join(words), []).append(test)
+    transitions = [
+        replace(step, changes=[change.place for change in there], tests=list(makers))
+        for step, there, makers in zip(machine.transitions, changes, tests, strict=True)
+    ]
+    return replace(machine, transitions=transitions, undeclared=undeclared)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from traceability.model.design_model import Model
@@ -21,18 +22,23 @@ from traceability.sources import files_below
 BOARD_TESTS = "tests/sim/emulator/"
 
 
-def add_tests(model: Model, facts: Facts) -> None:
+def with_tests(model: Model, facts: Facts) -> Model:
     """Each test with its results. A binding that has tests is to have results of these sources."""
     results = {binding: read_results(facts.root, binding) for binding in BINDINGS}
     cases = written_tests(facts.root)
     tested = {binding for file in cases for binding in bindings_of(file)}
-    for binding in BINDINGS:
-        if binding in tested or binding == HOST:
-            model.results_hashes[binding] = read_results_hash(facts.root, binding)
+    hashes = {
+        binding: read_results_hash(facts.root, binding)
+        for binding in BINDINGS
+        if binding in tested or binding == HOST
+    }
+    model = replace(model, results_hashes=hashes)
+    tests: dict[str, Test] = {}
+    verifying: dict[str, list[str]] = {}
     for file, written in cases.items():
         for case in written:
             comment = facts.comments.at(file, case.line - 1)
-            model.tests[case.id] = Test(
+            tests[case.id] = Test(
                 id=case.id,
                 suite=case.suite,
                 name=case.name,
@@ -44,10 +50,14 @@ def add_tests(model: Model, facts: Facts) -> None:
                     for binding in bindings_of(file)
                 },
             )
-    for test in model.tests.values():
+    for test in tests.values():
         for name in test.verifies:
-            if name in model.requirements:
-                model.requirements[name].verified_by.append(test.id)
+            verifying.setdefault(name, []).append(test.id)
+    requirements = {
+        name: replace(one, verified_by=verifying.get(name, []))
+        for name, one in model.requirements.items()
+    }
+    return replace(model, tests=tests, requirements=requirements)
 
 
 def _result_of(found: Result | None, model: Model, binding: str) -> BindingResult:
@@ -76,12 +86,9 @@ def written_tests(root: Path) -> dict[str, list[Case]]:
     }
 
 
-def add_board_findings(model: Model, facts: Facts) -> None:
+def with_board_findings(model: Model, facts: Facts) -> Model:
     """A test of the virtual board makes a finding when its text names the id."""
-    model.board_findings = facts.declared.board_findings
-    model.beliefs = facts.declared.beliefs
-    model.belief_sources = facts.declared.belief_sources
-    model.driver_faults = read_driver_faults(facts.root, model.sources_hash)
+    making: dict[str, list[str]] = {}
     lines: dict[str, list[str]] = {}
     tests = [test for test in model.tests.values() if test.place.file.startswith(BOARD_TESTS)]
     for test in tests:
@@ -91,20 +98,38 @@ def add_board_findings(model: Model, facts: Facts) -> None:
         starts = [other.place.line for other in tests if other.place.file == file]
         end = min((line for line in starts if line > test.place.line), default=None)
         body = "\n".join(lines[file][test.place.line - 1 : end and end - 1])
-        for finding in model.board_findings.values():
-            if f'"{finding.id}"' in body:
-                finding.tests.append(test.id)
+        for name in facts.declared.board_findings:
+            if f'"{name}"' in body:
+                making.setdefault(name, []).append(test.id)
+    return replace(
+        model,
+        board_findings={
+            name: replace(one, tests=making.get(name, []))
+            for name, one in facts.declared.board_findings.items()
+        },
+        beliefs=facts.declared.beliefs,
+        belief_sources=facts.declared.belief_sources,
+        driver_faults=read_driver_faults(facts.root, model.sources_hash),
+    )
 
 
-def add_executed_modules(model: Model, recordings: dict[str, Traces]) -> None:
+def with_executed_modules(model: Model, recordings: dict[str, Traces]) -> Model:
+    tests: dict[str, Test] = {}
+    executing: dict[str, list[str]] = {}
     for test in model.tests.values():
         classes = {Path(test.place.file).stem.removesuffix("Test")}
         for binding, result in test.results.items():
             for name in recordings[binding].tests.intersection(result.recordings):
                 called = recordings[binding].methods(name)
                 classes |= {method.split("::")[0] for method in called}
-        test.modules = sorted(
+        names = sorted(
             name for name in classes if name in model.modules and not model.modules[name].datatype
         )
-        for name in test.modules:
-            model.modules[name].tests.append(test.id)
+        tests[test.id] = replace(test, modules=names)
+        for name in names:
+            executing.setdefault(name, []).append(test.id)
+    modules = {
+        name: replace(module, tests=executing.get(name, []))
+        for name, module in model.modules.items()
+    }
+    return replace(model, tests=tests, modules=modules)

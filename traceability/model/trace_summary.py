@@ -6,6 +6,7 @@ from traceability.reading.traces import Row
 from traceability.schema import FoldedCall, TreeNode
 
 Edges = dict[tuple[str, str], list[str]]  # module, module -> requirements that declare it
+Folded = tuple[list[str], list[str]]  # the method of each call, requirements that declare it
 
 
 def starts(nodes: list[TreeNode], placed: dict[int, int]) -> list[int]:
@@ -19,7 +20,7 @@ def starts(nodes: list[TreeNode], placed: dict[int, int]) -> list[int]:
 
 def fold(rows: list[Row], firsts: list[int], edges: Edges) -> list[FoldedCall]:
     """The calls within some rows. What an interrupt called meanwhile is left out."""
-    paths: dict[tuple[str, ...], FoldedCall] = {}
+    paths: dict[tuple[str, ...], Folded] = {}
     end = 0
     for first in firsts:
         if first < end and rows[first].activation == rows[firsts[0]].activation:
@@ -28,11 +29,15 @@ def fold(rows: list[Row], firsts: list[int], edges: Edges) -> list[FoldedCall]:
         _fold_one(rows, first, edges, paths)
     numbers = {path: number for number, path in enumerate(paths)}
     order = sorted(paths, key=lambda path: [numbers[path[:n]] for n in range(1, len(path) + 1)])
-    return [paths[path] for path in order]
+    return [
+        FoldedCall(len(path) - 1, path[-1], list(dict.fromkeys(methods)), len(methods), declared)
+        for path in order
+        for methods, declared in [paths[path]]
+    ]
 
 
 def _fold_one(
-    rows: list[Row], first: int, edges: Edges, paths: dict[tuple[str, ...], FoldedCall]
+    rows: list[Row], first: int, edges: Edges, paths: dict[tuple[str, ...], Folded]
 ) -> None:
     path_of: dict[int, tuple[str, ...]] = {}
     for index in range(first, rows[first].end):
@@ -47,8 +52,5 @@ def _fold_one(
         path = path_of[index] = (*above, module)
         if path not in paths:
             declared = edges.get((above[-1], module), []) if above else []
-            paths[path] = FoldedCall(len(above), module, [], 0, declared)
-        call = paths[path]
-        call.count += 1
-        if row.method not in call.methods:
-            call.methods.append(row.method)
+            paths[path] = [], declared
+        paths[path][0].append(row.method)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from itertools import product
+import itertools
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from traceability.model.design_model import Model
@@ -11,35 +12,33 @@ from traceability.model.trace_summary import Edges, fold, starts
 from traceability.reading.ast_facts import BodyFact
 from traceability.reading.result_cache import code_of, kept
 from traceability.reading.source_facts import Facts
-from traceability.reading.traces import Row, Traces, embed, excerpt, nodes_of, recorded_nodes
+from traceability.reading.traces import Row, Traces, embed, excerpt, nodes_of
 from traceability.reading.translation_units import is_board
 from traceability.schema import BINDINGS, HOST, Requirement, TreeNode, TreeRun
 
 
-def add_trees(model: Model, facts: Facts, recordings: dict[str, Traces], cache: Path) -> None:
+def with_trees(model: Model, facts: Facts, recordings: dict[str, Traces], cache: Path) -> Model:
     known = {
         method.id
         for fact in facts.syntax.classes
         for method in fact.methods
         if (top := model.modules.get(fact.name.split("::")[0])) and not top.datatype
     }
-    for name, (_, tree) in facts.declared.trees.items():
-        requirement = model.requirements.get(name)
-        if requirement is None or tree is None:
-            continue
-        requirement.tree = tree
-        _resolve(tree, facts)
-        _reach(tree, facts)
-    edges = declared_edges(model, facts)
+    trees = {
+        name: _reached(_resolved(tree, facts), facts)
+        for name in model.requirements
+        if (tree := facts.declared.trees.get(name, (None, None))[1]) is not None
+    }
+    edges = declared_edges(trees, facts)
     runs = [
         Run(binding, traces, facts, traces.addresses(known), edges)
         for binding, traces in recordings.items()
     ]
     searches = [
-        Search(requirement, requirement.tree, passing, run)
-        for requirement in model.requirements.values()
+        Search(name, trees[name], passing, run)
+        for name, requirement in model.requirements.items()
         for run in runs
-        if requirement.tree and (passing := _passing(model, requirement, run))
+        if name in trees and (passing := _passing(model, requirement, run))
     ]
     parts = [
         [run.traces.state for run in runs],
@@ -49,17 +48,41 @@ def add_trees(model: Model, facts: Facts, recordings: dict[str, Traces], cache: 
         *code_of("model/trees", "reading/traces", "model/trace_summary"),
     ]
     found = kept(cache / "trees.pickle", parts, lambda: [search.find() for search in searches])
-    for search, result in zip(searches, found, strict=True):
-        search.note(*result)
+    furthest: dict[str, dict[str, int]] = {name: {} for name in trees}  # -> binding -> nodes
+    held: dict[str, dict[str, TreeRun]] = {name: {} for name in trees}
+    for search, (run, nodes) in zip(searches, found, strict=True):
+        furthest[search.requirement][search.run.binding] = nodes
+        if run is not None:
+            held[search.requirement][search.run.binding] = run
+    requirements = {
+        name: replace(requirement, tree=_executed(trees[name], furthest[name]), runs=held[name])
+        if name in trees
+        else requirement
+        for name, requirement in model.requirements.items()
+    }
+    return replace(model, requirements=requirements)
 
 
-def _resolve(tree: TreeNode, facts: Facts) -> None:
-    for node in nodes_of(tree):
-        owner, _, name = node.label.rpartition("::")
-        method = facts.method(owner, name)
-        node.resolved = method.id if method else None
-        if method is not None and not node.children:
-            node.outside = [one for one in BINDINGS if not accepted_on(one, node, facts)]
+def _resolved(node: TreeNode, facts: Facts) -> TreeNode:
+    owner, _, name = node.label.rpartition("::")
+    method = facts.method(owner, name)
+    children = [_resolved(child, facts) for child in node.children]
+    found = replace(node, resolved=method.id if method else None, children=children)
+    if method is None or children:
+        return found
+    return replace(found, outside=[one for one in BINDINGS if not accepted_on(one, found, facts)])
+
+
+def _executed(tree: TreeNode, furthest: Mapping[str, int]) -> TreeNode:
+    """The tree with, for each binding, whether its nodes are among the first that were found."""
+    numbers = itertools.count()
+
+    def marked(node: TreeNode) -> TreeNode:
+        number = next(numbers)
+        executed = {one: number < furthest[one] for one in furthest if one not in node.outside}
+        return replace(node, executed=executed, children=[marked(one) for one in node.children])
+
+    return marked(tree)
 
 
 def accepted(node: TreeNode, facts: Facts) -> set[str]:
@@ -84,21 +107,27 @@ def _bodies_of(node: TreeNode, facts: Facts) -> list[BodyFact]:
     return [body for method in accepted(node, facts) for body in facts.bodies.get(method, [])]
 
 
-def _reach(tree: TreeNode, facts: Facts) -> None:
-    tree.reachable = tree.resolved is not None
-    for node in nodes_of(tree):
-        targets = {
-            target
-            for body in _bodies_of(node, facts)
-            for call in body.calls
-            for target in facts.targets(call.target, call.virtual)
-        }
-        for child in node.children:
-            wanted = accepted(child, facts) | {child.resolved or ""}
-            called = bool(wanted & targets)
-            posted = "ControlThread::post" in targets and _is_activated(wanted, facts)
-            child.reachable = posted if child.kind == "post" else called
-            child.otherwise = not child.reachable and (posted or called)
+def _reached(tree: TreeNode, facts: Facts) -> TreeNode:
+    return replace(_below(tree, facts), reachable=tree.resolved is not None)
+
+
+def _below(node: TreeNode, facts: Facts) -> TreeNode:
+    """The node with, for each one below it, whether the code can make its call."""
+    targets = {
+        target
+        for body in _bodies_of(node, facts)
+        for call in body.calls
+        for target in facts.targets(call.target, call.virtual)
+    }
+    children: list[TreeNode] = []
+    for child in node.children:
+        wanted = accepted(child, facts) | {child.resolved or ""}
+        called = bool(wanted & targets)
+        posted = "ControlThread::post" in targets and _is_activated(wanted, facts)
+        reachable = posted if child.kind == "post" else called
+        otherwise = not reachable and (posted or called)
+        children.append(replace(_below(child, facts), reachable=reachable, otherwise=otherwise))
+    return replace(node, children=children)
 
 
 def _is_activated(wanted: set[str], facts: Facts) -> bool:
@@ -114,16 +143,16 @@ def _is_activated(wanted: set[str], facts: Facts) -> bool:
     return bool(wanted & (commands | called))
 
 
-def declared_edges(model: Model, facts: Facts) -> Edges:
+def declared_edges(trees: Mapping[str, TreeNode], facts: Facts) -> Edges:
     """Which requirements' trees lead from one module into another."""
     found: Edges = {}
-    for requirement in model.requirements.values():
-        for node in nodes_of(requirement.tree) if requirement.tree else []:
+    for requirement, tree in trees.items():
+        for node in nodes_of(tree):
             for child in node.children:
-                for pair in product(_modules_of(node, facts), _modules_of(child, facts)):
+                for pair in itertools.product(_modules_of(node, facts), _modules_of(child, facts)):
                     names = found.setdefault(pair, [])
-                    if requirement.id not in names:
-                        names.append(requirement.id)
+                    if requirement not in names:
+                        names.append(requirement)
     return found
 
 
@@ -166,14 +195,14 @@ def _passing(model: Model, requirement: Requirement, run: Run) -> dict[str, str]
 class Search:
     """Looks for a tree in the recordings of the passing tests of its requirement."""
 
-    requirement: Requirement
+    requirement: str
     tree: TreeNode
     passing: dict[str, str]
     run: Run
 
     def asked(self) -> object:
         """What decides on what is found."""
-        return self.requirement.id, self.run.binding, self.passing, self._shape(self.tree)
+        return self.requirement, self.run.binding, self.passing, self._shape(self.tree)
 
     def _shape(self, node: TreeNode) -> object:
         below = [self._shape(child) for child in node.children]
@@ -198,10 +227,3 @@ class Search:
 
     def _length(self, recording: str) -> tuple[int, str]:
         return self.run.traces.file(recording).stat().st_size, recording
-
-    def note(self, found: TreeRun | None, nodes: int) -> None:
-        if found is not None:
-            self.requirement.runs[self.run.binding] = found
-        order = {id(node): number for number, node in enumerate(nodes_of(self.tree))}
-        for node in recorded_nodes(self.tree, self.run.binding):
-            node.executed[self.run.binding] = order[id(node)] < nodes

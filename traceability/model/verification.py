@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 from traceability.model.design_model import Model
 from traceability.model.trees import accepted
@@ -15,15 +16,19 @@ from traceability.reading.translation_units import is_board
 from traceability.schema import HOST, LineGap, MethodCoverage, Place, Requirement
 
 
-def add_verification(model: Model, facts: Facts, coverage: dict[str, Coverage]) -> None:
-    for requirement in model.requirements.values():
+def with_verification(model: Model, facts: Facts, coverage: dict[str, Coverage]) -> Model:
+    requirements: dict[str, Requirement] = {}
+    for name, requirement in model.requirements.items():
+        covered: dict[str, list[MethodCoverage]] = {}
         for binding, measured in coverage.items():
             recordings = passing_recordings(model, [requirement.id], binding)
-            if any(name in measured.recordings for name in recordings):
-                requirement.coverage[binding] = _covered_methods(
+            if any(one in measured.recordings for one in recordings):
+                covered[binding] = _covered_methods(
                     requirement, facts, measured, measured.of(recordings)
                 )
-    model.line_gaps = list(_line_gaps(model, facts, coverage[HOST]))
+        requirements[name] = replace(requirement, coverage=covered)
+    gaps = list(_line_gaps(model, facts, coverage[HOST]))
+    return replace(model, requirements=requirements, line_gaps=gaps)
 
 
 def passing_recordings(model: Model, requirements: Iterable[str], binding: str) -> list[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import statistics
 import subprocess
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
@@ -110,7 +110,7 @@ def _read(root: Path, path: Path) -> dict[str, Any] | None:
     return record if isinstance(record, dict) and is_fresh(root, task_record.BENCH) else None
 
 
-def bench_metrics(record: dict[str, Any] | None) -> list[dict[str, Any]] | None:
+def bench_metrics(record: Mapping[str, Any] | None) -> list[dict[str, Any]] | None:
     """The figures of each scenario for build/metrics.json."""
     if record is None:
         return None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from traceability.reading.toml_reader import Entries
@@ -28,9 +28,10 @@ def read_concordance(root: Path, entries: Entries) -> Concordance:
     if not (root / PAPER).exists() or not (root / CONCORDANCE).exists():
         return Concordance()
     found = _paper(root, entries)
-    found.entries = _entries(root, entries)
-    for entry in found.entries:
-        entry.where = found.named.get((entry.kind, entry.name), [])
+    found.entries = [
+        replace(entry, where=found.named.get((entry.kind, entry.name), []))
+        for entry in _entries(root, entries)
+    ]
     return found
 
 

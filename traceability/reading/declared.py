@@ -30,15 +30,13 @@ from traceability.schema import (
 )
 from traceability.sources import files_below
 
-PACKAGE_DESIGN = Path(__file__).parents[2] / "design"
-
 
 @dataclass
 class ClauseText:
     id: str
     pattern: str
     says: str
-    mend: str
+    fix: str
     about: list[str]  # roles whose modules the clause speaks of
     place: Place
 
@@ -110,7 +108,7 @@ class Declared:
     allowed: list[AllowedUse] = field(default_factory=list)
     cycles: list[Cycle] = field(default_factory=list)
     trees: dict[str, tuple[Place, TreeNode | None]] = field(default_factory=dict)
-    tree_errors: list[tuple[Place, str, str]] = field(default_factory=list)  # what would mend it
+    tree_errors: list[tuple[Place, str, str]] = field(default_factory=list)  # how to fix it
     applications: dict[str, KnownApplication] = field(default_factory=dict)
     clauses: dict[str, ClauseText] = field(default_factory=dict)
     patterns: list[KnownPattern] = field(default_factory=list)
@@ -273,7 +271,7 @@ def _patterns(design: Path, entries: Entries, declared: Declared) -> None:
         )
         declared.applications[known.id] = known
     clauses = design / "clauses.toml"
-    needs = {"id": str, "pattern": str, "says": str, "mend": str, "about": list}
+    needs = {"id": str, "pattern": str, "says": str, "fix": str, "about": list}
     for item, place in entries.tables(clauses, "clause", needs, own="id"):
         declared.clauses[item["id"]] = ClauseText(place=place, **item)
     declared.patterns = [
@@ -358,7 +356,7 @@ def _execution(path: Path, entries: Entries, declared: Declared) -> None:
 def _trees(root: Path, path: Path, declared: Declared) -> None:
     file = str(path.relative_to(root))
     current = ""
-    stack: list[tuple[int, TreeNode]] = []
+    stack: list[tuple[int, list[TreeNode]]] = []  # depth and children of the nodes above
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
         words = line.split("#")[0].rstrip()
         if not words:
@@ -373,35 +371,32 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
             continue
         match = re.fullmatch(r"((?:  )*)(post )?([\w:~]+)::(~?\w+)", words)
         if match is None or not current:
-            mend = "write 'FR-n', or 'Class::method' with its indentation"
-            declared.tree_errors.append((place, "this line is neither an id nor a node", mend))
+            fix = "write 'FR-n', or 'Class::method' with its indentation"
+            declared.tree_errors.append((place, "this line is neither an id nor a node", fix))
             continue
         depth = len(match[1]) // 2
-        node = TreeNode(
-            label=f"{match[3]}::{match[4]}",
-            module=match[3].split("::")[0],
-            method=match[4],
-            resolved=None,
-            kind="post" if match[2] else "call",
-            place=place,
-        )
+        label = f"{match[3]}::{match[4]}"
         if depth > (stack[-1][0] + 1 if stack else 0):
-            text = f"{node.label} stands too far to the right"
+            text = f"{label} stands too far to the right"
             declared.tree_errors.append(
                 (place, text, "put it two blanks to the right of its caller")
             )
         while stack and stack[-1][0] >= depth:
             stack.pop()
+        kind = "root" if not stack else "post" if match[2] else "call"
+        children: list[TreeNode] = []
+        node = TreeNode(
+            label, match[3].split("::")[0], match[4], None, kind, place, children=children
+        )
         if stack:
-            stack[-1][1].children.append(node)
+            stack[-1][1].append(node)
         elif declared.trees[current][1] is None:
-            node.kind = "root"
             declared.trees[current] = (declared.trees[current][0], node)
         else:
             text = f"the tree of {current} has a second root"
             declared.tree_errors.append((place, text, "leave one root"))
             continue
-        stack.append((depth, node))
+        stack.append((depth, children))
 
 
 def _told(place: Place) -> str:

@@ -7,6 +7,7 @@ import itertools
 import operator
 import re
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from numbers import Real
 from pathlib import Path
 from typing import Any
@@ -57,52 +58,63 @@ def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
         return SafetyCase()
     item: dict[str, Any] = entries.value(path, "item", {})
     risk: dict[str, Any] = entries.value(path, "risk", {})
-    case = SafetyCase(
-        base=str(entries.value(path, "base", "")),
-        says=str(item.get("says", "")),
-        conditions=list(item.get("conditions", [])),
-        limits=list(item.get("limits", [])),
-        risk_source=str(risk.get("source", "")),
-        levels=list(risk.get("levels", [])),
-        graph={name: rows for name, rows in risk.items() if re.fullmatch(r"S\d", name)},
-        words=dict(risk.get("words", {})),
-        priorities=dict(risk.get("priority", {})),
-        data_sheets=list(entries.value(path, "data_sheets", [])),
-        scenarios=read_scenarios(root),
-    )
 
     def read(name: str, keys: Keys, optional: Keys | None = None) -> list[Entry]:
         return entries.tables(path, name, keys, optional or {}, own="id")
 
-    states, assumed = read("safe_state", SAFE_STATE), read("assumption", ASSUMPTION)
-    case.safe_states = {item["id"]: SafeState(**item, place=at) for item, at in states}
-    case.assumptions = {item["id"]: Assumption(**item, place=at) for item, at in assumed}
-    goals = read("goal", GOAL, {"exceptions": list})
-    case.goals = {item["id"]: SafetyGoal(**item, place=at) for item, at in goals}
-    case.hazards = {item["id"]: Hazard(**item, place=at) for item, at in read("hazard", HAZARD)}
-    case.corrections = [
-        Correction(i["paths"], i["why"], p, i.get("for_safety", 0))
-        for i, p in entries.tables(
-            path, "correction", {"paths": list, "why": str}, {"for_safety": int}
+    return linked(
+        SafetyCase(
+            base=str(entries.value(path, "base", "")),
+            says=str(item.get("says", "")),
+            conditions=list(item.get("conditions", [])),
+            limits=list(item.get("limits", [])),
+            risk_source=str(risk.get("source", "")),
+            levels=list(risk.get("levels", [])),
+            graph={name: rows for name, rows in risk.items() if re.fullmatch(r"S\d", name)},
+            words=dict(risk.get("words", {})),
+            priorities=dict(risk.get("priority", {})),
+            data_sheets=list(entries.value(path, "data_sheets", [])),
+            scenarios=read_scenarios(root),
+            safe_states={
+                i["id"]: SafeState(**i, place=p) for i, p in read("safe_state", SAFE_STATE)
+            },
+            assumptions={
+                i["id"]: Assumption(**i, place=p) for i, p in read("assumption", ASSUMPTION)
+            },
+            goals={
+                i["id"]: SafetyGoal(**i, place=p)
+                for i, p in read("goal", GOAL, {"exceptions": list})
+            },
+            hazards={i["id"]: Hazard(**i, place=p) for i, p in read("hazard", HAZARD)},
+            corrections=[
+                Correction(i["paths"], i["why"], p, i.get("for_safety", 0))
+                for i, p in entries.tables(
+                    path, "correction", {"paths": list, "why": str}, {"for_safety": int}
+                )
+            ],
         )
-    ]
-    link(case)
-    return case
+    )
 
 
-def link(case: SafetyCase) -> None:
-    """Derives levels, times and the links from goals and assumptions back to hazards."""
-    for hazard in case.hazards.values():
-        hazard.level = level_of(case, hazard.severity, hazard.exposure, hazard.avoidance)
-        for name in hazard.goals:
-            if name in case.goals:
-                case.goals[name].hazards.append(hazard.id)
-        for name in hazard.assumptions:
-            if name in case.assumptions:
-                case.assumptions[name].hazards.append(hazard.id)
-    for goal in case.goals.values():
-        goal.computed = evaluate(goal.formula)
-        goal.level = highest(case, [case.hazards[name].level for name in goal.hazards])
+def linked(case: SafetyCase) -> SafetyCase:
+    """The case with levels, times and the links from goals and assumptions back to hazards."""
+    hazards = {
+        name: replace(one, level=level_of(case, one.severity, one.exposure, one.avoidance))
+        for name, one in case.hazards.items()
+    }
+    goals: dict[str, SafetyGoal] = {}
+    for name, goal in case.goals.items():
+        names = [one.id for one in hazards.values() for word in one.goals if word == name]
+        level = highest(case, [hazards[one].level for one in names])
+        computed = evaluate(goal.formula)
+        goals[name] = replace(goal, hazards=names, computed=computed, level=level)
+    assumptions = {
+        name: replace(
+            assumption, hazards=[one.id for one in hazards.values() if name in one.assumptions]
+        )
+        for name, assumption in case.assumptions.items()
+    }
+    return replace(case, hazards=hazards, goals=goals, assumptions=assumptions)
 
 
 def level_of(case: SafetyCase, severity: str, exposure: str, avoidance: str) -> str:

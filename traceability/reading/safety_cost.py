@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import subprocess
+from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 
 from traceability.schema import Correction, SafetyCase, SafetyCost, TouchedFile
@@ -20,16 +22,15 @@ def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
     before = set((_git(root, "ls-tree", "-r", "--name-only", base, "--", SRC) or "").splitlines())
     edited = _git(root, "diff", "--numstat", "--no-renames", base, "HEAD", "--", SRC) or ""
     added = _git(root, "diff", "--numstat", "--no-renames", base, "HEAD", "--", SAFETY) or ""
-    touched = [one for one in numstat(edited) if one.file in before]
+    found = [one for one in numstat(edited) if one.file in before]
     new = numstat(added)
-    corrected = set()
-    for one in touched:
-        correction = correction_of(one.file, case.corrections)
-        if correction is not None:
-            one.corrections = correction.why
-            corrected.add(id(correction))
+    corrected = [correction_of(one.file, case.corrections) for one in found]
+    touched = [
+        replace(one, corrections=correction.why) if correction else one
+        for one, correction in zip(found, corrected, strict=True)
+    ]
     own = sum(one.touched for one in touched if not one.corrections)
-    shared = sum(one.for_safety for one in case.corrections if id(one) in corrected)
+    shared = sum(one.for_safety for one in case.corrections if one in corrected)
     files, lines = [one.file for one in new], sum(one.added for one in new)
     return SafetyCost(case.base, head, files, lines, touched, own + shared)
 
@@ -43,7 +44,7 @@ def numstat(text: str) -> list[TouchedFile]:
     ]
 
 
-def correction_of(file: str, corrections: list[Correction]) -> Correction | None:
+def correction_of(file: str, corrections: Iterable[Correction]) -> Correction | None:
     """The entry with the longest path that the file is, or lies below."""
     found = [
         (len(path), correction)

@@ -25,7 +25,7 @@ SOURCES = (
 )
 
 
-@dataclass
+@dataclass(frozen=True)
 class Outcome:
     """``line`` is where the finding was to lie; ``said`` is what was found, there if possible."""
 

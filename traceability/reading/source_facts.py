@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -254,13 +255,15 @@ class References:
         methods = [self.facts.method(kind, name) for kind in kinds]
         return list(dict.fromkeys(method.id for method in methods if method))
 
-    def reached(self, start: list[str], within: dict[str, str], ends: list[str]) -> dict[str, str]:
+    def reached(
+        self, start: Iterable[str], within: dict[str, str], ends: list[str]
+    ) -> dict[str, str]:
         """Methods and functions that may run below the start -> who calls each first.
 
         ``within`` narrows a virtual method to one that overrides it. Nothing runs below ``ends``.
         """
         found = dict.fromkeys(start, "")
-        work = list(start)
+        work = list(found)
         while work:
             caller = work.pop(0)
             for body in self.own_bodies(caller) if caller not in ends else []:

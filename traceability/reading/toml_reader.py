@@ -24,7 +24,7 @@ Entry = tuple[dict[str, Any], Place]
 class Problem:
     place: Place
     text: str
-    mend: str
+    fix: str
 
 
 @dataclass
@@ -95,8 +95,8 @@ class Entries:
             self.problems.append(Problem(place, text, "write it, or correct its name"))
         for key in [key for key, value in item.items() if _is_blank(key, value)]:
             text = f"{key} says nothing"
-            mend = "write what it is to say, or remove the key"
-            self.problems.append(Problem(self.line_in(place, key), text, mend))
+            fix = "write what it is to say, or remove the key"
+            self.problems.append(Problem(self.line_in(place, key), text, fix))
         for key in [key for key in item if key not in known]:
             text = f"the entry has a key {key}, which nothing reads"
             self.problems.append(Problem(self.line_in(place, key), text, "correct its name"))
@@ -128,8 +128,8 @@ class Entries:
         """Notes the files that should be there, and are not."""
         for path in [path for path in files if not path.exists()]:
             place = Place(str(path.relative_to(self.root)), 1)
-            text, mend = "there is no such file", "write it: a whole design has it"
-            self.problems.append(Problem(place, text, mend))
+            text, fix = "there is no such file", "write it: a whole design has it"
+            self.problems.append(Problem(place, text, fix))
 
     def place_of(self, path: Path, name: str) -> Place:
         """Where a name of its own first stands."""

@@ -273,10 +273,6 @@ def nodes_of(tree: TreeNode) -> list[TreeNode]:
     return found
 
 
-def recorded_nodes(tree: TreeNode, binding: str) -> list[TreeNode]:
-    return [node for node in nodes_of(tree) if binding not in node.outside]
-
-
 def excerpt(rows: list[Row], placed: list[int]) -> tuple[list[TraceRow], int, dict[int, int]]:
     """The calls around the placed rows: at most ``SHOWN``, with the new number of each row kept."""
     first = placed[0]

@@ -12,11 +12,9 @@ from traceability.model.build import build
 
 
 def found(root: Path) -> list[tuple[str, str, int, str]]:
-    model = build(root)
-    assert model.facts is not None
     return [
         (one.check, one.place.file, one.place.line, one.text)
-        for one in name_checks.check(model, model.facts)
+        for one in name_checks.check(*build(root))
     ]
 
 
@@ -60,10 +58,7 @@ def test_a_name_in_a_page_or_in_the_design_exists(
     tmp_path: Path, file: str, text: str, check: str
 ) -> None:
     write_tree(tmp_path)
-    model = build(tmp_path)
+    built = build(tmp_path)
     (tmp_path / file).parent.mkdir(exist_ok=True)
     (tmp_path / file).write_text(text + "\n")
-    assert model.facts is not None
-    assert [one.check for one in name_checks.check(model, model.facts)] == (
-        [check] if check else []
-    )
+    assert [one.check for one in name_checks.check(*built)] == ([check] if check else [])

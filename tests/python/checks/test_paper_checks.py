@@ -9,8 +9,7 @@ import pytest
 
 from tests.python.model.small_tree import write_tree
 from traceability.checks import paper_checks
-from traceability.model.build import build
-from traceability.model.design_model import Model
+from traceability.model.build import Built, build
 from traceability.reading.concordance import read_concordance
 from traceability.reading.toml_reader import Entries
 
@@ -61,7 +60,7 @@ deviation = "Nothing like it."
 
 
 @pytest.fixture(scope="module")
-def built(tmp_path_factory: pytest.TempPathFactory) -> Model:
+def built(tmp_path_factory: pytest.TempPathFactory) -> Built:
     return build(write_tree(tmp_path_factory.mktemp("small")))
 
 
@@ -74,15 +73,17 @@ def tree(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def found(built: Model, root: Path) -> list[tuple[str, str, int]]:
+def read(built: Built, root: Path) -> Built:
     concordance = read_concordance(root, Entries(root))
-    assert built.facts is not None
     built.facts.declared.concordance = concordance
     built.facts.declared.entries = Entries(root)
-    built.paper = concordance.entries
+    return built._replace(model=dataclasses.replace(built.model, paper=concordance.entries))
+
+
+def found(built: Built, root: Path) -> list[tuple[str, str, int]]:
     return [
         (one.check, one.place.file.removeprefix("design/"), one.place.line)
-        for one in paper_checks.check(built, built.facts)
+        for one in paper_checks.check(*read(built, root))
     ]
 
 
@@ -93,7 +94,7 @@ def change(root: Path, file: str, old: str, new: str) -> None:
     path.write_text(text.replace(old, new, 1))
 
 
-def test_a_complete_concordance_has_no_finding(built: Model, tree: Path) -> None:
+def test_a_complete_concordance_has_no_finding(built: Built, tree: Path) -> None:
     assert found(built, tree) == []
 
 
@@ -127,22 +128,22 @@ def test_an_element_knows_every_place_that_names_it(tree: Path) -> None:
     ],
 )  # fmt: skip
 def test_a_fault_is_found_at_its_line(
-    built: Model, tree: Path, fault: tuple[str, str, str], expected: tuple[str, str, int]
+    built: Built, tree: Path, fault: tuple[str, str, str], expected: tuple[str, str, int]
 ) -> None:
     change(tree, *fault)
     assert expected in found(built, tree)
 
 
-def test_a_module_that_was_renamed_leaves_its_entry_stale(built: Model, tree: Path) -> None:
-    modules = {name: module for name, module in built.modules.items() if name != "RC"}
-    renamed = dataclasses.replace(built, modules=modules)
+def test_a_module_that_was_renamed_leaves_its_entry_stale(built: Built, tree: Path) -> None:
+    modules = {name: module for name, module in built.model.modules.items() if name != "RC"}
+    renamed = built._replace(model=dataclasses.replace(built.model, modules=modules))
     assert ("paper-stale", "concordance.toml", 12) in found(renamed, tree)
 
 
 def test_a_page_that_the_site_does_not_have_is_found(
-    built: Model, tree: Path, tmp_path: Path
+    built: Built, tree: Path, tmp_path: Path
 ) -> None:
-    found(built, tree)
-    assert [one.check for one in paper_checks.check_pages(built, tmp_path)] == ["paper-stale"]
+    built = read(built, tree)
+    assert [one.check for one in paper_checks.check_pages(*built, tmp_path)] == ["paper-stale"]
     (tmp_path / "index.html").write_text("")
-    assert paper_checks.check_pages(built, tmp_path) == []
+    assert paper_checks.check_pages(*built, tmp_path) == []

@@ -14,7 +14,7 @@ CHECKS_FOLDER = Path(__file__).parents[3] / "traceability" / "checks"
 def test_ids_are_unique_and_texts_are_whole_sentences() -> None:
     assert len(KNOWN) == len(CHECKS)
     for check in CHECKS:
-        for text in (check.why, check.holds, check.blind, check.mend):
+        for text in (check.why, check.holds, check.blind, check.fix):
             assert text.endswith("."), f"{check.id}: {text}"
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -14,15 +15,16 @@ from traceability.model.design_model import Model
 from traceability.model.evidence import read_evidence
 from traceability.reading.comments import Comments
 from traceability.reading.declared_safety import read_sources
-from traceability.schema import PaperPlace, Place, Requirement
+from traceability.schema import PaperPlace, Place
 
 WHERE = Place("design/paper.toml", 1)
 
 
-def requirement_of(root: Path) -> tuple[Model, Requirement]:
+def changed(root: Path, **changes: Any) -> Model:
     write_case(root)
     model = make_model(root)
-    return model, model.requirements["FR-1"]
+    model.requirements["FR-1"] = replace(model.requirements["FR-1"], **changes)
+    return model
 
 
 @pytest.mark.parametrize(
@@ -42,8 +44,7 @@ def requirement_of(root: Path) -> tuple[Model, Requirement]:
 def test_an_attribute_has_a_known_value(
     tmp_path: Path, name: str, value: object, says: str
 ) -> None:
-    model, requirement = requirement_of(tmp_path)
-    setattr(requirement, name, value)
+    model = changed(tmp_path, **{name: value})
     facts: Any = SimpleNamespace(root=tmp_path, comments=Comments(tmp_path))
     assert [one.text for one in _attributes(model, facts)] == [says] * bool(says)
 
@@ -62,9 +63,8 @@ def test_an_attribute_has_a_known_value(
 def test_the_method_has_something_that_shows_it(
     tmp_path: Path, method: str, evidence: bool, found: int
 ) -> None:
-    model, requirement = requirement_of(tmp_path)
-    requirement.method, requirement.verified_by = method, []
-    requirement.evidence = [read_evidence("checks.uses-board exactly 0", WHERE)] * evidence
+    measured = [read_evidence("checks.uses-board exactly 0", WHERE)] * evidence
+    model = changed(tmp_path, method=method, verified_by=[], evidence=measured)
     facts: Any = SimpleNamespace(root=tmp_path, comments=Comments(tmp_path))
     assert len(list(_attributes(model, facts))) == found
 
@@ -84,15 +84,13 @@ def test_the_method_has_something_that_shows_it(
     ],
 )
 def test_a_source_refers_to_what_exists(tmp_path: Path, source: str, says: list[str]) -> None:
-    model, requirement = requirement_of(tmp_path)
-    requirement.sources = read_sources(source)
-    model.paper_places = [PaperPlace("Section VII", "section", "Title", WHERE)]
+    model = changed(tmp_path, sources=read_sources(source))
+    model = replace(model, paper_places=[PaperPlace("Section VII", "section", "Title", WHERE)])
     assert [one.text for one in _sources(model, facts_of(tmp_path))] == says
 
 
 def test_a_goal_that_is_the_source_is_named_too(tmp_path: Path) -> None:
-    model, requirement = requirement_of(tmp_path)
-    requirement.sources, requirement.goals = read_sources("goal: SG-1"), []
+    model = changed(tmp_path, sources=read_sources("goal: SG-1"), goals=[])
     texts = [one.text for one in _sources(model, facts_of(tmp_path))]
     assert texts == ["FR-1 has the source SG-1 and no @goal SG-1"]
 

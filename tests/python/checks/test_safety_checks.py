@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -11,7 +12,7 @@ import pytest
 from tests.python.model.small_case import make_model, write_case
 from traceability.checks import safety_checks
 from traceability.model.design_model import Model
-from traceability.model.safety_case import add_safety, settle_safety
+from traceability.model.safety_case import safety_of
 from traceability.reading.declared import Declared
 from traceability.reading.toml_reader import Entries
 from traceability.schema import HOST, Finding
@@ -20,9 +21,7 @@ from traceability.schema import HOST, Finding
 def check(root: Path, model: Model) -> list[Finding]:
     declared = Declared(entries=Entries(root), safety=model.safety)
     facts: Any = SimpleNamespace(root=root, declared=declared)
-    add_safety(model, facts)
-    settle_safety(model)
-    return safety_checks.check(model, facts)
+    return safety_checks.check(replace(model, safety=safety_of(model, facts)), facts)
 
 
 def found(root: Path, *changes: tuple[str, str]) -> list[tuple[str, str, str]]:
@@ -133,7 +132,7 @@ def test_a_requirement_that_its_goal_does_not_list(tmp_path: Path) -> None:
 def test_a_requirement_that_does_not_name_its_goal(tmp_path: Path) -> None:
     write_case(tmp_path)
     model = make_model(tmp_path)
-    model.requirements["FR-1"].goals = []
+    model.requirements["FR-1"] = replace(model.requirements["FR-1"], goals=[])
     (finding,) = check(tmp_path, model)
     assert finding.text == "SG-1 lists FR-1, which does not name it"
     assert line_of(tmp_path, finding) == 'requirements = ["FR-1"]'
@@ -195,7 +194,9 @@ def test_a_test_of_the_whole_folder_plays_what_its_run_says(
     text = 'auto k = "sim/scenario/safety";\nTEST_P(Safety, FR1_Stops) {\n  play(GetParam());\n}\n'
     (tmp_path / "tests/SafetyTest.cpp").write_text(text)
     model = make_model(tmp_path)
-    model.tests["Safety.FR1_Stops"].results[HOST].recordings = played
+    model.tests["Safety.FR1_Stops"].results[HOST] = replace(
+        model.tests["Safety.FR1_Stops"].results[HOST], recordings=played
+    )
     assert [one.text for one in check(tmp_path, model)] == says
 
 
@@ -231,5 +232,5 @@ def test_a_requirement_is_as_important_as_its_goal(
 ) -> None:
     write_case(tmp_path)
     model = make_model(tmp_path)
-    model.requirements["FR-1"].priority = priority
+    model.requirements["FR-1"] = replace(model.requirements["FR-1"], priority=priority)
     assert [one.check for one in check(tmp_path, model)] == ["hazard-priority"] * count

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import jsonschema
@@ -10,21 +11,24 @@ import pytest
 
 from portal.diagrams import diagram_files
 from portal.portal import Portal
-from tests.python.portal.fixture import make_model, make_project
+from tests.python.portal.fixture import PLACE, REPORT, make_model, make_project
 from traceability.exports.model_json import model_schema, model_text
 from traceability.model.design_model import Model
 from traceability.schema import ExecutionContext, Finding, Place, SharedMember, SharedPipe
+
+FOUND = replace(REPORT, findings=[Finding(PLACE, "exec-shared", "text", "fix")])
 
 
 @pytest.fixture
 def model() -> Model:
     model = make_model()
     place = Place("design/execution.toml", 3)
-    model.contexts = {"timer": ExecutionContext("timer", "interrupt", "t", "x", ["f"], "", place)}
-    model.pipes = [SharedPipe("A::b_", "pipe", "x", "Pipe<int>", place, {"A::w": ["timer"]})]
-    model.shared = [SharedMember("A::b_", "A", "int", place, ["timer"], [], "", "")]
-    model.findings = [Finding(place, "exec-shared", "text", "mend")]
-    return model
+    return replace(
+        model,
+        contexts={"timer": ExecutionContext("timer", "interrupt", "t", "x", ["f"], "", place)},
+        pipes=[SharedPipe("A::b_", "pipe", "x", "Pipe<int>", place, {"A::w": ["timer"]})],
+        shared=[SharedMember("A::b_", "A", "int", place, ["timer"], [], "", "")],
+    )
 
 
 def test_the_schema_is_one() -> None:
@@ -32,12 +36,12 @@ def test_the_schema_is_one() -> None:
 
 
 def test_the_model_fits_its_schema(model: Model) -> None:
-    jsonschema.Draft202012Validator(model_schema()).validate(json.loads(model_text(model)))
+    jsonschema.Draft202012Validator(model_schema()).validate(json.loads(model_text(model, FOUND)))
 
 
 @pytest.mark.parametrize("change", ["without a key", "another key", "another type"])
 def test_what_does_not_fit_is_refused(model: Model, change: str) -> None:
-    data = json.loads(model_text(model))
+    data = json.loads(model_text(model, FOUND))
     module = data["modules"]["RC"]
     if change == "without a key":
         del module["secret"]
@@ -58,7 +62,7 @@ def test_classes_are_described_in_words() -> None:
 
 
 def test_each_diagram_has_its_source(tmp_path: Path) -> None:
-    portal = Portal(tmp_path, make_project(tmp_path), [], [])
+    portal = Portal(tmp_path, make_project(tmp_path), REPORT, [])
     files = diagram_files(portal.diagrams)
     assert set(files) == {
         "diagrams/pattern-reading-modes.puml",

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 from traceability.model.design_model import Model
+from traceability.model.report import Report, Verdict
+from traceability.model.safety_case import safety_verdicts
 from traceability.reading.declared import Declared
 from traceability.reading.declared_safety import read_safety_case
 from traceability.reading.toml_reader import Entries
@@ -97,21 +100,30 @@ def make_model(root: Path, result: str | None = "passed", *, fresh: bool = True)
     """A model with the case, and a test that plays its scenario."""
     entries = Entries(root)
     declared = Declared(entries=entries, safety=read_safety_case(root, entries))
-    model = Model("0123456789", "0.1", "hash", {HOST: "hash" if fresh else "old"})
-    model.requirements = {
-        "FR-1": Requirement(
-            "FR-1", "A stop shall act.", "Stop", Place("requirements/stop.dox", 5),
-            rationale="It must.", source="goal: SG-1", priority="high", level="system",
-            products=["all"], method="test", goals=["SG-1"], state="verified",
-        )
-    }  # fmt: skip
     run = BindingResult(result, 1.0, stale=not fresh)
-    model.tests = {
-        "Safety.FR1_Stops": Test(
-            "Safety.FR1_Stops", "Safety", "FR1_Stops", "It stops.",
-            Place("tests/SafetyTest.cpp", 2), ["FR-1"], {HOST: run},
-        )
-    }  # fmt: skip
-    model.requirements["FR-1"].verified_by = ["Safety.FR1_Stops"]
-    model.safety = declared.safety
-    return model
+    return Model(
+        "0123456789", "0.1", "hash", {HOST: "hash" if fresh else "old"},
+        requirements={
+            "FR-1": Requirement(
+                "FR-1", "A stop shall act.", "Stop", Place("requirements/stop.dox", 5),
+                rationale="It must.", source="goal: SG-1", priority="high", level="system",
+                products=["all"], method="test", goals=["SG-1"], verified_by=["Safety.FR1_Stops"],
+            )
+        },
+        tests={
+            "Safety.FR1_Stops": Test(
+                "Safety.FR1_Stops", "Safety", "FR1_Stops", "It stops.",
+                Place("tests/SafetyTest.cpp", 2), ["FR-1"], {HOST: run},
+            )
+        },
+        safety=declared.safety,
+    )  # fmt: skip
+
+
+def report_of(model: Model, states: Mapping[str, str] | None = None) -> Report:
+    """The report of a model of which these requirements have these states; FR-1 is verified."""
+    verdicts = {
+        name: Verdict(state) for name, state in {"FR-1": "verified", **(states or {})}.items()
+    }
+    scenarios, goals = safety_verdicts(model, verdicts)
+    return Report(requirements=verdicts, goals=goals, scenarios=scenarios)

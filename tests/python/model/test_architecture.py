@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -9,7 +10,7 @@ import pytest
 from tests.python.model.lamp_tree import facts_of, write_lamp
 from tests.python.model.test_execution import model_of
 from traceability.checks import architecture_checks
-from traceability.model.architecture import add_connections
+from traceability.model.architecture import connections_of
 from traceability.schema import ArchitectureElement, Connection, Place
 
 PLACE = Place("design/architecture.toml", 1)
@@ -20,7 +21,7 @@ def way(root: Path, kind: str, source: str, target: str) -> tuple[list[str], lis
     facts = facts_of(write_lamp(root))
     model, _ = model_of(root)
     facts.declared.connections = [Connection(kind, source, target, "", PLACE)]
-    add_connections(model, facts)
+    model = replace(model, connections=connections_of(model, facts))
     findings = [f"[{one.check}] {one.text}" for one in architecture_checks.check(model, facts)]
     return model.connections[0].way, findings
 
@@ -51,6 +52,8 @@ def test_names_of_modules_are_checked(tmp_path: Path) -> None:
     _, findings = way(tmp_path, "call", "On", "Bell")
     assert findings == ["[arch-module] there is no module Bell"]
     model, _ = model_of(tmp_path)
-    model.architecture = [ArchitectureElement("a", "sensor", "a", "", ["Eye"], PLACE)]
+    model = replace(
+        model, architecture=[ArchitectureElement("a", "sensor", "a", "", ["Eye"], PLACE)]
+    )
     found = architecture_checks.check(model, facts_of(tmp_path))
     assert [one.text for one in found] == ["there is no module Eye"]

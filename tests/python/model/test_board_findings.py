@@ -51,11 +51,10 @@ def write_board(root: Path) -> Path:
 
 
 def test_a_finding_without_a_test_is_found(tmp_path: Path) -> None:
-    model = build(write_board(tmp_path))
+    model, facts = build(write_board(tmp_path))
     assert model.board_findings["clock-gate"].tests == ["Findings.ClockGate"]
     assert list(model.tests["Findings.Nothing"].results) == [VIRTUAL_K64]
-    assert model.facts is not None
-    found = check(model, model.facts)
+    found = check(model, facts)
     assert [(one.place.line, "lockup" in one.text) for one in found] == [(5, True)]
 
 
@@ -66,10 +65,9 @@ def test_faults_count_only_for_the_sources_they_were_seeded_in(tmp_path: Path) -
     path.parent.mkdir(parents=True)
     for sources, known in (("older", None), (source_hash(root), 1)):
         path.write_text(json.dumps({"sources": sources, "faults": [fault]}), encoding="utf-8")
-        model = build(root)
+        model, facts = build(root)
         assert (model.driver_faults and len(model.driver_faults)) == known
-    assert model.facts is not None
-    assert any("'F' gave the finding other" in one.text for one in check(model, model.facts))
+    assert any("'F' gave the finding other" in one.text for one in check(model, facts))
 
 
 def test_results_of_the_board_are_stale_on_their_own(tmp_path: Path) -> None:
@@ -81,7 +79,7 @@ def test_results_of_the_board_are_stale_on_their_own(tmp_path: Path) -> None:
     suites = {"testsuites": [{"name": "Findings", "testsuite": [record, failed]}]}
     (results / "board.json").write_text(json.dumps(suites))
     record_task(root, TESTS_BOARD, "src", "tests")
-    model = build(root)
+    model = build(root).model
     assert not model.stale_on(VIRTUAL_K64)
     assert model.results_stale  # those of the host are missing
     assert model.tests["Findings.ClockGate"].passed
@@ -124,9 +122,8 @@ def belief_findings(root: Path, beliefs: str) -> list[str]:
     ):
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         (root / name).write_text(text, encoding="utf-8")
-    model = build(root)
-    assert model.facts is not None
-    return [one.text for one in check(model, model.facts) if one.check == "board-belief"]
+    model, facts = build(root)
+    return [one.text for one in check(model, facts) if one.check == "board-belief"]
 
 
 @pytest.mark.parametrize(

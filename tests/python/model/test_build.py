@@ -22,7 +22,7 @@ def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def model(tree: Path) -> Model:
-    return build(tree)
+    return build(tree).model
 
 
 def test_texts_come_from_the_comment_above_the_class(model: Model) -> None:
@@ -82,7 +82,6 @@ def test_requirement_with_section_method_and_test(model: Model) -> None:
     assert requirement.rationale == "A lost message is not yet a lost link."
     assert requirement.satisfied_by == ["Mode::newMessage", "OperationState::read"]
     assert requirement.verified_by == ["Working.WaitsWithoutMessage"]
-    assert requirement.state == "unverified"
     assert model.tests["Working.WaitsWithoutMessage"].gave(None) == [HOST]
     assert model.results_stale
 
@@ -104,13 +103,13 @@ def test_results_count_only_for_the_sources_they_were_made_from(tree: Path) -> N
     suite = {"name": "Working", "testsuite": [record | {"time": "0.002s"}]}
     (results / "trace.json").write_text(json.dumps({"testsuites": [suite]}))
     record_task(tree, TESTS_TRACE, "src", "tests")
-    assert not build(tree).results_stale
-    test = build(tree).tests["Working.WaitsWithoutMessage"]
+    assert not build(tree).model.results_stale
+    test = build(tree).model.tests["Working.WaitsWithoutMessage"]
     recordings = ["Working.WaitsWithoutMessage"]
     assert test.results == {HOST: BindingResult("passed", 2.0, recordings=recordings)}
     path = tree / "src/main_control/operation_modes/RC.cpp"
     path.write_text(path.read_text() + "\n// changed\n")
-    assert build(tree).results_stale
+    assert build(tree).model.results_stale
 
 
 def test_only_units_that_include_a_changed_header_are_read_again(tmp_path: Path) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from traceability.model.design_model import Model
-from traceability.model.dictionary import add_dictionary
+from traceability.model.dictionary import with_dictionary
 from traceability.reading.declared import Declared
 from traceability.reading.source_facts import gather_facts
 from traceability.reading.syntax import read_syntax
@@ -100,8 +100,7 @@ def model(tmp_path_factory: pytest.TempPathFactory) -> Model:
         model.modules[name] = Module(
             name, f"wr::{name}", "a", False, value, brief, "", "", place, place.file, None
         )
-    add_dictionary(model, gather_facts(root, syntax, Declared()))
-    return model
+    return with_dictionary(model, gather_facts(root, syntax, Declared()))
 
 
 def test_a_part_has_those_who_make_and_read_it(model: Model) -> None:

@@ -6,9 +6,9 @@ import pytest
 
 from traceability.checks.registry import KNOWN
 from traceability.checks.requirement_checks import unmet
-from traceability.model.build import set_states
 from traceability.model.design_model import Model
-from traceability.model.evidence import read_evidence, reasons, settle_evidence
+from traceability.model.evidence import measured_values, read_evidence
+from traceability.model.verdicts import make_report
 from traceability.schema import Finding, Place, Requirement
 
 PLACE = Place("requirements/a.dox", 3)
@@ -21,8 +21,8 @@ FIGURES = {
 
 
 def model_with(text: str) -> Model:
-    requirement = Requirement("NFR-9", "It shall.", "Qualities", PLACE)
-    requirement.evidence = [read_evidence(text, PLACE)]
+    evidence = [read_evidence(text, PLACE)]
+    requirement = Requirement("NFR-9", "It shall.", "Qualities", PLACE, evidence=evidence)
     return Model("", "", "", {}, requirements={"NFR-9": requirement})
 
 
@@ -54,15 +54,13 @@ def model_with(text: str) -> Model:
 def test_evidence_holds_or_says_why_not(text: str, wrong: list[str]) -> None:
     model = model_with(text)
     found = [Finding(PLACE, check, "", "") for check in ("module-name", "module-spec")]
-    settle_evidence(model, FIGURES, found, KNOWN)
-    set_states(model)
-    requirement = model.requirements["NFR-9"]
-    assert reasons(requirement.evidence[0]) == wrong
-    assert requirement.state == ("unverified" if wrong else "verified")
-    assert [one.check for one in unmet(model)] == ["req-evidence"] * len(wrong)
+    measured = measured_values(model, FIGURES, found, KNOWN)
+    verdict = make_report(model, [], {}, measured).requirements["NFR-9"]
+    assert verdict.reasons == wrong
+    assert verdict.state == ("unverified" if wrong else "verified")
+    assert [one.check for one in unmet(model, measured)] == ["req-evidence"] * len(wrong)
 
 
 def test_what_was_not_measured_yet_verifies_nothing() -> None:
     model = model_with("coverage.line at least 98 %")
-    set_states(model)
-    assert model.requirements["NFR-9"].state == "unverified"
+    assert make_report(model, [], {}, {}).requirements["NFR-9"].state == "unverified"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -9,7 +10,7 @@ import pytest
 from tests.python.model.lamp_tree import facts_of, write_lamp
 from traceability.checks import execution_checks
 from traceability.model.design_model import Model
-from traceability.model.execution import add_execution
+from traceability.model.execution import with_execution
 from traceability.schema import Method, Module, Place
 
 MODULES = ("Lamp", "LampState", "Off", "On", "Button", "Work", "Pipe", "Command")
@@ -23,10 +24,10 @@ def model_of(root: Path, interrupt: str = "yes") -> tuple[Model, list[tuple[str,
         model.modules[name] = Module(
             name, f"wr::{name}", "lamp", False, False, "", "", "", place, place.file, None
         )
-    count = Method("Button::execute", "Button", "execute", "", "public", "override", place)
-    count.interrupt = interrupt
-    model.modules["Button"].methods = [count]
-    add_execution(model, facts)
+    words = ("Button::execute", "Button", "execute", "", "public", "override")
+    count = Method(*words, place, interrupt=interrupt)
+    model.modules["Button"] = replace(model.modules["Button"], methods=[count])
+    model = with_execution(model, facts)
     return model, [(one.check, one.text) for one in execution_checks.check(model, facts)]
 
 

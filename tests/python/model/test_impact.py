@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import dataclasses
+from dataclasses import replace
 
 import pytest
 
@@ -15,9 +15,10 @@ from traceability.model.impact import Impact, Impacts, Reached, UnknownSubjectEr
 @pytest.fixture
 def model() -> Model:
     model = make_model()
-    model.modules["Mode"].used_by = ["MainController"]
-    model.modules["Mode"].methods[0].called_by = ["MainController::read"]
-    model.modules["RC"].methods[0].called_by = ["MainController::read"]
+    model.modules["Mode"] = replace(model.modules["Mode"], used_by=["MainController"])
+    for name in ("Mode", "RC"):
+        methods = model.modules[name].methods
+        methods[0] = replace(methods[0], called_by=["MainController::read"])
     return model
 
 
@@ -39,9 +40,9 @@ def test_a_change_of_an_heir_stays_behind_its_abstraction(model: Model) -> None:
 
 
 def test_what_is_reached_over_another_module_is_farther(model: Model) -> None:
-    model.modules["MainController"].used_by = ["Director"]
-    director = dataclasses.replace(model.modules["MainController"], name="Director", used_by=[])
-    model.modules["Director"] = dataclasses.replace(director, methods=[], requirements=[], roles=[])
+    model.modules["MainController"] = replace(model.modules["MainController"], used_by=["Director"])
+    director = replace(model.modules["MainController"], name="Director", used_by=[])
+    model.modules["Director"] = replace(director, methods=[], requirements=[], roles=[])
     assert [one.id for one in of(model, "Mode").at(2)] == ["Director"]
 
 
@@ -66,7 +67,8 @@ def test_a_requirement_begins_with_the_modules_that_serve_it(model: Model) -> No
 def test_a_file_stands_for_what_is_written_in_it(model: Model) -> None:
     source = of(model, f"./src/{MODES}/RC.cpp")
     assert source.at(0) == [Reached("RC", 0, f"is written in src/{MODES}/RC.cpp")]
-    model.files += ["design/trees/a.tree", "tests/RcTest.cpp", "design/fsm/a.toml"]
+    others = ["design/trees/a.tree", "tests/RcTest.cpp", "design/fsm/a.toml"]
+    model = replace(model, files=[*model.files, *others])
     assert of(model, "design/trees/a.tree").requirements[0].because == "its tree is declared there"
     assert of(model, "tests/RcTest.cpp").tests[0].because == "is written in tests/RcTest.cpp"
     machine = of(model, "design/fsm/a.toml")

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 import pytest
 
 from tests.python.model.small_tree import write_tree
 from traceability.model.build import build
 from traceability.model.design_model import Model
-from traceability.model.likely_changes import add_changes
+from traceability.model.likely_changes import changes_of
 from traceability.reading.change_texts import ChangeTexts, Recipe
 from traceability.schema import LikelyChange
 
@@ -53,7 +51,7 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Model:
     (root / "design").mkdir(exist_ok=True)
     (root / "design" / "changes.toml").write_text(CHANGES)
     (root / "src" / "main_control" / "Builder.hpp").write_text(BUILDER)
-    return build(root)
+    return build(root).model
 
 
 @pytest.fixture
@@ -94,14 +92,11 @@ def test_requirements_whose_trees_run_through_its_modules_are_looked_at_again(
 def test_a_change_that_adds_nothing_edits_what_it_alters(built: Model) -> None:
     application = built.patterns["reading-modes"]
     recipe = Recipe(["State"], steps=["Edit it."])
-    model = dataclasses.replace(built, changes={})
-    add_changes(model, ChangeTexts({application.pattern: recipe}))
-    change = model.changes["reading-modes"]
+    texts = ChangeTexts({application.pattern: recipe})
+    change = changes_of(built, texts)["reading-modes"]
     assert (change.derives, change.edits) == ([], ["Mode"])
     assert "RC" in change.untouched
 
 
 def test_without_texts_there_are_no_changes(built: Model) -> None:
-    model = dataclasses.replace(built, changes={})
-    add_changes(model, ChangeTexts())
-    assert model.changes == {}
+    assert changes_of(built, ChangeTexts()) == {}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -19,15 +20,13 @@ def method(name: str, overrides: str | None = None, satisfies: str = "") -> Meth
     owner, _, plain = name.partition("::")
     kind = "constructor" if owner == plain else "plain"
     item = Method(name, owner, plain, name, "public", kind, PLACE, overrides=overrides)
-    item.satisfies = [satisfies] if satisfies else []
-    return item
+    return replace(item, satisfies=[satisfies] if satisfies else [])
 
 
 def module(*methods: Method, datatype: bool = False) -> Module:
     name = methods[0].module
     found = Module(name, f"wr::{name}", "a", False, datatype, "", "", "", PLACE, PLACE.file, None)
-    found.methods = list(methods)
-    return found
+    return replace(found, methods=list(methods))
 
 
 def model_of(*modules: Module) -> Model:
@@ -65,8 +64,7 @@ def test_a_constructor_serves_with_its_module() -> None:
 
 
 def test_private_methods_and_value_types_serve_whom_they_like() -> None:
-    hidden = method("Leaf::hidden")
-    hidden.access = "private"
+    hidden = replace(method("Leaf::hidden"), access="private")
     assert without(module(hidden), module(method("Value::x"), datatype=True)) == []
 
 
@@ -82,7 +80,7 @@ def test_gaps_and_needless_justifications_are_findings() -> None:
     model = model_of(module(method("Leaf::left")))
     for name, file in (("A.One", "tests/a/A.cpp"), ("B.Two", "tests/sim/B.cpp")):
         model.tests[name] = Test(name, "S", "t", "", Place(file, 9), results={})
-    justify(model, [])
+    model = justify(model, [])
     gaps = {
         ("req-method", "src/a/A.hpp", 1),
         ("req-test", "tests/a/A.cpp", 9),
@@ -93,10 +91,10 @@ def test_gaps_and_needless_justifications_are_findings() -> None:
         Justified("method", ["Leaf::left"], "why", TOML),
         Justified("test", ["tests/sim/", "A.One"], "why", TOML),
     ]
-    justify(model, declared)
+    model = justify(model, declared)
     assert findings(model) == set()
-    assert declared[1].covers == ["A.One", "B.Two"]
-    model.tests["A.One"].verifies = ["FR-1"]
-    justify(model, [Justified("test", ["A.One"], "why", TOML), *declared])
+    assert model.justified[1].covers == ["A.One", "B.Two"]
+    model.tests["A.One"] = replace(model.tests["A.One"], verifies=["FR-1"])
+    model = justify(model, [Justified("test", ["A.One"], "why", TOML), *declared])
     assert findings(model) == {("req-justified", TOML.file, TOML.line)}
     assert HOST not in model.results_hashes

@@ -48,7 +48,7 @@ def change(root: Path, file: str, old: str, new: str) -> None:
 
 
 def suspect(root: Path) -> list[tuple[str, str]]:
-    found = run_checks(build(root))
+    found = run_checks(*build(root)).findings
     return [(one.check, one.text) for one in found if one.check.startswith("suspect-")]
 
 

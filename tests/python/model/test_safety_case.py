@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import product
 from pathlib import Path
 from types import SimpleNamespace
@@ -9,10 +10,11 @@ from typing import Any
 
 import pytest
 
-from tests.python.model.small_case import make_model, write_case
+from tests.python.model.small_case import make_model, report_of, write_case
 from traceability.model.design_model import Model
 from traceability.model.metrics import methods, safety
-from traceability.model.safety_case import add_safety, plays, settle_safety
+from traceability.model.report import Verdict
+from traceability.model.safety_case import plays, safety_of
 from traceability.reading.declared import Declared
 from traceability.reading.declared_safety import (
     evaluate,
@@ -30,9 +32,7 @@ ROOT = Path(__file__).resolve().parents[3]
 def settled(root: Path, result: str | None = "passed", *, fresh: bool = True) -> Model:
     model = make_model(root, result, fresh=fresh)
     facts: Any = SimpleNamespace(root=root, declared=Declared(safety=model.safety))
-    add_safety(model, facts)
-    settle_safety(model)
-    return model
+    return replace(model, safety=safety_of(model, facts))
 
 
 def test_a_case_is_read_with_its_links_both_ways(tmp_path: Path) -> None:
@@ -133,9 +133,9 @@ def test_a_goal_is_verified_by_its_requirements_and_scenarios(tmp_path: Path) ->
     write_case(tmp_path)
     model = settled(tmp_path)
     assert model.safety.scenarios["lost"].tests == ["Safety.FR1_Stops"]
-    assert model.safety.scenarios["lost"].state == "verified"
-    assert model.safety.goals["SG-1"].state == "verified"
-    assert model.safety.goals["SG-1"].reasons == []
+    report = report_of(model)
+    assert report.scenarios["lost"] == "verified"
+    assert report.goals["SG-1"] == Verdict("verified", [])
 
 
 @pytest.mark.parametrize(
@@ -153,9 +153,9 @@ def test_a_scenario_that_did_not_pass_in_this_run_leaves_its_goal_open(
     tmp_path: Path, result: str | None, fresh: bool, scenario: str, goal: str
 ) -> None:
     write_case(tmp_path)
-    model = settled(tmp_path, result, fresh=fresh)
-    assert model.safety.scenarios["lost"].state == scenario
-    assert model.safety.goals["SG-1"].state == goal
+    report = report_of(settled(tmp_path, result, fresh=fresh))
+    assert report.scenarios["lost"] == scenario
+    assert report.goals["SG-1"].state == goal
 
 
 @pytest.mark.parametrize(("own", "state"), [("passed", "verified"), ("failed", "failed")])
@@ -165,10 +165,10 @@ def test_an_instance_of_a_test_decides_about_its_scenario(
     """Others that fail do not fail this one."""
     write_case(tmp_path)
     model = settled(tmp_path, "failed")
-    run = model.tests["Safety.FR1_Stops"].results[HOST]
-    run.instances = {"All_Safety.FR1_Stops_lost": own, "All_Safety.FR1_Stops_found": "failed"}
-    settle_safety(model)
-    assert model.safety.scenarios["lost"].state == state
+    runs = model.tests["Safety.FR1_Stops"].results
+    instances = {"All_Safety.FR1_Stops_lost": own, "All_Safety.FR1_Stops_found": "failed"}
+    runs[HOST] = replace(runs[HOST], instances=instances)
+    assert report_of(model).scenarios["lost"] == state
 
 
 @pytest.mark.parametrize("state", ["partly", "suspect", "stale", "unverified"])
@@ -176,17 +176,15 @@ def test_a_requirement_that_is_not_verified_leaves_its_goal_open(
     tmp_path: Path, state: str
 ) -> None:
     write_case(tmp_path)
-    model = settled(tmp_path)
-    model.requirements["FR-1"].state = state
-    settle_safety(model)
-    assert model.safety.goals["SG-1"].state == "open"
-    assert "FR-1" in model.safety.goals["SG-1"].reasons[0]
+    goal = report_of(settled(tmp_path), {"FR-1": state}).goals["SG-1"]
+    assert goal.state == "open"
+    assert "FR-1" in goal.reasons[0]
 
 
 def test_a_goal_with_a_known_exception_is_open(tmp_path: Path) -> None:
     line = 'scenarios = ["lost"]'
     write_case(tmp_path, (line, f'{line}\nexceptions = ["with two faults"]'))
-    goal = settled(tmp_path).safety.goals["SG-1"]
+    goal = report_of(settled(tmp_path)).goals["SG-1"]
     assert goal.state == "open"
     assert goal.reasons == ["it does not hold: with two faults"]
 
@@ -197,7 +195,7 @@ def test_a_goal_without_requirements_or_scenarios_is_open(tmp_path: Path) -> Non
         ('requirements = ["FR-1"]', "requirements = []"),
         ('scenarios = ["lost"]', "scenarios = []"),
     )
-    assert settled(tmp_path).safety.goals["SG-1"].reasons == [
+    assert report_of(settled(tmp_path)).goals["SG-1"].reasons == [
         "no requirement serves it",
         "no fault scenario is about it",
     ]
@@ -205,15 +203,16 @@ def test_a_goal_without_requirements_or_scenarios_is_open(tmp_path: Path) -> Non
 
 def test_what_was_not_measured_is_null(tmp_path: Path) -> None:
     write_case(tmp_path)
-    case = settled(tmp_path).safety
-    assert safety(case, fresh=True) == {
+    model = settled(tmp_path)
+    report = report_of(model)
+    assert safety(model.safety, report, fresh=True) == {
         "safety.goals": 1,
         "safety.goals_verified": 1,
         "safety.fault_scenarios": 1,
         "safety.fault_scenarios_passed": 1,
         "safety.existing_lines_touched": None,  # there is no history
     }
-    stale = safety(case, fresh=False)
+    stale = safety(model.safety, report, fresh=False)
     assert stale["safety.goals_verified"] is None
     assert stale["safety.fault_scenarios_passed"] is None
 
@@ -221,7 +220,7 @@ def test_what_was_not_measured_is_null(tmp_path: Path) -> None:
 def test_the_methods_of_verification_add_up(tmp_path: Path) -> None:
     write_case(tmp_path)
     model = settled(tmp_path)
-    model.requirements["FR-1"].partly = "not all."
+    model.requirements["FR-1"] = replace(model.requirements["FR-1"], partly="not all.")
     counts = methods(model.requirements.values())
     ways = ("by_test", "by_analysis", "by_measurement", "by_inspection")
     assert sum(counts[f"requirements.{way}"] for way in ways) == len(model.requirements)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import cast
 
@@ -48,7 +49,7 @@ def prover(
     functions: dict[str, Function], contexts: list[ExecutionContext], *calls: CallFact
 ) -> Prover:
     model = Model(commit="", version="", sources_hash="", results_hashes={})
-    model.contexts = {one.id: one for one in contexts}
+    model = replace(model, contexts={one.id: one for one in contexts})
     facts = cast(Facts, SmallFacts(*calls))
     return Prover(functions, facts, model, Declared())
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -33,12 +34,15 @@ def findings(
         model.requirements[name] = Requirement(
             name, "It shall last 3 s.", "", Place("x", 1), satisfied_by=[method]
         )
-    model.requirements["FR-1"].verified_by = [verified]
-    model.machines = facts.declared.machines
-    model.patterns = {
-        name: PatternApplication(name, "State", "", "", "", "LampState", Place("x", 1))
-        for name in facts.declared.applications
-    }
+    model.requirements["FR-1"] = replace(model.requirements["FR-1"], verified_by=[verified])
+    model = replace(
+        model,
+        machines=facts.declared.machines,
+        patterns={
+            name: PatternApplication(name, "State", "", "", "", "LampState", Place("x", 1))
+            for name in facts.declared.applications
+        },
+    )
     if seen:
         for step in model.machines["lamp-states"].transitions:
             step.tests.append("Test.One")

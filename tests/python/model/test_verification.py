@@ -15,6 +15,7 @@ from traceability.checks import run_checks
 from traceability.exports.verification_table import junit, table
 from traceability.model.build import build
 from traceability.model.design_model import Model
+from traceability.model.report import Report
 from traceability.model.reviews import Sources, hashes, link_texts, write_review
 from traceability.model.trace_summary import fold
 from traceability.reading import traces
@@ -66,7 +67,7 @@ def write_trace(root: Path, calls: list[str]) -> None:
 
 
 def record_review(root: Path) -> None:
-    model = build(root)
+    model = build(root).model
     texts = link_texts(model, model.requirements["FR-15"], Sources(root))
     write_review(root, "FR-15", Review("A. Reader", "2026-01-31", hashes(texts)))
 
@@ -87,12 +88,14 @@ def tree(sound: Path, tmp_path: Path) -> Path:
     return root
 
 
-def checked(root: Path) -> tuple[str, set[str], Model]:
+def checked(root: Path) -> tuple[str, set[str], Model, Report]:
     """The state of the requirement, and which checks find something of it."""
-    model = build(root)
-    found = run_checks(model)
-    checks = {one.check for one in found if one.check.startswith(("req-", "tree-", "suspect-"))}
-    return model.requirements["FR-15"].state, checks, model
+    model, facts = build(root)
+    report = run_checks(model, facts)
+    checks = {
+        one.check for one in report.findings if one.check.startswith(("req-", "tree-", "suspect-"))
+    }
+    return report.requirements["FR-15"].state, checks, model, report
 
 
 def change(root: Path, file: str, old: str, new: str) -> None:
@@ -103,7 +106,7 @@ def change(root: Path, file: str, old: str, new: str) -> None:
 
 
 def test_what_passed_and_executed_its_tree_is_verified(sound: Path) -> None:
-    state, _, model = checked(sound)
+    state, _, model, _ = checked(sound)
     assert state == "verified"
     run = model.requirements["FR-15"].runs[HOST]
     assert [(call.depth, call.module, call.declared_by) for call in run.folded] == [
@@ -116,7 +119,7 @@ def test_what_passed_and_executed_its_tree_is_verified(sound: Path) -> None:
 
 def test_a_skipped_test_is_not_a_passed_one(tree: Path) -> None:
     write_results(tree, "SKIPPED")
-    state, checks, _ = checked(tree)
+    state, checks, _, _ = checked(tree)
     assert state == "unverified"
     assert "req-passed" in checks
 
@@ -127,7 +130,7 @@ def test_a_call_that_is_no_longer_made_is_found(tree: Path) -> None:
     )
     write_results(tree)
     write_trace(tree, CALLS[:-1])
-    state, checks, model = checked(tree)
+    state, checks, model, _ = checked(tree)
     assert state == "unverified"
     assert "tree-static" in checks
     assert model.requirements["FR-15"].runs == {}
@@ -135,7 +138,7 @@ def test_a_call_that_is_no_longer_made_is_found(tree: Path) -> None:
 
 def test_a_test_that_does_not_make_the_calls_does_not_verify(tree: Path) -> None:
     write_trace(tree, CALLS[:2])
-    state, checks, _ = checked(tree)
+    state, checks, _, _ = checked(tree)
     assert state == "unverified"
     assert "tree-dynamic" in checks
 
@@ -143,26 +146,26 @@ def test_a_test_that_does_not_make_the_calls_does_not_verify(tree: Path) -> None
 def test_a_test_of_another_requirement_does_not_verify(tree: Path) -> None:
     change(tree, "tests/main_control/WorkingTest.cpp", "@verifies FR-15", "@verifies FR-16")
     write_results(tree)
-    state, checks, _ = checked(tree)
+    state, checks, _, _ = checked(tree)
     assert state == "unverified"
     assert {"req-verified", "req-unknown", "suspect-test"} <= checks
 
 
 def test_a_changed_text_is_suspect(tree: Path) -> None:
     change(tree, "requirements/reading.dox", "any source", "the PC")
-    state, checks, _ = checked(tree)
+    state, checks, _, _ = checked(tree)
     assert state == "suspect"
     assert "suspect-requirement" in checks
 
 
 def test_the_exports_tell_the_same(tree: Path) -> None:
     change(tree, "requirements/reading.dox", "any source", "the PC")
-    _, _, model = checked(tree)
-    row = table(model)["requirements"][0]
+    _, _, model, report = checked(tree)
+    row = table(model, report)["requirements"][0]
     assert (row["id"], row["state"]) == ("FR-15", "suspect")
     assert row["review"] == {"reviewer": "A. Reader", "date": "2026-01-31"}
     assert row["tests"] == {TEST: {HOST: "passed"}}
-    top = junit(model)
+    top = junit(model, report)
     assert (top.get("tests"), top.get("failures")) == ("1", "1")
 
 

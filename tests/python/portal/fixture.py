@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from traceability.model.design_model import Model
+from traceability.model.report import Report, Verdict
 from traceability.schema import (
     HOST,
     VIRTUAL_K64,
@@ -40,6 +43,12 @@ from traceability.schema import (
     Use,
 )
 
+PLACE = Place("design/a.toml", 3)
+REPORT = Report(
+    requirements={"FR-15": Verdict("verified")},
+    clauses={"reading-modes": [Clause("pattern-state-abstract", "It is abstract", True, [PLACE])]},
+)
+
 MODES = "main_control/operation_modes"
 HEADER = "#pragma once\n\nnamespace wr {\nclass {name} {{\n public:\n  void read();\n}};\n}}\n"
 SOURCE = "namespace wr {\n\nvoid {name}::read() {{\n  act();\n}}\n}}\n"
@@ -59,105 +68,100 @@ def make_project(root: Path) -> Model:
 
 
 def make_model() -> Model:
-    model = Model("0123456789abcdef", "0.1", "hash", {HOST: "hash", VIRTUAL_K64: "hash"})
-    model.logic_modules = {
-        "main_control": LogicModule(
-            "main_control", "MainControl", None, "Main Control.", "Runs the cycle.",
-            "The steps.", Place("src/main_control/module.dox", 1),
-            ["MainController"], [MODES],
-        ),
-        MODES: LogicModule(
-            MODES, "OperationModes", "main_control", "Modes: where orders come from.",
-            "Reads.", "The sources.", Place(f"src/{MODES}/module.dox", 1),
-            ["Mode", "RC"],
-        ),
-    }  # fmt: skip
-    controller = make_module("MainController", "main_control", False, [])
-    mode = make_module("Mode", MODES, True, [])
-    rc = make_module("RC", MODES, False, ["Mode"])
-    mode.heirs = ["RC"]
-    controller.uses = ["Mode"]
-    controller.methods[0].calls = [
-        Call("Mode::read", True, Place("src/main_control/MainController.cpp", 4), ["RC::read"])
-    ]
-    rc.methods[0].satisfies = ["FR-15"]
-    rc.requirements = ["FR-15"]
-    rc.tests = ["RcTest.Reads"]
-    rc.lines_total, rc.lines_covered = 2, 1
-    rc.line_hits = {f"src/{MODES}/RC.cpp": {3: 7, 4: 0}}
-    roles = [("State", mode), ("Concrete State", rc), ("Context", controller)]
-    for role, module in roles:
-        module.roles = [RoleBinding("reading-modes", role, module.name, module.place)]
-    model.modules = {m.name: m for m in (controller, mode, rc)}
-    model.patterns = {
-        "reading-modes": PatternApplication(
-            "reading-modes", "State", "Reading modes", "Sources differ.",
-            "A new source.", "Mode", mode.place, [m.roles[0] for _, m in roles],
-            [Clause("pattern-state-abstract", "Mode is abstract", True, [mode.place])],
-        )
-    }  # fmt: skip
-    model.requirements = {"FR-15": make_requirement()}
-    model.tests = {
-        "RcTest.Reads": Test(
-            "RcTest.Reads", "RcTest", "Reads", "It reads.", Place("tests/RcTest.cpp", 9),
-            ["FR-15"], {HOST: BindingResult("passed", 0.25)},
-        )
-    }  # fmt: skip
+    call = Call("Mode::read", True, Place("src/main_control/MainController.cpp", 4), ["RC::read"])
+    controller = make_module("MainController", "main_control", "Context", [], calls=[call])
+    mode = make_module("Mode", MODES, "State", [])
+    rc = make_module("RC", MODES, "Concrete State", ["Mode"], satisfies=["FR-15"])
+    hits = {f"src/{MODES}/RC.cpp": {3: 7, 4: 0}}
+    controller, mode = replace(controller, uses=["Mode"]), replace(mode, heirs=["RC"])
+    rc = replace(
+        rc, requirements=["FR-15"], tests=["RcTest.Reads"], lines_total=2, lines_covered=1,
+        line_hits=hits,
+    )  # fmt: skip
+    modules = {m.name: m for m in (controller, mode, rc)}
     asked = Place("design/fsm/a.toml", 3)
-    model.machines = {
-        "reading-modes": StateMachine(
-            "reading-modes", "Reading modes", "reading-modes", "RC", {"RC": "RC"},
-            [
-                Transition("RC", "newMessage", "", "RC", "read", asked, ["FR-15"]),
-                Transition("RC", "noMessage", "", "RC", "", asked, ["FR-16"]),
-            ],
-            Place("design/fsm/a.toml", 1),
-        )
-    }  # fmt: skip
     place = Place("src/main_control/MainController.cpp", 1)
-    model.uses = [Use("main_control", MODES, [place])]
-    model.allowed_uses = [AllowedUse("main_control", MODES, "it reads", place)]
-    model.architecture = [
-        ArchitectureElement(name, "controller", name, "Text.", ["RC"], place)
-        for name in ARCHITECTURE
-    ]
     found = Place("design/board_findings.toml", 4)
-    model.board_findings = {
-        "clock-gate": BoardFinding("clock-gate", "The clock is off.", found, ["RcTest.Reads"]),
-    }
-    model.driver_faults = [
-        DriverFault(
-            "Clock gate of UART0 left closed", f"src/{MODES}/RC.cpp", "clock-gate", True,
-            "finding: clock-gate: UART0, in wr::K64Uart::start() at src/k64/K64Uart.cpp:31",
-        )
-    ]  # fmt: skip
-    model.closed_loop = [
-        LoopScenario(
-            "step", "A step", "It steps.", "sim/scenario/examples/step.scenario",
-            Place("design/closed_loop.toml", 1),
-            [LoopPlot("Velocity", "rpm", [
-                Curve("set_point", HOST, [(0.0, 0.0), (1.0, 150.0)]),
-                Curve("truth", HOST, [(0.0, 0.0), (1.0, 20.0), (9.0, 150.0)]),
-            ])],
-            [LoopFigure("Settling time", 2000, "ms", "FR-15", {HOST: 1050.0})],
-            {HOST: LoopRun(True, "")},
-        )
-    ]  # fmt: skip
-    model.paper_places = [PaperPlace("Figure 1", "figure", "Modes", Place("design/paper.toml", 4))]
-    model.paper = [
-        PaperElement("figure", "Figure 1", ["machine:reading-modes", "view:guide"]),
-        PaperElement("module", "CR", ["module:RC"], "The name is `RC` here.", where=["Figure 1"]),
-        PaperElement("method", "Mode::ask", ["method:Mode::read"], deviation="It reads."),
-    ]
-    model.changes = {
-        "reading-modes": LikelyChange(
-            "reading-modes", "State", "Mode", ["RC"], "Concrete State", ["Mode"], MODES, [],
-            ["Mode", "RC", "MainController"], ["FR-15"], ["RcTest.Reads"],
-            ["Derive from {derives}.", "Make it known in {edits}."], [],
-        )
-    }  # fmt: skip
-    model.files = [f for m in model.modules.values() for f in (m.header, str(m.source))]
-    return model
+    return Model(
+        "0123456789abcdef", "0.1", "hash", {HOST: "hash", VIRTUAL_K64: "hash"},
+        logic_modules={
+            "main_control": LogicModule(
+                "main_control", "MainControl", None, "Main Control.", "Runs the cycle.",
+                "The steps.", Place("src/main_control/module.dox", 1),
+                ["MainController"], [MODES],
+            ),
+            MODES: LogicModule(
+                MODES, "OperationModes", "main_control", "Modes: where orders come from.",
+                "Reads.", "The sources.", Place(f"src/{MODES}/module.dox", 1),
+                ["Mode", "RC"],
+            ),
+        },
+        modules=modules,
+        patterns={
+            "reading-modes": PatternApplication(
+                "reading-modes", "State", "Reading modes", "Sources differ.",
+                "A new source.", "Mode", mode.place, [m.roles[0] for m in (mode, rc, controller)],
+            )
+        },
+        requirements={"FR-15": make_requirement()},
+        tests={
+            "RcTest.Reads": Test(
+                "RcTest.Reads", "RcTest", "Reads", "It reads.", Place("tests/RcTest.cpp", 9),
+                ["FR-15"], {HOST: BindingResult("passed", 0.25)},
+            )
+        },
+        machines={
+            "reading-modes": StateMachine(
+                "reading-modes", "Reading modes", "reading-modes", "RC", {"RC": "RC"},
+                [
+                    Transition("RC", "newMessage", "", "RC", "read", asked, ["FR-15"]),
+                    Transition("RC", "noMessage", "", "RC", "", asked, ["FR-16"]),
+                ],
+                Place("design/fsm/a.toml", 1),
+            )
+        },
+        uses=[Use("main_control", MODES, [place])],
+        allowed_uses=[AllowedUse("main_control", MODES, "it reads", place)],
+        architecture=[
+            ArchitectureElement(name, "controller", name, "Text.", ["RC"], place)
+            for name in ARCHITECTURE
+        ],
+        board_findings={
+            "clock-gate": BoardFinding("clock-gate", "The clock is off.", found, ["RcTest.Reads"]),
+        },
+        driver_faults=[
+            DriverFault(
+                "Clock gate of UART0 left closed", f"src/{MODES}/RC.cpp", "clock-gate", True,
+                "finding: clock-gate: UART0, in wr::K64Uart::start() at src/k64/K64Uart.cpp:31",
+            )
+        ],
+        closed_loop=[
+            LoopScenario(
+                "step", "A step", "It steps.", "sim/scenario/examples/step.scenario",
+                Place("design/closed_loop.toml", 1),
+                [LoopPlot("Velocity", "rpm", [
+                    Curve("set_point", HOST, [(0.0, 0.0), (1.0, 150.0)]),
+                    Curve("truth", HOST, [(0.0, 0.0), (1.0, 20.0), (9.0, 150.0)]),
+                ])],
+                [LoopFigure("Settling time", 2000, "ms", "FR-15", {HOST: 1050.0})],
+                {HOST: LoopRun(True, "")},
+            )
+        ],
+        paper_places=[PaperPlace("Figure 1", "figure", "Modes", Place("design/paper.toml", 4))],
+        paper=[
+            PaperElement("figure", "Figure 1", ["machine:reading-modes", "view:guide"]),
+            PaperElement("module", "CR", ["module:RC"], "The name is `RC`.", where=["Figure 1"]),
+            PaperElement("method", "Mode::ask", ["method:Mode::read"], deviation="It reads."),
+        ],
+        changes={
+            "reading-modes": LikelyChange(
+                "reading-modes", "State", "Mode", ["RC"], "Concrete State", ["Mode"], MODES, [],
+                ["Mode", "RC", "MainController"], ["FR-15"], ["RcTest.Reads"],
+                ["Derive from {derives}.", "Make it known in {edits}."], [],
+            )
+        },
+        files=[f for m in modules.values() for f in (m.header, str(m.source))],
+    )  # fmt: skip
 
 
 ARCHITECTURE = [
@@ -180,19 +184,21 @@ ARCHITECTURE = [
 ]
 
 
-def make_module(name: str, logic: str, abstract: bool, bases: list[str]) -> Module:
+def make_module(name: str, logic: str, role: str, bases: list[str], **method: Any) -> Module:
     header = f"src/{logic}/{name}.hpp"
     source = f"src/{logic}/{name}.cpp"
-    method = Method(
+    place, abstract = Place(header, 4), role == "State"
+    only = Method(
         f"{name}::read", name, "read", "void read(int order)", "public",
         "pure" if abstract else "plain", Place(header, 6), Place(source, 3, 5),
         brief="Reads an order.", params=[Param("order", "int", "the order")],
-        interrupt="no", documented=True,
+        interrupt="no", documented=True, **method,
     )  # fmt: skip
     return Module(
         name, f"wr::{name}", logic, abstract, False, f"The {name}.",
         "Calls `RC::read` for FR-15.", f"The secret of {name}.",
-        Place(header, 4), header, source, bases, methods=[method],
+        place, header, source, bases, methods=[only],
+        roles=[RoleBinding("reading-modes", role, name, place)],
     )  # fmt: skip
 
 
@@ -211,6 +217,6 @@ def make_requirement() -> Requirement:
     return Requirement(
         "FR-15", "The system shall wait.", "Reading", Place("requirements/a.dox", 5),
         "Why.", "The paper.", "Test.", "high", satisfied_by=["RC::read"],
-        verified_by=["RcTest.Reads"], tree=root, state="verified",
+        verified_by=["RcTest.Reads"], tree=root,
         runs={HOST: TreeRun("RcTest.Reads", trace, 40, [0, 2])},
     )  # fmt: skip

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import dataclasses
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -18,11 +18,12 @@ from portal.paper_views import families, hidden_names
 from portal.portal import CheckText, Portal
 from portal.requirement_pages import aligned
 from portal.site_build import SiteResult, build_site
-from tests.python.portal.fixture import MODES, make_model, make_project
+from tests.python.portal.fixture import ARCHITECTURE, MODES, REPORT, make_model, make_project
 from tests.python.reading.task_records import record_task
 from traceability.model.design_model import Model
-from traceability.reading.products import DEFAULT, PRODUCTS
-from traceability.reading.seeded_fault_record import Outcome, write_record
+from traceability.model.metrics import drift
+from traceability.reading.products import DEFAULT, PRODUCTS, read_products
+from traceability.reading.seeded_fault_record import Outcome, read_record, write_record
 from traceability.reading.task_record import IMAGES, SEEDED_FAULTS
 from traceability.schema import (
     HOST,
@@ -45,10 +46,15 @@ CHECKS = [
 ]
 
 
+def bodies(root: Path, model: Model) -> dict[str, str]:
+    portal = Portal(root, model, REPORT, CHECKS)
+    return {page.name: page.body for page in all_pages(portal)}
+
+
 @pytest.fixture(scope="module")
 def portal(tmp_path_factory: pytest.TempPathFactory) -> Portal:
     root = tmp_path_factory.mktemp("project")
-    return Portal(root, make_project(root), [], CHECKS)
+    return Portal(root, make_project(root), REPORT, CHECKS)
 
 
 @pytest.fixture(scope="module")
@@ -94,17 +100,16 @@ def test_an_heir_overrides_what_it_has_of_its_base(portal: Portal) -> None:
 
 def test_what_a_secret_names_stands_beside_it(tmp_path: Path) -> None:
     model = make_project(tmp_path)
-    rc = model.modules["RC"]
-    rc.registers, rc.hides = ["uart"], ["RC::kPause", "remote/Pulse.hpp", "Pulse"]
+    hides = ["RC::kPause", "remote/Pulse.hpp", "Pulse"]
+    rc = replace(model.modules["RC"], registers=["uart"], hides=hides)
+    model.modules["RC"] = rc
     assert hidden_names(rc) == {
         "registers": ["uart"],
         "constants": ["RC::kPause"],
         "headers": ["remote/Pulse.hpp"],
         "types": ["Pulse"],
     }
-    page = next(
-        p.body for p in all_pages(Portal(tmp_path, model, [], CHECKS)) if p.name == "secrets"
-    )
+    page = bodies(tmp_path, model)["secrets"]
     assert "<code>remote/Pulse.hpp</code>" in page
 
 
@@ -120,9 +125,9 @@ def test_the_concordance_leads_both_ways(pages: dict[str, str]) -> None:
 
 def test_a_result_of_this_run_is_shown_and_a_stale_one_is_not(tmp_path: Path) -> None:
     model = make_project(tmp_path)
-    fresh = {p.name: p.body for p in all_pages(Portal(tmp_path, model, [], CHECKS))}
-    stale_model = dataclasses.replace(model, results_hashes={HOST: "older"})
-    stale = {p.name: p.body for p in all_pages(Portal(tmp_path, stale_model, [], CHECKS))}
+    fresh = bodies(tmp_path, model)
+    stale_model = replace(model, results_hashes={HOST: "older"})
+    stale = bodies(tmp_path, stale_model)
     assert "1 of 1 runs passed" in fresh["tests"]
     assert "older than the sources" not in fresh["tests"]
     assert "1 of 1 runs passed" not in stale["tests"]
@@ -153,13 +158,13 @@ def test_each_binding_has_a_result_of_its_own(tmp_path: Path) -> None:
     model = make_project(tmp_path)
     first = model.tests["RcTest.Reads"]
     failed = BindingResult("failed", 30.0, "expected 1")
-    model.tests["Robot.Drives"] = dataclasses.replace(
+    model.tests["Robot.Drives"] = replace(
         first, id="Robot.Drives", name="Drives", results=first.results | {VIRTUAL_K64: failed}
     )
     requirement = model.requirements["FR-15"]
     requirement.verified_by.append("Robot.Drives")
     requirement.runs[VIRTUAL_K64] = TreeRun("Robot.Drives", requirement.runs[HOST].rows, 0, [0, 2])
-    pages = {p.name: p.body for p in all_pages(Portal(tmp_path, model, [], CHECKS))}
+    pages = bodies(tmp_path, model)
     assert "2 of 3 runs passed" in pages["tests"]
     assert "virtual K64: expected 1" in pages["tests"]
     assert "not built for it" in pages["tests"]
@@ -173,14 +178,16 @@ def test_a_module_shows_first_its_own_tests_then_those_of_its_requirements(tmp_p
     model = make_project(tmp_path)
     first = model.tests["RcTest.Reads"]
     others = {
-        "Robot.Drives": dataclasses.replace(first, id="Robot.Drives", verifies=[]),
-        "RCTest.Own": dataclasses.replace(
+        "Robot.Drives": replace(first, id="Robot.Drives", verifies=[]),
+        "RCTest.Own": replace(
             first, id="RCTest.Own", verifies=[], place=Place(f"tests/{MODES}/RCTest.cpp", 3)
         ),
     }
-    model.tests |= others
-    model.modules["RC"].tests = ["Robot.Drives", *model.modules["RC"].tests, "RCTest.Own"]
-    portal = Portal(tmp_path, model, [], CHECKS)
+    model = replace(model, tests=model.tests | others)
+    model.modules["RC"] = replace(
+        model.modules["RC"], tests=["Robot.Drives", *model.modules["RC"].tests, "RCTest.Own"]
+    )
+    portal = Portal(tmp_path, model, REPORT, CHECKS)
     own = portal.own_tests(model.modules["RC"])
     assert [test.id for test in own] == ["RCTest.Own", "RcTest.Reads"]
     page = next(page.body for page in all_pages(portal) if page.name == "modules/RC")
@@ -210,7 +217,7 @@ def test_a_view_without_content_has_no_key(portal: Portal) -> None:
 
 def test_an_inherited_method_is_found_at_its_heir() -> None:
     model = make_model()
-    model.modules["RC"].methods = []
+    model.modules["RC"] = replace(model.modules["RC"], methods=[])
     links = Links(model, set())
     assert links.method("RC::read") == "@/modules/Mode.html#m-read"
     assert Names(model, links).meth("RC::read").count("modules/Mode.html") == 1
@@ -237,9 +244,10 @@ def test_the_transitions_of_a_requirement_are_marked(pages: dict[str, str]) -> N
 
 def test_a_requirement_of_no_transition_has_no_state_machine(tmp_path: Path) -> None:
     model = make_project(tmp_path)
-    for step in model.machines["reading-modes"].transitions:
-        step.requirements = []
-    found = {p.name: p.body for p in all_pages(Portal(tmp_path, model, [], CHECKS))}
+    machine = model.machines["reading-modes"]
+    steps = [replace(step, requirements=[]) for step in machine.transitions]
+    model.machines["reading-modes"] = replace(machine, transitions=steps)
+    found = bodies(tmp_path, model)
     assert "in the state machine" not in found["requirements/FR-15"]
 
 
@@ -268,8 +276,8 @@ def site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[Path, Model]:
     return tmp_path, make_project(tmp_path)
 
 
-def build(site: tuple[Path, Model], findings: list[Finding] | None = None) -> SiteResult:
-    return build_site(site[0], site[1], findings or [])
+def build(site: tuple[Path, Model], *findings: Finding) -> SiteResult:
+    return build_site(site[0], site[1], replace(REPORT, findings=findings))
 
 
 def test_the_site_is_built_without_warnings(site: tuple[Path, Model]) -> None:
@@ -335,7 +343,9 @@ def test_a_second_run_writes_nothing_and_a_change_only_its_pages(
     before = state()
     build(site)
     assert state() == before
-    site[1].modules["RC"].methods[0].brief = "Takes an order."
+    site[1].modules["RC"].methods[0] = replace(
+        site[1].modules["RC"].methods[0], brief="Takes an order."
+    )
     build(site)
     changed = {name for name, when in state().items() if before[name] != when}
     assert "modules/RC.html" in changed
@@ -347,7 +357,7 @@ def test_the_page_of_a_removed_module_is_removed(site: tuple[Path, Model]) -> No
     docs = site[0] / "build/site/docs/tour.html"
     before = docs.read_text()
     module = site[1].modules.pop("RC")
-    site[1].patterns["reading-modes"].roles = []
+    site[1].patterns["reading-modes"] = replace(site[1].patterns["reading-modes"], roles=[])
     site[1].machines.clear()
     site[1].changes.clear()
     build(site)
@@ -357,14 +367,14 @@ def test_the_page_of_a_removed_module_is_removed(site: tuple[Path, Model]) -> No
 
 def test_a_check_that_needs_fresh_results_does_not_hold_without_them(tmp_path: Path) -> None:
     model = make_project(tmp_path)
-    assert "holds" in Portal(tmp_path, model, [], CHECKS).verdict_of("tree-dynamic")
-    stale = dataclasses.replace(model, results_hashes={HOST: None})
-    assert "no fresh results" in Portal(tmp_path, stale, [], CHECKS).verdict_of("tree-dynamic")
+    assert "holds" in Portal(tmp_path, model, REPORT, CHECKS).verdict_of("tree-dynamic")
+    stale = replace(model, results_hashes={HOST: None})
+    assert "no fresh results" in Portal(tmp_path, stale, REPORT, CHECKS).verdict_of("tree-dynamic")
 
 
 def test_a_check_of_the_finished_site_claims_no_verdict(tmp_path: Path) -> None:
-    later = CheckText("link-site", "Links", "To arrive.", "Each has one.", "others.", "mend it.")
-    portal = Portal(tmp_path, make_project(tmp_path), [], [*CHECKS, later])
+    later = CheckText("link-site", "Links", "To arrive.", "Each has one.", "others.", "fix it.")
+    portal = Portal(tmp_path, make_project(tmp_path), REPORT, [*CHECKS, later])
     found = {page.name: page.body for page in all_pages(portal)}
     assert "Checked after the pages are written" in found["checks/link-site"]
     assert 'class="v' not in found["checks/link-site"]
@@ -380,8 +390,9 @@ def test_seeded_faults_are_a_figure_only_when_this_state_was_measured(tmp_path: 
     record_task(tmp_path, SEEDED_FAULTS, "src")
 
     def home() -> str:
-        pages = all_pages(Portal(tmp_path, model, [], CHECKS))
-        return next(page.body for page in pages if page.name == "index")
+        measured = drift(replace(model, outcomes=read_record(tmp_path)))
+        seeded = replace(model, measured=measured)
+        return bodies(tmp_path, seeded)["index"]
 
     assert "1<small>/2</small>" in home()
     (tmp_path / "src" / MODES / "RC.hpp").write_text("// edited", encoding="utf-8")
@@ -390,22 +401,29 @@ def test_seeded_faults_are_a_figure_only_when_this_state_was_measured(tmp_path: 
 
 def test_the_page_of_the_virtual_k64_shows_what_was_found(tmp_path: Path) -> None:
     model = make_project(tmp_path)
-    model.driver_faults = None
+    model = replace(model, driver_faults=None)
     place = Place("design/board_findings.toml", 4)
-    model.board_findings = {
-        "fpu-off": BoardFinding("fpu-off", "The unit was off.", place, ["RcTest.Reads"]),
-        "lockup": BoardFinding("lockup", "It stops.", place),
-    }
+    model = replace(
+        model,
+        board_findings={
+            "fpu-off": BoardFinding("fpu-off", "The unit was off.", place, ["RcTest.Reads"]),
+            "lockup": BoardFinding("lockup", "It stops.", place),
+        },
+    )
 
     def shown() -> str:
-        pages = all_pages(Portal(tmp_path, model, [], CHECKS))
-        return next(page.body for page in pages if page.name == "virtual_k64")
+        return bodies(tmp_path, model)["virtual_k64"]
 
     assert "not run on these sources" in shown()
-    model.driver_faults = [
-        DriverFault("FPU not enabled", f"src/{MODES}/RC.cpp", "fpu-off", True, "finding: fpu-off"),
-        DriverFault("Nothing", f"src/{MODES}/RC.cpp", "", False, "done"),
-    ]
+    model = replace(
+        model,
+        driver_faults=[
+            DriverFault(
+                "FPU not enabled", f"src/{MODES}/RC.cpp", "fpu-off", True, "finding: fpu-off"
+            ),
+            DriverFault("Nothing", f"src/{MODES}/RC.cpp", "", False, "done"),
+        ],
+    )
     page = shown()
     assert page.count("no test</span>") == 2  # one finding, and no comparison with QEMU
     assert "1<small>/2</small>" in page
@@ -415,23 +433,23 @@ def test_the_page_of_the_virtual_k64_shows_what_was_found(tmp_path: Path) -> Non
 
 def test_the_architecture_says_what_is_not_in_this_source(tmp_path: Path) -> None:
     model = make_project(tmp_path)
-    wheel = next(item for item in model.architecture if item.id == "wheel-control")
-    wheel.modules = ["RC", "WheelController"]
-    pages = all_pages(Portal(tmp_path, model, [], CHECKS))
-    page = next(page.body for page in pages if page.name == "architecture")
+    at = ARCHITECTURE.index("wheel-control")
+
+    def shown(*modules: str) -> str:
+        model.architecture[at] = replace(model.architecture[at], modules=modules)
+        return bodies(tmp_path, model)["architecture"]
+
+    page = shown("RC", "WheelController")
     assert "not in this source: WheelController" in page
     assert page.count("not in this source") == 1
-    wheel.modules = ["WheelController"]
-    pages = all_pages(Portal(tmp_path, model, [], CHECKS))
-    page = next(page.body for page in pages if page.name == "architecture")
-    assert 'class="m soft">not in this source<' in page
+    assert 'class="m soft">not in this source<' in shown("WheelController")
 
 
 def test_the_pages_that_explain_have_a_group_of_their_own(tmp_path: Path) -> None:
     model = make_project(tmp_path)
     (tmp_path / "docs" / "glossary.rst").write_text("Glossary\n========\n")
     (tmp_path / "docs" / "quick_start.rst").write_text("Quick start\n===========\n")
-    navigation = Portal(tmp_path, model, [], CHECKS).navigation
+    navigation = Portal(tmp_path, model, REPORT, CHECKS).navigation
     groups = {group.id: [entry.title for entry in group.entries] for group in navigation.groups}
     assert groups["explain"] == ["Glossary"]
     assert groups["build"] == ["Quick start", "Source", "Exports"]
@@ -440,7 +458,7 @@ def test_the_pages_that_explain_have_a_group_of_their_own(tmp_path: Path) -> Non
 
 def test_a_finding_is_shown_on_its_check(site: tuple[Path, Model]) -> None:
     finding = Finding(Place(f"src/{MODES}/RC.cpp", 4), "tree-static", "no call", "add the call")
-    build(site, [finding])
+    build(site, finding)
     page = (site[0] / "build/site/checks/tree-static.html").read_text()
     assert "no call" in page
     assert "RC.cpp.html#L4" in page
@@ -452,11 +470,10 @@ def test_lines_of_drivers_that_the_board_did_not_execute_are_listed(tmp_path: Pa
     assert path
 
     def page(name: str) -> str:
-        pages = all_pages(Portal(tmp_path, model, [], CHECKS))
-        return next(page.body for page in pages if page.name == name)
+        return bodies(tmp_path, model)[name]
 
     assert "not run on these sources" in page("virtual_k64").partition('id="drivers"')[2]
-    model.board_lines = {path: {1: True, 3: False, 5: False, 6: True, 7: False}}
+    model = replace(model, board_lines={path: {1: True, 3: False, 5: False, 6: True, 7: False}})
     table = page("virtual_k64").partition('id="drivers"')[2].partition("</section>")[0]
     assert "2 of 5 lines" in table
     for line, words in ((3, "3\N{EN DASH}5"), (7, "7")):
@@ -472,15 +489,22 @@ def test_the_closed_loop_shows_what_ran_and_what_did_not(tmp_path: Path) -> None
     good = LoopFigure("Settling time", 2000, "ms", "FR-15", {HOST: 1050.0})
     bad = LoopFigure("Overshoot", 10, "%", "", {HOST: 11.0})
     never = LoopFigure("Steady error", 1, "%", "", {HOST: None})
-    model.closed_loop = [
-        LoopScenario(
-            "step", "A step", "It steps.", "sim/scenario/examples/step.scenario",
-            Place("design/closed_loop.toml", 1), [LoopPlot("Velocity", "rpm", [curve])],
-            [good, bad, never], {HOST: LoopRun(False, "step.scenario:3: no")},
-        )
-    ]  # fmt: skip
-    pages = all_pages(Portal(tmp_path, model, [], CHECKS))
-    page = next(page.body for page in pages if page.name == "closed_loop")
+    model = replace(
+        model,
+        closed_loop=[
+            LoopScenario(
+                "step",
+                "A step",
+                "It steps.",
+                "sim/scenario/examples/step.scenario",
+                Place("design/closed_loop.toml", 1),
+                [LoopPlot("Velocity", "rpm", [curve])],
+                [good, bad, never],
+                {HOST: LoopRun(False, "step.scenario:3: no")},
+            )
+        ],
+    )
+    page = bodies(tmp_path, model)["closed_loop"]
     assert "1050 ms</span>" in page
     assert '<span class="v bad">11 %</span>' in page
     assert '<span class="v bad">no value</span>' in page
@@ -495,8 +519,8 @@ def test_products_are_compared_when_they_were_built(tmp_path: Path) -> None:
     model = make_project(tmp_path)
 
     def page() -> str:
-        pages = all_pages(Portal(tmp_path, model, [], CHECKS))
-        return next(page.body for page in pages if page.name == "products")
+        built = replace(model, products=read_products(tmp_path))
+        return bodies(tmp_path, built)["products"]
 
     assert "not built from these sources" in page()
     results = tmp_path / "build" / "results"
@@ -522,16 +546,17 @@ def test_the_structure_tells_what_of_the_design_is_missing(tmp_path: Path) -> No
     model = make_project(tmp_path)
 
     def page(name: str) -> str:
-        pages = all_pages(Portal(tmp_path, model, [], CHECKS))
-        return next(page.body for page in pages if page.name == name)
+        return bodies(tmp_path, model)[name]
 
-    model.designed_modules = ["MainController", "Mode"]
-    model.designed_applications = {"reading-modes": "State"}
+    model = replace(model, designed_modules=["MainController", "Mode"])
+    model = replace(model, designed_applications={"reading-modes": "State"})
     assert '<span class="v ok">2 of 2</span>' in page("structure")
     assert "1 more of extensions" in page("structure")
     assert '<span class="v ok">1 of 1</span>' in page("patterns/index")
     model.designed_modules.append("Wheel")
-    model.designed_applications |= {"operation-states": "State"}
+    model = replace(
+        model, designed_applications=model.designed_applications | {"operation-states": "State"}
+    )
     assert '<span class="v bad">2 of 3</span>' in page("structure")
     assert "Missing: Wheel." in page("structure")
     assert '<span class="v bad">1 of 2</span>' in page("patterns/index")
@@ -556,17 +581,17 @@ def test_the_page_of_a_module_has_the_members_that_doxygen_reads(
     file = site[0] / "build/model/xml/classwr_1_1RC.xml"
     file.parent.mkdir(parents=True)
     file.write_text(BY_DOXYGEN)
-    site[1].modules["RC"].qualified = "wr::RC"
+    site[1].modules["RC"] = replace(site[1].modules["RC"], qualified="wr::RC")
     assert build(site).warnings == []
     page = site[0] / "build/site/modules/RC.html"
     assert "Takes the pulse." in page.read_text()
     assert "The secret of RC" in page.read_text()
     file.write_text(BY_DOXYGEN.replace("Takes the pulse.", "Reads the pulse."))
-    site[1].modules["RC"].secret = "Another secret"
+    site[1].modules["RC"] = replace(site[1].modules["RC"], secret="Another secret")
     build(site)
     assert "Reads the pulse." in page.read_text()
     assert "Another secret" in page.read_text()
-    site[1].modules["RC"].secret = "A third secret"
+    site[1].modules["RC"] = replace(site[1].modules["RC"], secret="A third secret")
     build(site)
     assert "A third secret" in page.read_text()
     before = page.stat().st_mtime_ns

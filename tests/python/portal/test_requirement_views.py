@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from portal.pages import all_pages
 from portal.portal import Portal
-from tests.python.portal.fixture import make_project
+from tests.python.portal.fixture import REPORT, make_project
 from traceability.model.design_model import Model
+from traceability.model.report import Report, Verdict
 from traceability.schema import Evidence, Justified, Mutant, Mutation, Place, Requirement
 
 PLACE = Place("requirements/a.dox", 5)
 
 
-def shown(root: Path, model: Model, name: str) -> str:
-    return next(page.body for page in all_pages(Portal(root, model, [], [])) if page.name == name)
+def shown(root: Path, model: Model, name: str, report: Report = REPORT) -> str:
+    portal = Portal(root, model, report, [])
+    return next(page.body for page in all_pages(portal) if page.name == name)
 
 
 def test_mutants_that_were_not_tried_are_no_figures(tmp_path: Path) -> None:
@@ -27,15 +30,18 @@ def test_mutants_that_were_not_tried_are_no_figures(tmp_path: Path) -> None:
 def test_the_score_of_a_requirement_counts_what_its_own_tests_find(tmp_path: Path) -> None:
     model = make_project(tmp_path)
     place = Place("src/main_control/operation_modes/RC.cpp", 3)
-    model.mutation = Mutation(
-        seed=7,
-        minutes=1.5,
-        total=40,
-        tried=[
-            Mutant(place, "RC::read", "constant", "1 + 1", ["RcTest.Reads"], {"FR-15": True}),
-            Mutant(place, "RC::read", "relation", "a < b", ["RcTest.Reads"], {"FR-15": False}),
-            Mutant(place, "RC::read", "return", "at once", [], {"FR-15": False}),
-        ],
+    model = replace(
+        model,
+        mutation=Mutation(
+            seed=7,
+            minutes=1.5,
+            total=40,
+            tried=[
+                Mutant(place, "RC::read", "constant", "1 + 1", ["RcTest.Reads"], {"FR-15": True}),
+                Mutant(place, "RC::read", "relation", "a < b", ["RcTest.Reads"], {"FR-15": False}),
+                Mutant(place, "RC::read", "return", "at once", [], {"FR-15": False}),
+            ],
+        ),
     )
     page = shown(tmp_path, model, "mutation")
     assert "2<small>/3</small>" in page
@@ -51,14 +57,18 @@ def test_the_score_of_a_requirement_counts_what_its_own_tests_find(tmp_path: Pat
 
 def test_a_measured_requirement_shows_figure_and_bound(tmp_path: Path) -> None:
     model = make_project(tmp_path)
-    requirement = Requirement("NFR-9", "It shall.", "Qualities", PLACE)
-    requirement.evidence = [
-        Evidence("coverage.line", "at least", 98, "%", PLACE, 98.5),
-        Evidence("firmware.ram_bytes", "at most", 5, "bytes", PLACE, 6),
+    evidence = [
+        Evidence("coverage.line", "at least", 98, "%", PLACE),
+        Evidence("firmware.ram_bytes", "at most", 5, "bytes", PLACE),
         Evidence("firmware.flash_bytes", "at most", 5, "bytes", PLACE),
     ]
+    requirement = Requirement("NFR-9", "It shall.", "Qualities", PLACE, evidence=evidence)
     model.requirements["NFR-9"] = requirement
-    page = shown(tmp_path, model, "requirements/NFR-9")
+    names = [one.figure for one in evidence]
+    verdicts = {**REPORT.requirements, "NFR-9": Verdict("unverified")}
+    measured = dict(zip(names, (98.5, 6, None), strict=True))
+    report = replace(REPORT, requirements=verdicts, measured=measured)
+    page = shown(tmp_path, model, "requirements/NFR-9", report)
     assert "1<small>/3</small>" in page
     assert "98.5" in page
     assert "at least 98 %" in page
@@ -69,10 +79,13 @@ def test_a_measured_requirement_shows_figure_and_bound(tmp_path: Path) -> None:
 
 def test_a_justification_is_shown_with_what_needs_it(tmp_path: Path) -> None:
     model = make_project(tmp_path)
-    model.justified = [
-        Justified("method", ["RC::read"], "It is a tool.", PLACE, ["RC::read"]),
-        Justified("test", ["tests/"], "They are many.", PLACE, ["RcTest.Reads"] * 13),
-    ]
+    model = replace(
+        model,
+        justified=[
+            Justified("method", ["RC::read"], "It is a tool.", PLACE, ["RC::read"]),
+            Justified("test", ["tests/"], "They are many.", PLACE, ["RcTest.Reads"] * 13),
+        ],
+    )
     page = shown(tmp_path, model, "reverse")
     assert "It is a tool." in page
     assert "<summary>13 tests</summary>" in page

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -14,9 +15,10 @@ from portal.pages import all_pages
 from portal.portal import Portal
 from portal.safety_pages import Compared, cycles, longest
 from portal.search import safety_entries
-from tests.python.model.small_case import make_model, write_case
-from tests.python.portal.fixture import make_project
-from traceability.model.safety_case import add_safety, settle_safety
+from tests.python.model.small_case import make_model, report_of, write_case
+from tests.python.portal.fixture import REPORT, make_project
+from traceability.model.design_model import Model
+from traceability.model.safety_case import safety_of
 from traceability.reading.bench_record import PAPER_BENCH
 from traceability.reading.declared import Declared
 from traceability.reading.declared_safety import read_sources
@@ -31,14 +33,23 @@ def portal(tmp_path: Path) -> Portal:
     model = make_project(tmp_path)
     write_case(tmp_path)
     other = make_model(tmp_path)
-    model.safety = other.safety
-    model.requirements |= other.requirements
-    model.tests |= other.tests
-    model.requirements["FR-1"].sources = read_sources("goal: SG-1; decision: of FR-15")
-    facts: Any = SimpleNamespace(root=tmp_path, declared=Declared(safety=model.safety))
-    add_safety(model, facts)
-    settle_safety(model)
-    return Portal(tmp_path, model, [], [])
+    sources = read_sources("goal: SG-1; decision: of FR-15")
+    model = replace(
+        model,
+        requirements={
+            **model.requirements,
+            "FR-1": replace(other.requirements["FR-1"], sources=sources),
+        },
+        tests={**model.tests, **other.tests},
+    )
+    facts: Any = SimpleNamespace(root=tmp_path, declared=Declared(safety=other.safety))
+    model = replace(model, safety=safety_of(model, facts))
+    return portal_of(tmp_path, model)
+
+
+def portal_of(root: Path, model: Model, state: str = "verified") -> Portal:
+    report = report_of(model, {"FR-1": state, "FR-15": "verified"})
+    return Portal(root, model, replace(report, clauses=REPORT.clauses), [])
 
 
 def pages(portal: Portal) -> dict[str, str]:
@@ -52,7 +63,7 @@ def test_the_case_has_its_pages(portal: Portal) -> None:
 
 
 def test_a_project_without_a_case_has_none(tmp_path: Path) -> None:
-    portal = Portal(tmp_path, make_project(tmp_path), [], [])
+    portal = Portal(tmp_path, make_project(tmp_path), REPORT, [])
     assert not [name for name in pages(portal) if name.startswith("safety/")]
     assert "safety" not in {entry.id for entry in verify(portal.model, 1, 1)}
 
@@ -79,18 +90,19 @@ def test_a_hazard_names_its_goal_and_its_assumption(portal: Portal) -> None:
 
 @pytest.mark.parametrize(("state", "word"), [("verified", "verified"), ("failed", "failed")])
 def test_the_page_of_a_goal_has_its_verdict(portal: Portal, state: str, word: str) -> None:
-    portal.model.safety.goals["SG-1"].state = state
+    portal = portal_of(portal.root, portal.model, state)
     assert f"{word}</span>" in pages(portal)["safety/SG-1"].split("</div>")[1]
 
 
 def test_an_open_goal_says_why(portal: Portal) -> None:
-    portal.model.requirements["FR-1"].state = "unverified"
-    settle_safety(portal.model)
+    portal = portal_of(portal.root, portal.model, "unverified")
     assert "is not verified in this run" in pages(portal)["safety/SG-1"]
 
 
 def test_a_requirement_shows_what_is_not_verified(portal: Portal) -> None:
-    portal.model.requirements["FR-1"].partly = "only half of it."
+    portal.model.requirements["FR-1"] = replace(
+        portal.model.requirements["FR-1"], partly="only half of it."
+    )
     body = pages(portal)["requirements/FR-1"]
     assert "partly verified" in body
     assert "only half of it." in body
@@ -104,14 +116,10 @@ def test_without_history_the_cost_is_not_available(portal: Portal) -> None:
 
 
 def test_the_cost_lists_touched_files_and_corrections(portal: Portal) -> None:
-    portal.model.safety.cost = SafetyCost(
-        "0123456",
-        "abcdef0",
-        ["extensions/safety/Stop.cpp"],
-        40,
-        [TouchedFile("src/Mode.cpp", 2, 1), TouchedFile("src/Hall.cpp", 5, 5, "A bug.")],
-        3,
-    )
+    touched = [TouchedFile("src/Mode.cpp", 2, 1), TouchedFile("src/Hall.cpp", 5, 5, "A bug.")]
+    cost = SafetyCost("0123456", "abcdef0", ["extensions/safety/Stop.cpp"], 40, touched, 3)
+    model = replace(portal.model, safety=replace(portal.model.safety, cost=cost))
+    portal = portal_of(portal.root, model)
     body = pages(portal)["safety/cost"]
     assert body.index("src/Mode.cpp") < body.index("<code>Stop.cpp</code>")
     assert body.index("A bug.") < body.index("src/Hall.cpp")

@@ -8,8 +8,7 @@ import pytest
 
 from tests.python.model.small_tree import write_tree
 from traceability.checks.use_checks import check
-from traceability.model.build import build
-from traceability.model.design_model import Model
+from traceability.model.build import Built, build
 from traceability.schema import HOST
 
 FILES = {
@@ -95,24 +94,23 @@ def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def model(tree: Path) -> Model:
+def built(tree: Path) -> Built:
     return build(tree)
 
 
-def test_they_compile_for_the_target_with_its_own_headers(model: Model) -> None:
-    assert model.facts is not None
-    assert model.facts.syntax.errors == []
-    assert model.modules["K64Watchdog"].qualified == "wr::K64Watchdog"
+def test_they_compile_for_the_target_with_its_own_headers(built: Built) -> None:
+    assert built.facts.syntax.errors == []
+    assert built.model.modules["K64Watchdog"].qualified == "wr::K64Watchdog"
 
 
-def test_blocks_of_registers_are_noted_where_they_are_used(model: Model) -> None:
-    assert model.facts is not None
-    found = {(b.block, b.file, b.place.file) for b in model.facts.syntax.blocks if not b.declares}
+def test_blocks_of_registers_are_noted_where_they_are_used(built: Built) -> None:
+    found = {(b.block, b.file, b.place.file) for b in built.facts.syntax.blocks if not b.declares}
     assert found == {("wdog", "src/k64/registers.hpp", "src/k64/K64Watchdog.cpp")}
-    assert [place.file for place in model.facts.syntax.casts] == ["src/k64/K64Watchdog.cpp"]
+    assert [place.file for place in built.facts.syntax.casts] == ["src/k64/K64Watchdog.cpp"]
 
 
-def test_composition_without_classes_has_uses(model: Model) -> None:
+def test_composition_without_classes_has_uses(built: Built) -> None:
+    model = built.model
     uses = {(use.source, use.target) for use in model.uses}
     assert ("k64/start_up", "k64") in uses
     assert ("k64/start_up", "main_control") in uses
@@ -134,10 +132,9 @@ def test_only_the_composition_sees_the_board(tmp_path: Path, change: str) -> Non
     file = "src/main_control/operation_modes/RC.cpp"
     (root / file).write_text(change + (root / file).read_text(encoding="utf-8"), encoding="utf-8")
     built = build(root)
-    assert built.facts is not None
     found = [
         one.place.line
-        for one in check(built, built.facts)
+        for one in check(*built)
         if one.check == "uses-allowed" and one.place.file == file and "k64" in one.text
     ]
     assert found == [1]
@@ -148,8 +145,7 @@ def test_a_method_of_the_board_lies_outside_the_trace_of_the_host(tmp_path: Path
     tree = root / "design/trees/board.tree"
     tree.write_text("FR-15\nK64Watchdog::refresh\n", encoding="utf-8")
     (root / "design/trees/reading.tree").unlink()
-    built = build(root)
-    node = built.requirements["FR-15"].tree
+    node = build(root).model.requirements["FR-15"].tree
     assert node is not None
     assert node.reachable
     assert node.outside == [HOST]

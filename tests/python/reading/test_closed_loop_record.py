@@ -1,6 +1,7 @@
 """Curves and figures of the runs in closed loop."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -131,9 +132,8 @@ def test_an_unknown_kind_is_told() -> None:
 def test_a_figure_of_a_requirement_that_is_none_is_found(tmp_path: Path) -> None:
     from tests.python.portal.fixture import make_model
 
-    model = make_model()
     root = project(tmp_path, ROWS)
-    model.closed_loop = read_closed_loop(root)
+    model = replace(make_model(), closed_loop=read_closed_loop(root))
     facts = gather_facts(root, Syntax(), Declared(entries=Entries(root)))
     unknown = [one for one in check(model, facts) if one.check == "req-unknown"]
     found = next(one for one in unknown if one.place.file == "design/closed_loop.toml")

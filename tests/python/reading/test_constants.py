@@ -53,7 +53,7 @@ def constants(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Constant]:
         "namespace one { inline constexpr int kDouble = 1; }\n"
         "namespace two { inline constexpr int kDouble = 2; }\n}\n"
     )
-    return build(root).constants
+    return build(root).model.constants
 
 
 @pytest.mark.parametrize(

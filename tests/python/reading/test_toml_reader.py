@@ -78,8 +78,7 @@ def test_words_are_found_in_their_entry_only(tmp_path: Path) -> None:
 def test_a_file_that_is_no_toml_hides_the_other_checks(tmp_path: Path) -> None:
     root = write_tree(tmp_path)
     (root / "design" / "stack.toml").write_text("faults = [\n", encoding="utf-8")
-    model = build(root)
-    assert {finding.check for finding in run_checks(model)} == {"design-entry"}
+    assert {finding.check for finding in run_checks(*build(root)).findings} == {"design-entry"}
 
 
 def test_a_file_that_a_whole_design_lacks_is_told(tmp_path: Path) -> None:
@@ -93,7 +92,7 @@ def test_a_file_that_a_whole_design_lacks_is_told(tmp_path: Path) -> None:
 
 
 def told(root: Path) -> list[str]:
-    found = [f for f in run_checks(build(root)) if f.check == "design-entry"]
+    found = [f for f in run_checks(*build(root)).findings if f.check == "design-entry"]
     return [f"{f.place.file}:{f.place.line} {f.text}" for f in found]
 
 

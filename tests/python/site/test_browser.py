@@ -19,7 +19,7 @@ import pytest
 
 from portal import site_build
 from portal.portal import CheckText
-from tests.python.portal.fixture import MODES, make_project
+from tests.python.portal.fixture import MODES, REPORT, make_project
 
 BROWSER = next(
     filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), ""
@@ -70,7 +70,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Path
     ]
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(site_build, "check_texts", lambda: checks)
-        site_build.build_site(root, make_project(root), [])
+        site_build.build_site(root, make_project(root), REPORT)
     site = root / "build" / "site"
     handler = functools.partial(QuietHandler, directory=str(site))
     with ThreadingHTTPServer(("127.0.0.1", 0), handler) as http:

@@ -20,7 +20,7 @@ FINDING = {
     "place": {"file": "src/a.hpp", "line": 3},
     "check": "module-secret",
     "text": "It has none.",
-    "mend": "write one",
+    "fix": "write one",
 }
 
 

@@ -32,10 +32,10 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A project in which building and testing are replaced: the first mutant is found."""
     (tmp_path / "build/results").mkdir(parents=True)
     replace_tests(monkeypatch, tmp_path, lambda _log: None)
-    monkeypatch.setattr(build, "build", lambda _root: Model("", "", "sources", {}))
+    monkeypatch.setattr(build, "build", lambda _root: (Model("", "", "sources", {}), None))
     monkeypatch.setattr(traces, "read_traces", lambda _root, _cache: {HOST: None})
     plan = Plan({"A::f": ["FR-1"]}, {"FR-1": {"T.A"}}, {"A::f": {"T.A"}})
-    monkeypatch.setattr(score, "make_plan", lambda _model, _traces: plan)
+    monkeypatch.setattr(score, "make_plan", lambda *_: plan)
     monkeypatch.setattr(switched, "write_switched", lambda _root, _wanted, _log: MUTANTS)
     monkeypatch.setattr(switched, "build_switched", lambda _root, _log: None)
 

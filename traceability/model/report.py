@@ -1,0 +1,33 @@
+"""The report: what this run shows of the model. It is never written back into the model."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from traceability.schema import Clause, Finding
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The state of a requirement or of a safety goal, and why it is not verified.
+
+    A requirement: "verified", "partly", "suspect", "failed", "stale" or "unverified". A goal:
+    "verified", "open" or "failed".
+    """
+
+    state: str
+    reasons: Sequence[str] = ()
+
+
+@dataclass(frozen=True)
+class Report:
+    """Findings, verdicts and measured values, each by the id or name of what it is about."""
+
+    findings: Sequence[Finding] = ()
+    requirements: Mapping[str, Verdict] = field(default_factory=dict)
+    goals: Mapping[str, Verdict] = field(default_factory=dict)
+    # Fault scenario -> "verified", "failed", "stale" or "unverified".
+    scenarios: Mapping[str, str] = field(default_factory=dict)
+    clauses: Mapping[str, Sequence[Clause]] = field(default_factory=dict)  # by application
+    measured: Mapping[str, float | None] = field(default_factory=dict)  # by figure of an evidence
