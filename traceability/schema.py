@@ -484,6 +484,7 @@ class FaultScenario:
     title: str
     goals: list[str]
     place: Place
+    bounds: dict[int, float] = field(default_factory=dict)  # line -> seconds of its expectation
     tests: list[str] = field(default_factory=list)
     state: str = "unverified"  # "verified", "failed", "stale" or "unverified"
 
