@@ -3,6 +3,7 @@
 import argparse
 import os
 import re
+import signal
 import socket
 import subprocess
 import time
@@ -155,11 +156,13 @@ def test_serve_serves_the_portal_to_this_machine_only(tmp_path: Path) -> None:
         server.shutdown()
 
 
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_an_interrupt_ends_with_130(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    number: signal.Signals, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def interrupted(_root: Path, _options: argparse.Namespace) -> int:
-        raise KeyboardInterrupt
+        signal.raise_signal(number)
+        return 0
 
     options = argparse.Namespace(command="check", run=interrupted)
     monkeypatch.setattr(argparse.ArgumentParser, "parse_args", lambda *_arguments: options)
