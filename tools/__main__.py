@@ -2,6 +2,7 @@
 
 import sys
 
-from tools.cli import main
+from tools.cli import heed_interrupts, main
 
+heed_interrupts()
 sys.exit(main(sys.argv[1:]))

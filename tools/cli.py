@@ -59,10 +59,17 @@ def parser() -> argparse.ArgumentParser:
     return top
 
 
+def heed_interrupts() -> None:
+    """Lets SIGINT and SIGTERM end the command in the same way.
+
+    A shell ignores SIGINT for a command in the background. A time limit sends SIGTERM.
+    """
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.default_int_handler)
+
+
 def main(arguments: list[str]) -> int:
     options = parser().parse_args(arguments)
-    # A shell that starts a command in the background has SIGINT ignored.
-    signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         code: int = options.run(ROOT, options)
     except KeyboardInterrupt:

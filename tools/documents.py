@@ -33,7 +33,9 @@ def make_documents(root: Path, out: TextIO, log: TextIO) -> str:
     """
     words = [sys.executable, "-m", "tools.documents", str(root)]
     with (
-        subprocess.Popen(words, stdout=subprocess.PIPE, stderr=log, text=True, cwd=root) as made,
+        subprocess.Popen(
+            words, stdout=subprocess.PIPE, stderr=log, text=True, cwd=root, process_group=0
+        ) as made,
         stoppable(made),
     ):
         assert made.stdout is not None

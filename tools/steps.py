@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 import re
+import signal
 import subprocess
 import sys
 import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from contextlib import contextmanager, redirect_stderr, redirect_stdout, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TextIO, TypeVar
@@ -45,7 +46,13 @@ def run(
     log.flush()
     try:
         program = subprocess.Popen(
-            words, stdin=subprocess.DEVNULL, stdout=log, stderr=log, env=env, cwd=folder
+            words,
+            stdin=subprocess.DEVNULL,
+            stdout=log,
+            stderr=log,
+            env=env,
+            cwd=folder,
+            process_group=0,
         )
     except FileNotFoundError as error:
         raise FailureError(f"{words[0]} is not installed") from error
@@ -63,14 +70,18 @@ def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
     _started.append(program)
     try:
         yield
+    except KeyboardInterrupt:
+        stop_programs()
+        raise
     finally:
         _started.remove(program)
 
 
 def stop_programs() -> None:
-    """Ends the programs that still run, when the command was interrupted."""
+    """Ends the programs that still run, with those that they started, after an interrupt."""
     for program in list(_started):
-        program.terminate()
+        with suppress(ProcessLookupError):
+            os.killpg(program.pid, signal.SIGTERM)
 
 
 def tail(path: Path, lines: int = TAIL_LINES) -> str:

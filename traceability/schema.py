@@ -482,6 +482,7 @@ class FaultScenario:
     title: str
     goals: Sequence[str]
     place: Place
+    bounds: Mapping[int, float] = field(default_factory=dict)  # line -> seconds of its expectation
     tests: Sequence[str] = field(default_factory=list)
 
 

@@ -5,10 +5,10 @@ namespace wr::emulator {
 namespace {
 
 // Offsets from 0x40029000: K64P144M120SF5RM, RNGA memory map.
-constexpr std::uint32_t kControl = 0x0;
-constexpr std::uint32_t kStatus = 0x4;
+constexpr std::uint32_t kControl = 0x0;  // CR
+constexpr std::uint32_t kStatus = 0x4;   // SR
 constexpr std::uint32_t kEntropy = 0x8;
-constexpr std::uint32_t kOutput = 0xC;
+constexpr std::uint32_t kOutput = 0xC;  // OR
 
 constexpr std::uint32_t kGo = 1;
 constexpr std::uint32_t kWritable = 0x17;  // GO, HA, INTM, SLP; CLRI reads as 0

@@ -47,8 +47,8 @@ constexpr std::uint32_t kMvfr0 = 0xF40;
 constexpr std::uint32_t kMvfr1 = 0xF44;
 
 // ARMv7-M ARM, C1.8.7 and C1.8.8.
-constexpr std::uint32_t kDwtControl = 0xE0001000;
-constexpr std::uint32_t kDwtCycles = 0xE0001004;  // CYCCNT
+constexpr std::uint32_t kDwtControl = 0xE0001000;  // CTRL
+constexpr std::uint32_t kDwtCycles = 0xE0001004;   // CYCCNT
 
 // Cortex-M4 TRM, 4.1, table of the system control registers.
 constexpr std::uint32_t kIdFeatures[] = {0x00000030, 0x00000200, 0x00100000, 0,          0x00100030,

@@ -101,6 +101,9 @@ void Robot::setFault(Fault fault, std::size_t wheel, bool present, double value)
     case Fault::Current:
       currentFaults_.at(wheel).broken = present;
       break;
+    case Fault::CurrentOpen:
+      currentFaults_.at(wheel).open = present;
+      break;
     case Fault::CurrentStuck:
       currentFaults_.at(wheel).stuck = present;
       break;
@@ -222,6 +225,8 @@ void Robot::sample() {
     const CurrentFaults& faults = currentFaults_.at(wheel);
     if (faults.broken) {
       currentVolts_.at(wheel) = 0;
+    } else if (faults.open) {
+      currentVolts_.at(wheel) += kOpenShare * (voltsBefore(wheel) - currentVolts_.at(wheel));
     } else if (!faults.stuck) {
       const auto source = static_cast<std::uint32_t>(kForCurrent + wheel);
       const double noise = noisy_ ? kCurrentNoise * noise_.normal(source, steps_) : 0.0;
@@ -234,6 +239,12 @@ void Robot::sample() {
 }
 
 // An open input keeps the charge of the converter's capacitor, which was at the input before it.
+// One converter has the currents of the wheels 0 and 1, the other one those of 2 and 3 and the
+// angle.
+double Robot::voltsBefore(std::size_t wheel) const {
+  return wheel == 2 ? steeringVolts() : currentVolts_.at(wheel == 0 ? 1 : wheel - 1);
+}
+
 void Robot::sampleAngle() {
   angleNoise_ = noisy_ ? kAngleNoise * noise_.normal(kForAngle, steps_) : 0.0;
   angleDrifted_ += angleDrift_;

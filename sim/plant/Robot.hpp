@@ -41,6 +41,7 @@ enum class Fault : std::uint8_t {
   HallLosses,     ///< edges of a wheel are lost; value: edges in a second
   Leads,          ///< the leads of a motor are swapped
   Current,        ///< the cable of a current sensor is broken; its input is pulled to 0 V
+  CurrentOpen,    ///< the cable is broken, and nothing pulls the input: it follows its neighbour
   CurrentStuck,   ///< a current sensor keeps its value
   CurrentOffset,  ///< a current sensor is off; value: mA
   Angle,          ///< the cable of the angle sensor is broken; its input is pulled to 0 V
@@ -247,12 +248,14 @@ class Robot {
 
   struct CurrentFaults {
     bool broken = false;
+    bool open = false;
     bool stuck = false;
     double offset = 0;  // A
   };
 
   [[nodiscard]] bool hasPower() const { return emergencyStop_ == EmergencyStop::Released; }
   void setHallFault(Fault fault, HallFaults& faults, bool present, double value);
+  [[nodiscard]] double voltsBefore(std::size_t wheel) const;
   void setAngleFault(Fault fault, bool present, double value);
   void applyDrive(std::size_t wheel);
   void sample();

@@ -74,6 +74,7 @@ constexpr auto kFaults = std::to_array<Named<FaultWord>>({
     {"leads", {plant::Fault::Leads, true, false}},
     {"block", {plant::Fault::Block, true, false}},
     {"current", {plant::Fault::Current, true, false}},
+    {"current-open", {plant::Fault::CurrentOpen, true, false}},
     {"current-stuck", {plant::Fault::CurrentStuck, true, false}},
     {"current-offset", {plant::Fault::CurrentOffset, true, true}},
     {"angle", {plant::Fault::Angle, false, false}},

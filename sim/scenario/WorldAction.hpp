@@ -80,8 +80,8 @@ using WorldAction =
 /// PARAMETER VALUE; clock lost|back; reset; reset power; fault and repair with a fault:
 ///
 /// hall W, hall-a W, hall-b W, hall-swapped W, hall-misplaced W DEGREES, hall-glitches W RATE,
-/// hall-losses W RATE, leads W, block W, current W, current-stuck W, current-offset W MA, angle,
-/// angle-open, angle-stuck, angle-drift RATE, stall, left-end, right-end.
+/// hall-losses W RATE, leads W, block W, current W, current-open W, current-stuck W, current-offset
+/// W MA, angle, angle-open, angle-stuck, angle-drift RATE, stall, left-end, right-end.
 /// @param word first word of the action
 /// @param words the words after it
 /// @return the action; nothing if the word begins no action of the world

@@ -198,6 +198,24 @@ TEST(K64BoardOnBoard, FR73_StartIsTriedAgainUntilTheClockComes) {
   EXPECT_GE(robot.line.pulses().size(), 2U);
 }
 
+/// @brief A clock that comes 21 ms after the reset is too late: no cycle runs before the watchdog begins the
+/// start again, which reports the step.
+/// @verifies FR-73
+TEST(K64BoardOnBoard, FR73_ClockThatComesAfter20MillisecondsWaitsForTheNextStart) {
+  BoardRobot robot(emulator::Options{.externalClock = false});
+  robot.run(milliseconds(21));
+  robot.board.setExternalClock(true);
+  robot.run(milliseconds(250));
+  EXPECT_EQ(robot.unsafePins(), "");
+  EXPECT_EQ(robot.board.resets(), 0);
+  EXPECT_EQ(robot.line.pulses().size(), 0U);
+  robot.run(milliseconds(90));
+  const scenario::PcWelcome welcome = robot.askForWelcome();
+  EXPECT_EQ(welcome.resetCause, kByWatchdog);
+  EXPECT_EQ(welcome.fault, kClockFailed);
+  EXPECT_EQ(welcome.faultNumber, 1);
+}
+
 // An order that turns all wheels.
 constexpr scenario::PcOrder kDriveOrder{.id = 1,
                                         .wheels = {{{.quantity = 1, .value = 6000},

@@ -184,8 +184,8 @@ INSTANTIATE_TEST_SUITE_P(Products, Product,
                          [](const auto& product) { return std::string(product.param); });
 
 /// @brief A product that only the PC commands reads from nobody else, however long the PC is silent.
-/// @verifies NFR-1
-TEST(ProductOfThePc, NFR1_ReadsFromThePcOnly) {
+/// @verifies NFR-2
+TEST(ProductOfThePc, NFR2_ReadsFromThePcOnly) {
   ProductRobot robot("weeding_robot_pc");
   robot.connect();
   for (int cycles = 0; cycles < 3 * kN; ++cycles) {

@@ -73,6 +73,7 @@ TEST(ControlThread, RunsItsBodyOncePerPost) {
 
 /// @brief A post while the body runs is an overrun, and the body runs once more.
 /// @verifies FR-4
+/// @verifies FR-172
 TEST(ControlThread, FR4_PostWhileRunningIsCountedAndKept) {
   TestThread thread;
   Body body(thread, 1);
@@ -85,6 +86,7 @@ TEST(ControlThread, FR4_PostWhileRunningIsCountedAndKept) {
 
 /// @brief Of several posts while the body runs each is an overrun, and one is kept.
 /// @verifies FR-4
+/// @verifies FR-172
 TEST(ControlThread, FR4_OnlyOnePostIsKept) {
   TestThread thread;
   Body body(thread, 5);
@@ -97,6 +99,7 @@ TEST(ControlThread, FR4_OnlyOnePostIsKept) {
 
 /// @brief A post before the body has begun is an overrun too. Its activation is kept.
 /// @verifies FR-4
+/// @verifies FR-172
 TEST(ControlThread, FR4_PostBeforeTheBodyBeganIsCountedAndKept) {
   TestThread thread;
   Body body(thread);

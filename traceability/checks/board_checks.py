@@ -10,9 +10,11 @@ from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
 from traceability.schema import BoardBelief, Finding, Place
 
+BELIEFS = "design/board_beliefs.toml"
+
 
 def check(model: Model, facts: Facts) -> list[Finding]:
-    return _findings(model) + list(_beliefs(model, facts))
+    return [*_findings(model), *_beliefs(model, facts), *_without_belief(model, facts)]
 
 
 def _findings(model: Model) -> list[Finding]:
@@ -63,6 +65,18 @@ def _beliefs(model: Model, facts: Facts) -> Iterator[Finding]:
                 + " as shared by driver and model",
                 "write shared = true, if and only if its source is not outside",
             )
+
+
+def _without_belief(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Registers that the drivers use, and of which no belief says what they do."""
+    believed, block = {belief.register for belief in model.beliefs}, ""
+    for number, line in enumerate(_text(facts, REGISTERS).splitlines(), 1):
+        if begin := re.match(r"namespace (\w+) \{", line):
+            block = begin[1]
+        declared = re.search(r"\bRegister<.*> (\w+);", line)
+        if declared and f"{block}::{declared[1]}" not in believed:
+            text = f"no belief in {BELIEFS} is about {block}::{declared[1]}"
+            yield Finding(Place(REGISTERS, number), "board-belief", text, "add one with its source")
 
 
 def _belief(belief: BoardBelief, text: str, fix: str) -> Finding:

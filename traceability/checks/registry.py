@@ -269,8 +269,8 @@ _FIXED = [
         "Each belief of the virtual K64 has a source",
         "Every belief in design/board_beliefs.toml names a register of src/k64/registers.hpp, a "
         "file of sim/emulator that has it, and a declared source; it is marked as shared exactly "
-        "when that source is not an outside one.",
-        "a belief that is not listed, and whether the source says what is stated.",
+        "when that source is not an outside one. Every register of that file has a belief.",
+        "a value of a register that is not listed, and whether the source says what is stated.",
         "correct the entry, or find an outside source.",
     ),
     Check(

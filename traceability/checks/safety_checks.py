@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from traceability.model.design_model import Model
-from traceability.model.safety_case import scenario_state
+from traceability.model.safety_case import scenario_state, scenarios_of
 from traceability.reading.declared_safety import SCENARIOS
 from traceability.reading.source_facts import Facts
 from traceability.schema import Assumption, Finding, Hazard, Place, SafetyGoal
@@ -21,6 +21,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         _hazards,
         _goals,
         _times,
+        _bounds,
         _requirements,
         _listed_requirements,
         _scenarios,
@@ -111,6 +112,18 @@ def _times(model: Model, facts: Facts) -> Iterator[Finding]:
             text = f"the firmware needs {needed} for {goal.id}, which allows {allowed}"
             fix = "react sooner, or derive another time"
             yield Finding(_at(facts, goal), "hazard-time", text, fix)
+
+
+def _bounds(model: Model, _facts: Facts) -> Iterator[Finding]:
+    """No scenario of a goal without exceptions accepts a reaction after the time of the goal."""
+    for goal in model.safety.goals.values():
+        for scenario in () if goal.exceptions else scenarios_of(model, goal):
+            for line, bound in scenario.bounds.items():
+                if bound > goal.time:
+                    accepts, allowed = f"accepts {bound:g} s", f"allows {goal.time:g} s"
+                    text = f"the scenario {scenario.name} {accepts}, and {goal.id} {allowed}"
+                    fix = f"shorten the time, or add an exception to {goal.id}"
+                    yield Finding(Place(scenario.place.file, line), "hazard-time", text, fix)
 
 
 def _requirements(model: Model, _facts: Facts) -> Iterator[Finding]:

@@ -30,6 +30,7 @@ from traceability.sources import files_below
 FILE = Path("design/safety_case.toml")
 SCENARIOS = Path("sim/scenario/safety")
 GOAL_LINE = re.compile(r"#\s*goals?:?\s+(SG-\d+(?:[\s,]+SG-\d+)*)\s*$")
+BOUND = re.compile(r"[^#]*\bexpect\b.*\bwithin ([\d.]+) ms\b")
 COLUMNS, ROWS = ("C0", "C1", "C2", "C3"), ("E0", "E1", "E2", "E3", "E4")
 
 SAFE_STATE: Keys = {"id": str, "says": str, "safe": str, "not_safe": str}
@@ -181,4 +182,9 @@ def _scenario(root: Path, path: Path) -> FaultScenario:
     first = itertools.takewhile(lambda line: line.startswith("#"), lines)
     title = " ".join(line.strip("# ") for line in first if not GOAL_LINE.match(line))
     place = Place(str(path.relative_to(root)), 1)
-    return FaultScenario(path.stem, title or path.stem, words_of(goals), place)
+    bounds = {
+        number: float(match[1]) / 1000
+        for number, line in enumerate(lines, 1)
+        if (match := BOUND.match(line))
+    }
+    return FaultScenario(path.stem, title or path.stem, words_of(goals), place, bounds)

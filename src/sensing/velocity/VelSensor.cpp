@@ -13,7 +13,8 @@ namespace wr {
 
 namespace {
 
-// Greatest velocity that is measured. Without load 24 V turn a motor with 460 rpm.
+// Greatest velocity that is measured. Without load 24 V turn a motor of the assumed constant with
+// 460 rpm.
 constexpr Velocity kGreatestVelocity{6000};
 
 // From this velocity on a wheel does not come to rest within a cycle.

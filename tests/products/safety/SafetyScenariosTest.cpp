@@ -96,25 +96,95 @@ TEST_P(FaultOfAPart, FR270_StopsTheWholeRobot) {
 INSTANTIATE_TEST_SUITE_P(Faults, FaultOfAPart,
                          testing::Values("swapped_leads", "swapped_leads_off_the_ground",
                                          "swapped_leads_while_driving", "hall_losses",
-                                         "hall_swapped", "hall_dead", "hall_glitches",
-                                         "hall_misplaced", "current_stuck",
-                                         "wheel_blocked_at_3_volts", "overcurrent_uphill"),
+                                         "hall_swapped", "hall_dead", "current_open",
+                                         "current_stuck", "wheel_blocked_at_3_volts",
+                                         "overcurrent_uphill"),
+                         [](const auto& scenario) { return std::string(scenario.param); });
+
+class FaultOfTheSteering : public SafetyScenario {};
+
+/// @brief A steering that is stuck, and an angle sensor that drifts or is not connected, brake the robot.
+/// @verifies FR-272
+TEST_P(FaultOfTheSteering, FR272_StopsTheRobot) {
+  EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
+}
+
+INSTANTIATE_TEST_SUITE_P(Faults, FaultOfTheSteering,
+                         testing::Values("angle_drifts", "angle_open", "steering_stuck"),
+                         [](const auto& scenario) { return std::string(scenario.param); });
+
+class FaultOfAHallSensor : public SafetyScenario {};
+
+/// @brief A Hall sensor that is off its place or disturbed lets no wheel turn too fast.
+/// @verifies FR-120
+/// @verifies FR-121
+TEST_P(FaultOfAHallSensor, FR120_IsTolerated) {
+  EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
+}
+
+INSTANTIATE_TEST_SUITE_P(Faults, FaultOfAHallSensor,
+                         testing::Values("hall_glitches", "hall_misplaced"),
                          [](const auto& scenario) { return std::string(scenario.param); });
 
 class LimitOfTheRobot : public SafetyScenario {};
 
-/// @brief The robot keeps its limits of speed and acceleration, and a stop outlives a reset.
+/// @brief The robot keeps its limits of speed and acceleration.
 /// @verifies FR-282
 /// @verifies FR-283
-/// @verifies FR-290
 TEST_P(LimitOfTheRobot, FR282_IsKept) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
 }
 
 INSTANTIATE_TEST_SUITE_P(Limits, LimitOfTheRobot,
                          testing::Values("acceleration", "full_voltage",
-                                         "full_voltage_off_the_ground", "emergency_stop",
-                                         "stop_survives_a_reset", "reset_while_driving"),
+                                         "full_voltage_off_the_ground"),
+                         [](const auto& scenario) { return std::string(scenario.param); });
+
+class EmergencyStop : public SafetyScenario {};
+
+/// @brief The robot stops when the emergency stop is pressed, also shortly, and waits for an acknowledgement.
+/// @verifies FR-271
+TEST_P(EmergencyStop, FR271_StopsTheRobot) {
+  EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
+}
+
+INSTANTIATE_TEST_SUITE_P(Presses, EmergencyStop,
+                         testing::Values("emergency_stop", "emergency_stop_pressed_shortly"),
+                         [](const auto& scenario) { return std::string(scenario.param); });
+
+class StartOfTheRobot : public SafetyScenario {};
+
+/// @brief After power-on, after a reset and after silence of the PC, orders move nothing before neutral ones.
+/// @verifies FR-280
+TEST_P(StartOfTheRobot, FR280_NeedsNeutralOrders) {
+  EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
+}
+
+INSTANTIATE_TEST_SUITE_P(Starts, StartOfTheRobot,
+                         testing::Values("pc_silent", "rc_stick_at_power_on",
+                                         "reset_while_driving"),
+                         [](const auto& scenario) { return std::string(scenario.param); });
+
+class StopOfThePc : public SafetyScenario {};
+
+/// @brief A stop of the PC outlives a reset.
+/// @verifies FR-290
+TEST_P(StopOfThePc, FR290_OutlivesAReset) {
+  EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
+}
+
+INSTANTIATE_TEST_SUITE_P(Resets, StopOfThePc, testing::Values("stop_survives_a_reset"),
+                         [](const auto& scenario) { return std::string(scenario.param); });
+
+class LossOfTheRemoteControl : public SafetyScenario {};
+
+/// @brief A receiver that repeats its last pulses stops the robot.
+/// @verifies FR-289
+TEST_P(LossOfTheRemoteControl, FR289_StopsTheRobot) {
+  EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
+}
+
+INSTANTIATE_TEST_SUITE_P(Receivers, LossOfTheRemoteControl, testing::Values("rc_receiver_holds"),
                          [](const auto& scenario) { return std::string(scenario.param); });
 
 }  // namespace

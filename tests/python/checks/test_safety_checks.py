@@ -120,6 +120,25 @@ def test_a_time_at_its_bound_fits(tmp_path: Path, change: tuple[str, str]) -> No
     assert found(tmp_path, change) == []
 
 
+@pytest.mark.parametrize(
+    ("bound", "exceptions", "texts"),
+    [
+        (350, "", []),
+        (351, "", ["the scenario lost accepts 0.351 s, and SG-1 allows 0.35 s"]),
+        (351, 'exceptions = ["At night."]', []),
+    ],
+)
+def test_a_scenario_accepts_the_time_of_its_goal(
+    tmp_path: Path, bound: int, exceptions: str, texts: list[str]
+) -> None:
+    write_case(tmp_path, ('scenarios = ["lost"]', f'scenarios = ["lost"]\n{exceptions}'))
+    file = tmp_path / "sim/scenario/safety/lost.scenario"
+    line = f"at 50 expect braking 1 within {bound} ms"
+    file.write_text(file.read_text() + f"# expect x within 900 ms\n{line}\n")
+    findings = check(tmp_path, make_model(tmp_path))
+    assert [(one.text, line_of(tmp_path, one)) for one in findings] == [(t, line) for t in texts]
+
+
 def test_a_requirement_that_its_goal_does_not_list(tmp_path: Path) -> None:
     write_case(tmp_path, ('["FR-1"]', '["FR-2"]'))
     texts = [one.text for one in check(tmp_path, make_model(tmp_path))]

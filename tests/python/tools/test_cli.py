@@ -1,10 +1,11 @@
 """The command line: help, wrong usage, and the shell script that installs."""
 
-import argparse
 import os
 import re
+import signal
 import socket
 import subprocess
+import sys
 import time
 import urllib.request
 from pathlib import Path
@@ -155,16 +156,22 @@ def test_serve_serves_the_portal_to_this_machine_only(tmp_path: Path) -> None:
         server.shutdown()
 
 
-def test_an_interrupt_ends_with_130(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    def interrupted(_root: Path, _options: argparse.Namespace) -> int:
-        raise KeyboardInterrupt
+INTERRUPTED = """
+import argparse, signal, sys
+from tools import cli
+options = argparse.Namespace(
+    command="check", run=lambda *_: signal.raise_signal(signal.Signals[sys.argv[1]]))
+argparse.ArgumentParser.parse_args = lambda *_: options
+cli.heed_interrupts()
+sys.exit(cli.main([]))
+"""
 
-    options = argparse.Namespace(command="check", run=interrupted)
-    monkeypatch.setattr(argparse.ArgumentParser, "parse_args", lambda *_arguments: options)
-    assert cli.main([]) == 130
-    assert "interrupted" in capsys.readouterr().err
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_an_interrupt_ends_with_130(number: signal.Signals) -> None:
+    words = [sys.executable, "-c", INTERRUPTED, number.name]
+    done = subprocess.run(words, capture_output=True, text=True, check=False, cwd=ROOT, timeout=60)
+    assert (done.returncode, done.stderr) == (130, "interrupted\n")
 
 
 def test_only_files_whose_content_or_includes_changed_are_checked_again(tmp_path: Path) -> None:

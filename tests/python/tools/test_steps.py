@@ -1,12 +1,14 @@
 """The runner of steps."""
 
 import io
+import os
 from pathlib import Path
+from threading import Timer
 from typing import TextIO
 
 import pytest
 
-from tools.steps import Steps, run
+from tools.steps import FailureError, Steps, run, stop_programs
 
 
 @pytest.fixture
@@ -75,3 +77,14 @@ def test_an_interrupt_is_not_swallowed(steps: Steps) -> None:
 def test_a_step_that_cannot_run_says_why(steps: Steps) -> None:
     steps.skip("tests (pages)", "no browser was found")
     assert said(steps) == "[1/2] tests (pages) ... not run: no browser was found\n"
+
+
+def test_an_interrupt_ends_a_program_with_those_that_it_started() -> None:
+    """The pipe of the log ends when the last of the programs has ended."""
+    reading, writing = os.pipe()
+    with os.fdopen(writing, "w") as log, os.fdopen(reading) as output:
+        Timer(0.5, stop_programs).start()
+        with pytest.raises(FailureError, match="exit code -15"):
+            run(log, ["sh", "-c", "sleep 60 & sleep 60"])
+        log.close()
+        assert output.read() == "$ sh -c sleep 60 & sleep 60\n"

@@ -619,6 +619,20 @@ TEST_F(RobotTest, StuckAndOffsetCurrentSensors) {
   EXPECT_GT(robot.currentVolts(0), Robot::kMiddle + 1);
 }
 
+/// @brief An open current input goes to the voltage of the input that its converter converts before it.
+TEST_F(RobotTest, OpenCurrentInputFollowsItsNeighbour) {
+  robot.setFault(Fault::CurrentOffset, 0, true, 8000);
+  robot.setFault(Fault::CurrentOpen, 1, true);
+  robot.setFault(Fault::Angle, 0, true);
+  robot.setFault(Fault::CurrentOpen, 2, true);
+  run(500);
+  EXPECT_NEAR(robot.currentVolts(1), robot.currentVolts(0), 1e-6);
+  EXPECT_NEAR(robot.currentVolts(2), 0, 1e-6);
+  robot.setFault(Fault::CurrentOpen, 1, false);
+  run(1);
+  EXPECT_EQ(robot.currentVolts(1), Robot::kMiddle);
+}
+
 /// @brief An open angle input goes to the voltage of the input that is converted before it; a stuck sensor
 /// keeps its value; a drifting one leaves the truth by its rate.
 TEST_F(RobotTest, AngleThatIsOpenStuckOrDrifts) {

@@ -111,8 +111,8 @@ TEST(ScenarioTest, ErrorsNameFileAndLine) {
       {"at 0 fault\n", "text:1: a fault is missing"},
       {"at 0 fault brain\n",
        "text:1: 'brain' is not a fault: hall, hall-a, hall-b, hall-swapped, hall-misplaced, "
-       "hall-glitches, hall-losses, leads, block, current, current-stuck, current-offset, angle, "
-       "angle-open, angle-stuck, angle-drift, stall, left-end, right-end"},
+       "hall-glitches, hall-losses, leads, block, current, current-open, current-stuck, "
+       "current-offset, angle, angle-open, angle-stuck, angle-drift, stall, left-end, right-end"},
       {"at 0 fault hall-misplaced 1\n", "text:1: the size of the fault is missing"},
       {"at 0 rc enable on\n",
        "text:1: 'on' is not a position of the enable switch: stop, pc, drive, stop-pc, pc-drive"},
