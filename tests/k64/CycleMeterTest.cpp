@@ -43,7 +43,9 @@ struct Drive {
 /// @verifies FR-160
 TEST(CyclesOfTheImage, FR160_TheReportTellsWhatTheBoardMeasures) {
   const Drive drive(60);
-  constexpr std::int64_t kFew = 700;  // the interrupt of a converter may come in between
+  constexpr std::int64_t kFew = 700;    // the interrupt of a converter may come in between
+  constexpr std::int64_t kTick = 2000;  // and, in 1 of 20 cycles, a tick of the second timer
+  std::size_t ticks = 0;
   const auto off = [](std::uint64_t left, std::uint64_t right) {
     return std::abs(static_cast<std::int64_t>(left - right));
   };
@@ -53,8 +55,12 @@ TEST(CyclesOfTheImage, FR160_TheReportTellsWhatTheBoardMeasures) {
     const scenario::PcReport& report = drive.reports.at(i);
     EXPECT_LT(off(report.awakeCycles, before.whole.cycles), before.whole.cycles / 30);
     EXPECT_LT(off(report.startCycles + own.pulseLatency, own.startDelay), kFew);
-    EXPECT_LT(off(report.reportCycles + before.pulseLatency, before.toReport.cycles), kFew);
+    const std::int64_t late =
+        off(report.reportCycles + before.pulseLatency, before.toReport.cycles);
+    EXPECT_LT(late, kTick);
+    ticks += late < kFew ? 0 : 1;
   }
+  EXPECT_LE(ticks, drive.reports.size() / 20);
 }
 
 /// @brief The same run costs the same instructions and cycles, always.
