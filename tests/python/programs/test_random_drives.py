@@ -96,20 +96,16 @@ def built(build: Callable[..., None]) -> None:
 
 
 def test_a_robot_without_fault_is_not_stopped() -> None:
-    first = random.SystemRandom().randrange(1_000_000)
-    print(f"seeds {first} to {first + 11}")
     with ThreadPoolExecutor() as pool:
-        for number, drive in enumerate(pool.map(without_fault, range(first, first + 12))):
-            assert drive.way is None, f"seed {first + number}"
-            assert drive.fastest <= LIMIT, f"seed {first + number}"
+        for seed, drive in enumerate(pool.map(without_fault, range(1, 13)), 1):
+            assert drive.way is None, f"seed {seed}"
+            assert drive.fastest <= LIMIT, f"seed {seed}"
 
 
 @pytest.mark.parametrize("fault", ["hall 2", "hall-a 1", "hall-swapped 0", "current 3", "block 1"])
 def test_a_broken_part_stops_the_robot_within_0_3_m(fault: str) -> None:
-    seed = random.SystemRandom().randrange(1_000_000)
-    print(f"seed {seed}")
     for velocity, degrees, slope in SERIES[::5]:
-        drive = with_fault(fault, seed, velocity, degrees, slope)
+        drive = with_fault(fault, 1, velocity, degrees, slope)
         assert drive.way is not None, (velocity, degrees, slope)
         assert drive.way <= 300, (velocity, degrees, slope)
         assert drive.fastest <= LIMIT, (velocity, degrees, slope)
