@@ -835,6 +835,11 @@ class Connection:
     place: Place
     way: Sequence[str] = field(default_factory=list)  # methods; none of a line outside the code
 
+    @property
+    def arrow(self) -> str:
+        """The name under which the concordance lists it."""
+        return f"{self.source} -> {self.target} ({self.kind})"
+
 
 @dataclass(frozen=True)
 class BoardFinding:

@@ -8,7 +8,7 @@ WaitingK::WaitingK(OperationState& working, OperationState& next, DigitalOutput&
     : OperationState(kId), working_(working), next_(next), warning_(warning) {}
 
 void WaitingK::control(MainController& mCtrl) {
-  warning_.set(true);
+  warning_.set(!mCtrl.getData().stopped());
   OperationState::control(mCtrl);
 }
 

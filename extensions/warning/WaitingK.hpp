@@ -27,7 +27,7 @@ class WaitingK final : public OperationState {
   /// @param warning output that is on during a warning
   WaitingK(OperationState& working, OperationState& next, DigitalOutput& warning);
 
-  /// @brief Warns, then orders the control systems to follow the set-points that were read last.
+  /// @brief Warns unless a stop is in force, then orders the control systems to follow the set-points that were read last.
   /// @param mCtrl controller whose control systems are ordered
   /// @satisfies FR-152
   /// @isr{no}

@@ -201,6 +201,8 @@ def page_of(portal: Portal, kind: str, name: str) -> tuple[str | None, str]:
     if kind == "machine":
         machine = model.machines.get(name)
         return portal.links.machine(name), machine.title if machine else name
+    if kind == "arrow":
+        return f"{ROOT}architecture.html#high-level", name
     if kind == "element":
         found = next((one for one in model.architecture if one.id == name), None)
         return (f"{ROOT}architecture.html#{name}", found.name) if found else (None, name)

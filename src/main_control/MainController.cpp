@@ -53,11 +53,7 @@ void MainController::read() {
 }
 
 void MainController::control() {
-  if (data_.stopped()) {
-    holdSystems();
-  } else {
-    opSt_.get().control(*this);
-  }
+  opSt_.get().control(*this);
 }
 
 void MainController::write() {
@@ -82,7 +78,8 @@ ControlData& MainController::getData() {
 
 void MainController::applyControl() {
   const std::optional<SetPoints>& setPoints = data_.setPoints();
-  if (!setPoints || (setPoints->acknowledge && !setPoints->neutral())) {
+  const bool stopped = data_.stopped();
+  if (stopped || !setPoints || (setPoints->acknowledge && !setPoints->neutral())) {
     holdSystems();
   } else if (setPoints->acknowledge) {
     systems_.acknowledge(data_.cycle());

@@ -73,10 +73,9 @@ class MainController {
   /// @isr{no}
   void read();
 
-  /// @brief Orders the control systems, as the present state does it; a stop holds them in every state.
+  /// @brief Orders the control systems, as the present state does it.
   /// @satisfies FR-2
   /// @satisfies FR-3
-  /// @satisfies FR-21
   /// @isr{no}
   void control();
 
@@ -112,8 +111,9 @@ class MainController {
 
   /// @brief Orders the control systems to follow the set-points that were read last.
   /// An order to acknowledge moves nothing; it counts only if it is neutral.
-  /// @post Without set-points the control systems are held.
+  /// @post Without set-points, and while a stop is in force, the control systems are held.
   /// @satisfies FR-14
+  /// @satisfies FR-21
   /// @satisfies FR-22
   /// @satisfies FR-299
   /// @isr{no}

@@ -104,7 +104,7 @@ TEST_F(MainControllerTest, FR299_OnlyANeutralOrderAcknowledges) {
   EXPECT_EQ(system.calls, kHeld);
 }
 
-/// @brief A stop of any mode holds the control systems; the state is not asked.
+/// @brief A stop of any mode holds the control systems. The state is asked as in every cycle.
 /// @verifies FR-21
 TEST_F(MainControllerTest, FR21_StopOfAnyModeHolds) {
   data.saveSetPoints({});
@@ -115,7 +115,7 @@ TEST_F(MainControllerTest, FR21_StopOfAnyModeHolds) {
     mode->stop = true;
     controller.clockPulse();
     EXPECT_EQ(system.calls, kHeld);
-    EXPECT_EQ(state.steps, (Steps{"read without message", "write"}));
+    EXPECT_EQ(state.steps, (Steps{"read without message", "control", "write"}));
     mode->stop = false;
   }
   system.calls.clear();

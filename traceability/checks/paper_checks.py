@@ -59,7 +59,23 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
         for entry in model.paper
         if not entry.here and not entry.deviation
     ]
-    return found
+    return found + _arrows(model)
+
+
+def _arrows(model: Model) -> list[Finding]:
+    """Each arrow of the high-level diagram is one of the paper's, or an entry says why it is here."""
+    said = {target.partition(":")[2] for entry in model.paper for target in entry.here}
+    fix = "correct the arrow, or name it in the entry of Figure 5 and say why with deviation"
+    return [
+        Finding(
+            connection.place,
+            "paper-complete",
+            f"no entry of the concordance names the arrow {connection.arrow}",
+            fix,
+        )
+        for connection in model.connections
+        if model.paper and connection.arrow not in said
+    ]
 
 
 def _stale(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
@@ -95,6 +111,7 @@ def exists(target: str, model: Model, facts: Facts) -> bool:
         "requirement": model.requirements,
         "logic": model.logic_modules,
         "element": {element.id for element in model.architecture},
+        "arrow": {connection.arrow for connection in model.connections},
     }
     return kind == "view" or name in known.get(kind, {})
 

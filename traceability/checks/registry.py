@@ -669,7 +669,8 @@ _FIXED = [
         "paper-complete",
         "The concordance with the paper is complete",
         "Every figure, table, section and named element of the paper that design/paper.toml lists "
-        "has one entry in design/concordance.toml, which says where it is here, or why it is not.",
+        "has one entry in design/concordance.toml, which says where it is here, or why it is not. "
+        "Each arrow of the high-level diagram is named by an entry.",
         "an element that the list leaves out; it was made from the text of the paper by hand.",
         "write the entry, or correct its kind or name.",
     ),
