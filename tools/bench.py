@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import argparse
-import json
 import re
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
+from tools.bench_runs import keep
 from tools.lock import only_one
 from tools.steps import FailureError
 from tools.tasks import graph
@@ -22,8 +21,11 @@ from traceability.reading.bench_record import (
     PERIOD_MS,
     SCENARIOS,
     SLOW,
+    Record,
     spread,
 )
+from traceability.reading.results import read_record
+from traceability.schema import BenchRun, BenchScenario
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import Quantity, Report
 from weeding_robot_client.options import positive
@@ -34,6 +36,7 @@ from weeding_robot_client.script import Wish
 # What ./wr bench measures besides: the baseline design, and what the records of the tests cost.
 BESIDES = (task_record.BASELINE, task_record.TESTS_TRACE, task_record.TESTS_PLAIN)
 CORE_PER_MS = 120_000
+BOARD = "board"  # the run of a connected board
 ORDER = re.compile(r"from (\d+) to (\d+) every (\d+) order velocity (-?\d+)(?: steering (-?\d+))?$")
 
 
@@ -69,14 +72,14 @@ def bench(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
 
 def print_bench(root: Path) -> None:
     """A table: the times of each scenario."""
-    record: dict[str, Any] = json.loads((root / BENCH).read_text(encoding="utf-8"))
+    record = read_record(root / BENCH, Record) or {}
     print(f"\n{'from clock pulse to report [ms]':44} {'mean':>8} {'most':>8}  slow flash")
     for paper in SCENARIOS:
-        runs = record["scenarios"][paper.name]
-        normal, slow = runs[MANUAL]["report_ms"], runs[SLOW]["report_ms"]
+        runs = record[paper.name].runs
+        normal, slow = runs[MANUAL].report_ms, runs[SLOW].report_ms
         print(
-            f"{paper.title:44} {normal['average']:8.3f} {normal['maximum']:8.3f}  "
-            f"{slow['average']:.3f} {slow['maximum']:.3f}"
+            f"{paper.title:44} {normal.average:8.3f} {normal.maximum:8.3f}  "
+            f"{slow.average:.3f} {slow.maximum:.3f}"
         )
 
 
@@ -114,11 +117,7 @@ def wishes(orders: list[Orders], seconds: float | None) -> Iterator[Wish]:
 
 def on_board(root: Path, port: Path, seconds: float | None) -> int:
     """Gives the orders of the scenarios to a board, and adds what it measured to the record."""
-    path = root / BENCH
-    try:
-        record: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        record = {"scenarios": {}}
+    record = read_record(root / BENCH, Record) or {}
     for paper in SCENARIOS:
         text = (root / FOLDER / f"{paper.name}.scenario").read_text(encoding="utf-8")
         print(f"{paper.title} ... ", end="", flush=True)
@@ -127,12 +126,12 @@ def on_board(root: Path, port: Path, seconds: float | None) -> int:
         except FailureError as error:
             print(f"FAILED: {error}")
             return 1
-        record["scenarios"].setdefault(paper.name, {})["board"] = found
-        times = found["report_ms"]
-        print(f"{times['average']:.3f} ms, at most {times['maximum']:.3f}, load "
-              f"{found['load']['average']:.2f} %, {found['cycles']} cycles")  # fmt: skip
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+        scenario = record.get(paper.name, BenchScenario())
+        record[paper.name] = replace(scenario, runs={**scenario.runs, BOARD: found})
+        times = found.report_ms
+        print(f"{times.average:.3f} ms, at most {times.maximum:.3f}, load "
+              f"{found.load.average:.2f} %, {found.cycles} cycles")  # fmt: skip
+    keep(root, BENCH, record)
     return 0
 
 
@@ -162,19 +161,19 @@ def drive(port: Path, wanted: Iterator[Wish]) -> list[Report]:
     return reports
 
 
-def costs(reports: list[Report]) -> dict[str, Any]:
-    """The figures that a board tells of itself. The first cycles belong to what was before."""
+def costs(reports: list[Report]) -> BenchRun:
+    """The numbers that a board reports of itself. Its first cycles belong to the orders before."""
     told = [report for report in reports if report.order_read][2:]
     if not told:
         raise FailureError("no report of a cycle that read an order")
     if not any(report.awake_cycles for report in told):
         raise FailureError("what answers counts no processor cycles")
     starts = [report.start_cycles for report in told]
-    return {
-        "cycles": len(told),
-        "report_ms": spread([report.report_cycles / CORE_PER_MS for report in told], 4),
-        "load": spread([100 * report.awake_cycles / CORE_PER_MS / PERIOD_MS for report in told], 3),
-        "start_us": spread([1000 * cycles / CORE_PER_MS for cycles in starts], 2),
-        "jitter_us": round(1000 * (max(starts) - min(starts)) / CORE_PER_MS, 2),
-        "times_us": [round(1000 * report.report_cycles / CORE_PER_MS) for report in told],
-    }
+    return BenchRun(
+        report_ms=spread([report.report_cycles / CORE_PER_MS for report in told], 4),
+        load=spread([100 * report.awake_cycles / CORE_PER_MS / PERIOD_MS for report in told], 3),
+        start_us=spread([1000 * cycles / CORE_PER_MS for cycles in starts], 2),
+        jitter_us=round(1000 * (max(starts) - min(starts)) / CORE_PER_MS, 2),
+        times_us=[round(1000 * report.report_cycles / CORE_PER_MS) for report in told],
+        cycles=len(told),
+    )

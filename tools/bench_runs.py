@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any, TextIO
 
@@ -18,17 +19,19 @@ from traceability.reading.bench_record import (
     SPEED_LEAST,
     TIMINGS,
     Paper,
-    figures,
+    Record,
+    bench_run,
     profile,
 )
 from traceability.reading.products import DEFAULT, PAPER, image_of
+from traceability.schema import BenchRun, BenchScenario
 
 SECONDS = 600  # for one run
 
 
 def measure_all(root: Path, log: TextIO) -> str:
     """Plays the scenarios of the paper with the image, and with the paper's design alone."""
-    record: dict[str, Any] = {"scenarios": {}}
+    record: Record = {}
     notes = [f"{paper.title}: {measure(root, paper, record, log)}" for paper in SCENARIOS]
     keep(root, BENCH, record)
     notes.append(f"the paper's design alone: {measure_paper(root, log)}")
@@ -38,38 +41,37 @@ def measure_all(root: Path, log: TextIO) -> str:
 
 def measure_paper(root: Path, log: TextIO) -> str:
     """Plays the scenarios with the product without safety functions, for their cost."""
-    record: dict[str, Any] = {"scenarios": {}}
+    record: Record = {}
     for paper in SCENARIOS:
         raw, _ = play(root, log, paper.name, MANUAL, product=PAPER)
-        record["scenarios"][paper.name] = {MANUAL: figures(raw)}
+        record[paper.name] = BenchScenario({MANUAL: bench_run(raw)})
     keep(root, PAPER_BENCH, record)
-    most = max(runs[MANUAL]["report_ms"]["maximum"] for runs in record["scenarios"].values())
+    most = max(scenario.runs[MANUAL].report_ms.maximum for scenario in record.values())
     return f"at most {most:.3f} ms"
 
 
-def keep(root: Path, path: Path, record: dict[str, Any]) -> None:
+def keep(root: Path, path: Path, record: Record) -> None:
+    content = {name: asdict(scenario) for name, scenario in record.items()}
     (root / path).parent.mkdir(parents=True, exist_ok=True)
-    (root / path).write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+    (root / path).write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
 
 
-def measure(root: Path, paper: Paper, record: dict[str, Any], log: TextIO) -> str:
+def measure(root: Path, paper: Paper, record: Record, log: TextIO) -> str:
     """Plays a scenario with each model of time, and once more to count each instruction."""
-    runs: dict[str, Any] = {}
+    runs: dict[str, BenchRun] = {}
     for timing in TIMINGS:
         raw, user = play(root, log, paper.name, timing)
-        runs[timing] = figures(raw)
-        runs[timing]["speed"] = round(raw["simulated_ns"] / 1e9 / user, 1)
+        runs[timing] = bench_run(raw, round(raw["simulated_ns"] / 1e9 / user, 1))
     counted, _ = play(root, log, paper.name, MANUAL, "--profile")
-    if figures(counted)["instructions"] != runs[MANUAL]["instructions"]:
-        raise FailureError("two runs of the same scenario executed not the same instructions")
-    runs["profile"] = profile(counted, root)
-    record["scenarios"][paper.name] = runs
-    manual, slow, speed = runs[MANUAL], runs[SLOW], runs[MANUAL]["speed"]
-    if speed < SPEED_LEAST:
+    if bench_run(counted).instructions != runs[MANUAL].instructions:
+        raise FailureError("two runs of the same scenario did not execute the same instructions")
+    record[paper.name] = BenchScenario(runs, profile(counted, root))
+    normal, slow, speed = runs[MANUAL].report_ms, runs[SLOW].report_ms, runs[MANUAL].speed
+    if speed is None or speed < SPEED_LEAST:
         raise FailureError(f"the simulator has {speed} times real time, not {SPEED_LEAST}")
     return (
-        f"{manual['report_ms']['average']:.3f} ms, at most {manual['report_ms']['maximum']:.3f}; "
-        f"slow flash {slow['report_ms']['average']:.3f} and {slow['report_ms']['maximum']:.3f}; "
+        f"{normal.average:.3f} ms, at most {normal.maximum:.3f}; "
+        f"slow flash {slow.average:.3f} and {slow.maximum:.3f}; "
         f"{speed} times real time"
     )
 

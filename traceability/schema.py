@@ -950,3 +950,74 @@ class LoopScenario:
     plots: Sequence[LoopPlot]
     figures: Sequence[LoopFigure]
     runs: Mapping[str, LoopRun]  # binding -> run with these sources
+
+
+@dataclass(frozen=True)
+class ProductImage:
+    """The image of a product: its bytes, its modules, and what no image may contain."""
+
+    flash: int
+    ram: int
+    stack: int
+    forbidden: Sequence[str]
+    modules: Sequence[str]
+
+
+@dataclass(frozen=True)
+class Spread:
+    """Average, least and greatest value over the cycles of a run."""
+
+    average: float
+    minimum: float
+    maximum: float
+
+
+@dataclass(frozen=True)
+class Latency:
+    """The longest time from a request to its handler, and whose request it was."""
+
+    us: float
+    who: str
+
+
+@dataclass(frozen=True)
+class ExceptionCost:
+    """What an interrupt or thread costs in a cycle on average."""
+
+    who: str
+    entries: float
+    instructions: int
+    us: float
+    report_us: float
+
+
+@dataclass(frozen=True)
+class BenchRun:
+    """A scenario of the bench, played once. A board counts no instructions and no latencies."""
+
+    report_ms: Spread  # from the clock pulse to the report
+    load: Spread  # [%] of the cycle
+    start_us: Spread  # from the clock pulse to the first instruction of the cycle
+    jitter_us: float
+    times_us: Sequence[int]  # of each cycle, to the report
+    cycles: int
+    instructions: Spread | None = None
+    latency: Mapping[str, Latency] = field(default_factory=dict)  # priority -> the longest
+    exceptions: Sequence[ExceptionCost] = field(default_factory=list)
+    speed: float | None = None  # times real time
+
+
+@dataclass(frozen=True)
+class Profile:
+    """Instructions in a cycle on average: name, all, up to the report."""
+
+    modules: Sequence[tuple[str, float, float]]
+    functions: Sequence[tuple[str, float, float]]
+
+
+@dataclass(frozen=True)
+class BenchScenario:
+    """A scenario of the bench: its runs by the model of time, and its instructions by module."""
+
+    runs: Mapping[str, BenchRun] = field(default_factory=dict)
+    profile: Profile | None = None

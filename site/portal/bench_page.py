@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from typing import Any
+from collections.abc import Mapping
 
 from portal import plots
 from portal.plots import HEIGHT, WIDTH, Drawing, Line, Tick, axis
@@ -20,6 +20,9 @@ from traceability.reading.bench_record import (
     TIMINGS,
     Paper,
 )
+from traceability.schema import BenchRun
+
+Runs = Mapping[str, BenchRun]  # by the model of time
 
 BIN_US = 20
 TOP = 12  # modules and functions shown of each scenario
@@ -28,8 +31,8 @@ WORDS = {**TIMINGS, "board": "a board"}
 
 
 def bench_page(portal: Portal) -> Page:
-    record = portal.model.bench
-    runs: dict[str, Any] = record["scenarios"] if record else {}
+    measured = portal.model.bench or {}
+    runs = {name: scenario.runs for name, scenario in measured.items()}
     return portal.page(
         "bench",
         "Bench",
@@ -37,6 +40,7 @@ def bench_page(portal: Portal) -> Page:
         "bench",
         papers=SCENARIOS,
         runs=runs,
+        profiles={name: scenario.profile for name, scenario in measured.items()},
         timings=TIMINGS,
         manual=MANUAL,
         slow=SLOW,
@@ -54,13 +58,13 @@ def bench_page(portal: Portal) -> Page:
     )
 
 
-def target(paper: Paper, run: dict[str, Any], kind: str) -> tuple[float, float]:
+def target(paper: Paper, run: Runs, kind: str) -> tuple[float, float]:
     """The most that the pessimistic time may be, and how many times that it is."""
     most = (paper.average if kind == "average" else paper.maximum) / SHARE
-    return round(most, 3), round(run[SLOW]["report_ms"][kind] / most, 2)
+    return round(most, 3), round(getattr(run[SLOW].report_ms, kind) / most, 2)
 
 
-def comparison(runs: dict[str, Any]) -> Drawing:
+def comparison(runs: Mapping[str, Runs]) -> Drawing:
     """For each scenario a line from the average to the maximum: the paper's and ours."""
     x = axis(0.0, max(paper.maximum for paper in SCENARIOS), rounded=True)
     rows = len(SCENARIOS)
@@ -77,7 +81,7 @@ def comparison(runs: dict[str, Any]) -> Drawing:
                 found = runs[paper.name].get(MANUAL if name == WORDS[MANUAL] else SLOW)
                 if found is None:
                     continue
-                low, high = (found["report_ms"][one] for one in ("average", "maximum"))
+                low, high = found.report_ms.average, found.report_ms.maximum
             down = HEIGHT * (row + 0.5 + offset) / rows
             first, last = (x.place(value) * WIDTH / 100 for value in (low, high))
             path += f"M{first:.1f} {down - 8:.1f}v16m0 -8H{last:.1f}"
@@ -89,9 +93,9 @@ def comparison(runs: dict[str, Any]) -> Drawing:
     )
 
 
-def distribution(run: dict[str, Any]) -> Drawing:
+def distribution(run: Runs) -> Drawing:
     """How many cycles took how long, in steps of 20 us."""
-    times = {kind: run[kind]["times_us"] for kind in CLASSES if kind in run}
+    times = {kind: run[kind].times_us for kind in CLASSES if kind in run}
     bins = {kind: Counter(time // BIN_US for time in values) for kind, values in times.items()}
     most = max(max(found) for found in bins.values()) + 1
     x = axis(0.0, most * BIN_US / 1000, rounded=True)

@@ -138,7 +138,7 @@ def real_method(portal: Portal, node: TreeNode) -> Method | None:
 
 def products_page(portal: Portal) -> Page:
     products = portal.model.products
-    held = [set(product["modules"]) for product in (products or {}).values()]
+    held = [set(product.modules) for product in (products or {}).values()]
     common = set.intersection(*held) if held else set()
     return portal.page(
         "products",

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 
 from portal.portal import Page, Portal
 from traceability.model.safety_case import requirements_of, scenarios_of
 from traceability.reading.products import DEFAULT
-from traceability.schema import SafetyGoal
+from traceability.schema import BenchScenario, SafetyGoal
 
 PAPER_PRODUCT = "weeding_robot_paper"
 TIMING = "no-wait-states"
@@ -90,25 +90,22 @@ def cost_page(portal: Portal) -> Page:
 
 def sizes(portal: Portal) -> Iterator[Compared]:
     products = portal.model.products or {}
-    safe, paper = products.get(DEFAULT, {}), products.get(PAPER_PRODUCT, {})
-    yield Compared("flash of the image", "bytes", safe.get("flash"), paper.get("flash"))
-    yield Compared("RAM of the image, stack included", "bytes", safe.get("ram"), paper.get("ram"))
+    safe, paper = products.get(DEFAULT), products.get(PAPER_PRODUCT)
+    kinds = {"flash": "flash of the image", "ram": "RAM of the image, stack included"}
+    for key, title in kinds.items():
+        yield Compared(title, "bytes", getattr(safe, key, None), getattr(paper, key, None))
 
 
 def cycles(portal: Portal) -> Iterator[Compared]:
     """The longest time from the clock pulse to the report, in each scenario of the bench."""
     safe, paper = portal.model.bench, portal.model.bench_paper
-    names = list((safe or {}).get("scenarios", {})) or ["any scenario of the bench"]
+    names = list(safe or {}) or ["any scenario of the bench"]
     for name in names:
         title = f"longest control cycle, {name.replace('_', ' ')}"
         yield Compared(title, "ms", longest(safe, name), longest(paper, name))
 
 
-def longest(record: object, name: str) -> float | None:
+def longest(record: Mapping[str, BenchScenario] | None, name: str) -> float | None:
     """The maximum of a scenario in a record of the bench; ``None`` when it was not measured."""
-    found = record
-    for key in ("scenarios", name, TIMING, "report_ms", "maximum"):
-        if not isinstance(found, dict) or key not in found:
-            return None
-        found = found[key]
-    return float(found) if isinstance(found, (int, float)) else None
+    run = record[name].runs.get(TIMING) if record and name in record else None
+    return run.report_ms.maximum if run else None

@@ -63,7 +63,7 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _arrows(model: Model) -> list[Finding]:
-    """Each arrow of the high-level diagram is one of the paper's, or an entry says why it is here."""
+    """Each arrow of the high-level diagram is named by an entry of the concordance."""
     said = {target.partition(":")[2] for entry in model.paper for target in entry.here}
     fix = "correct the arrow, or name it in the entry of Figure 5 and say why with deviation"
     return [

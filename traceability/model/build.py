@@ -24,7 +24,7 @@ from traceability.model.tests import with_board_findings, with_executed_modules,
 from traceability.model.trees import with_trees
 from traceability.model.verification import with_verification
 from traceability.reading.ast_facts import BodyFact, CallFact, ClassFact, MethodFact
-from traceability.reading.bench_record import read_bench, read_paper_bench
+from traceability.reading.bench_record import PAPER_BENCH, read_bench
 from traceability.reading.closed_loop_record import read_closed_loop
 from traceability.reading.comments import NO_COMMENT, Comment
 from traceability.reading.coverage import Coverage, read_coverage
@@ -108,7 +108,7 @@ def _assemble(
         mutation=read_mutation(root, model.sources_hash),
         files=source_files(root),
         bench=read_bench(root),
-        bench_paper=read_paper_bench(root),
+        bench_paper=read_bench(root, PAPER_BENCH),
         products=read_products(root),
         faults=read_faults(root),
         outcomes=read_record(root),

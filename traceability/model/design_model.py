@@ -18,6 +18,7 @@ from traceability.schema import (
     ArchitectureElement,
     ArchitectureGroup,
     BeliefSource,
+    BenchScenario,
     BoardBelief,
     BoardFinding,
     Connection,
@@ -38,6 +39,7 @@ from traceability.schema import (
     PaperElement,
     PaperPlace,
     PatternApplication,
+    ProductImage,
     Requirement,
     SafetyCase,
     SharedMember,
@@ -94,9 +96,9 @@ class Model:
     closed_loop: Sequence[LoopScenario] = field(default_factory=list)
     safety: SafetyCase = field(default_factory=SafetyCase)
     # Records of other steps; ``None`` when they are not of the present sources.
-    bench: Mapping[str, Any] | None = None
-    bench_paper: Mapping[str, Any] | None = None  # of the product without safety functions
-    products: Mapping[str, dict[str, Any]] | None = None  # product -> what its image holds
+    bench: Mapping[str, BenchScenario] | None = None
+    bench_paper: Mapping[str, BenchScenario] | None = None  # without safety functions
+    products: Mapping[str, ProductImage] | None = None
     faults: Sequence[Fault] = field(default_factory=list)  # that are seeded to test the checks
     outcomes: Sequence[Outcome] | None = None  # what became of them
     measured: Mapping[str, Any] = field(default_factory=dict)  # metrics of other steps

@@ -66,9 +66,9 @@ def forbidden(model: Model) -> dict[str, Any]:
     products = model.products
     if products is None:
         return {}
-    found = {name: intruders(one["modules"], HAS[name]) for name, one in products.items()}
+    found = {name: intruders(one.modules, HAS[name]) for name, one in products.items()}
     return {
-        "firmware.forbidden_parts": sum(len(one["forbidden"]) for one in products.values()),
+        "firmware.forbidden_parts": sum(len(one.forbidden) for one in products.values()),
         "firmware.needless_modules": sum(len(one) for one in found.values()),
     }
 

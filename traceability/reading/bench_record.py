@@ -13,8 +13,9 @@ from typing import Any
 
 from traceability.reading import task_record
 from traceability.reading.products import DEFAULT, image_of
-from traceability.reading.results import RESULTS, read_json
+from traceability.reading.results import RESULTS, read_record
 from traceability.reading.task_record import is_fresh
+from traceability.schema import BenchRun, BenchScenario, ExceptionCost, Latency, Profile, Spread
 
 BENCH = RESULTS / "bench.json"
 PAPER_BENCH = RESULTS / "bench_paper.json"  # of the product without safety functions
@@ -95,69 +96,60 @@ SCENARIOS = (
 )
 
 
-def read_bench(root: Path) -> dict[str, Any] | None:
+Record = dict[str, BenchScenario]
+
+
+def read_bench(root: Path, path: Path = BENCH) -> Record | None:
     """The record of the last run, when it belongs to the present sources."""
-    return _read(root, BENCH)
+    return read_record(root / path, Record) if is_fresh(root, task_record.BENCH) else None
 
 
-def read_paper_bench(root: Path) -> dict[str, Any] | None:
-    """The same of the product without safety functions."""
-    return _read(root, PAPER_BENCH)
-
-
-def _read(root: Path, path: Path) -> dict[str, Any] | None:
-    record = read_json(root / path)
-    return record if isinstance(record, dict) and is_fresh(root, task_record.BENCH) else None
-
-
-def bench_metrics(record: Mapping[str, Any] | None) -> list[dict[str, Any]] | None:
+def bench_metrics(record: Mapping[str, BenchScenario] | None) -> list[dict[str, Any]] | None:
     """The figures of each scenario for build/metrics.json."""
     if record is None:
         return None
     return [
         {
             "name": name,
-            "avg_ms": runs[MANUAL]["report_ms"]["average"],
-            "max_ms": runs[MANUAL]["report_ms"]["maximum"],
-            "bound_avg_ms": runs[SLOW]["report_ms"]["average"],
-            "bound_max_ms": runs[SLOW]["report_ms"]["maximum"],
+            "avg_ms": scenario.runs[MANUAL].report_ms.average,
+            "max_ms": scenario.runs[MANUAL].report_ms.maximum,
+            "bound_avg_ms": scenario.runs[SLOW].report_ms.average,
+            "bound_max_ms": scenario.runs[SLOW].report_ms.maximum,
         }
-        for name, runs in record["scenarios"].items()
+        for name, scenario in record.items()
     ]
 
 
 # ---- from what the board program measured -------------------------------------
 
 
-def figures(raw: dict[str, Any]) -> dict[str, Any]:
-    """The figures of one run, from what the board program measured."""
+def bench_run(raw: dict[str, Any], speed: float | None = None) -> BenchRun:
+    """The numbers of one run, from what the board program measured."""
     if len(raw["reported"]) != CYCLES or not all(raw["reported"]):
         raise ValueError(f"{sum(raw['reported'])} cycles with a report, not {CYCLES}")
     per_ms = raw["clock_hz"] / 1000
     times = [cycles / per_ms for cycles in raw["report_cycles"]]
     starts = raw["start_cycles"]
-    return {
-        "instructions": spread(raw["instructions"], 0),
-        "report_instructions": spread(raw["report_instructions"], 0),
-        "report_ms": spread(times, 4),
-        "load": spread([100 * cycles / per_ms / PERIOD_MS for cycles in raw["awake_cycles"]], 3),
-        "start_us": spread([1000 * cycles / per_ms for cycles in starts], 2),
-        "jitter_us": round(1000 * (max(starts) - min(starts)) / per_ms, 2),
-        "latency": latencies(raw["exceptions"], per_ms),
-        "exceptions": exceptions(raw["exceptions"], per_ms),
-        "times_us": [round(1000 * time) for time in times],
-    }
+    return BenchRun(
+        report_ms=spread(times, 4),
+        load=spread([100 * cycles / per_ms / PERIOD_MS for cycles in raw["awake_cycles"]], 3),
+        start_us=spread([1000 * cycles / per_ms for cycles in starts], 2),
+        jitter_us=round(1000 * (max(starts) - min(starts)) / per_ms, 2),
+        times_us=[round(1000 * time) for time in times],
+        cycles=CYCLES,
+        instructions=spread(raw["instructions"], 0),
+        latency=latencies(raw["exceptions"], per_ms),
+        exceptions=exceptions(raw["exceptions"], per_ms),
+        speed=speed,
+    )
 
 
-def spread(values: Sequence[float], digits: int) -> dict[str, float]:
-    return {
-        "average": round(statistics.fmean(values), digits),
-        "minimum": round(min(values), digits),
-        "maximum": round(max(values), digits),
-    }
+def spread(values: Sequence[float], digits: int) -> Spread:
+    found = (statistics.fmean(values), min(values), max(values))
+    return Spread(*(round(value, digits) for value in found))
 
 
-def latencies(raw: dict[str, dict[str, int]], per_ms: float) -> dict[str, dict[str, Any]]:
+def latencies(raw: dict[str, dict[str, int]], per_ms: float) -> dict[str, Latency]:
     """Priority -> the longest time from a request to its handler, and whose it was."""
     requested = [(int(number), one) for number, one in raw.items() if one["requests"]]
     requested.sort(key=lambda item: item[1]["priority"])
@@ -165,23 +157,23 @@ def latencies(raw: dict[str, dict[str, int]], per_ms: float) -> dict[str, dict[s
     for priority, group in groupby(requested, key=lambda item: item[1]["priority"]):
         number, worst = max(group, key=lambda item: item[1]["worst_latency"])
         us = round(1000 * worst["worst_latency"] / per_ms, 2)
-        found[str(priority)] = {"us": us, "who": who(number)}
+        found[str(priority)] = Latency(us, who(number))
     return found
 
 
-def exceptions(raw: dict[str, dict[str, int]], per_ms: float) -> list[dict[str, Any]]:
+def exceptions(raw: dict[str, dict[str, int]], per_ms: float) -> list[ExceptionCost]:
     """What each interrupt and thread costs in a cycle on average, dearest first."""
     rows = [
-        {
-            "who": who(int(number)),
-            "entries": round(one["entries"] / CYCLES, 2),
-            "instructions": round(one["instructions"] / CYCLES),
-            "us": round(1000 * one["cycles"] / per_ms / CYCLES, 2),
-            "report_us": round(1000 * one["report_cycles"] / per_ms / CYCLES, 2),
-        }
+        ExceptionCost(
+            who(int(number)),
+            entries=round(one["entries"] / CYCLES, 2),
+            instructions=round(one["instructions"] / CYCLES),
+            us=round(1000 * one["cycles"] / per_ms / CYCLES, 2),
+            report_us=round(1000 * one["report_cycles"] / per_ms / CYCLES, 2),
+        )
         for number, one in raw.items()
     ]
-    return sorted(rows, key=lambda row: -float(row["us"]))
+    return sorted(rows, key=lambda row: -row.us)
 
 
 def who(exception: int) -> str:
@@ -196,28 +188,26 @@ def who(exception: int) -> str:
 Frames = list[tuple[str, str]]  # function and file, the innermost first
 
 
-def profile(raw: dict[str, Any], root: Path) -> dict[str, list[list[Any]]]:
+def profile(raw: dict[str, Any], root: Path) -> Profile:
     """Average instructions in a cycle, of modules and functions: in all, and up to the report."""
     counts = {int(address): tuple(pair) for address, pair in raw["profile"].items()}
     return profile_of(counts, frames_of(root / ELF, counts))
 
 
-def profile_of(
-    counts: dict[int, tuple[int, ...]], frames: dict[int, Frames]
-) -> dict[str, list[list[Any]]]:
-    found: dict[str, list[list[Any]]] = {}
-    for kind, place in (("modules", 0), ("functions", 1)):
-        rest: Counter[str] = Counter()
+def profile_of(counts: dict[int, tuple[int, ...]], frames: dict[int, Frames]) -> Profile:
+    def rows(place: int) -> list[tuple[str, float, float]]:
+        whole: Counter[str] = Counter()
         report: Counter[str] = Counter()
         for address, (other, to_report) in counts.items():
             name = owner(frames[address])[place]
-            rest[name] += other + to_report
+            whole[name] += other + to_report
             report[name] += to_report
-        found[kind] = [
-            [name, round(count / CYCLES, 1), round(report[name] / CYCLES, 1)]
-            for name, count in sorted(rest.items(), key=lambda item: (-item[1], item[0]))
+        return [
+            (name, round(count / CYCLES, 1), round(report[name] / CYCLES, 1))
+            for name, count in sorted(whole.items(), key=lambda item: (-item[1], item[0]))
         ]
-    return found
+
+    return Profile(rows(0), rows(1))
 
 
 def owner(frames: Frames) -> tuple[str, str]:

@@ -8,10 +8,10 @@ import tomllib
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from traceability.reading.image_record import read_image
-from traceability.reading.results import read_json
+from traceability.reading.results import read_record
+from traceability.schema import ProductImage
 from traceability.sources import DESIGN, files_below
 
 DEFAULT = "weeding_robot"
@@ -83,8 +83,8 @@ def modules_of(listed: str) -> set[str]:
     return {match[1] for match in map(SYMBOL.match, listed.splitlines()) if match}
 
 
-def read_products(root: Path) -> dict[str, dict[str, Any]] | None:
-    """Product -> what its image holds, when all were built from the present sources."""
-    found = read_json(root / RESULTS)
-    fresh = isinstance(found, dict) and set(found) == set(PRODUCTS) and read_image(root) is not None
+def read_products(root: Path) -> dict[str, ProductImage] | None:
+    """Product -> its image, when all were built from the present sources."""
+    found = read_record(root / RESULTS, dict[str, ProductImage])
+    fresh = found is not None and set(found) == set(PRODUCTS) and read_image(root) is not None
     return found if fresh else None

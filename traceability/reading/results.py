@@ -6,12 +6,16 @@ import json
 import re
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
+
+import cattrs
 
 from traceability.reading import task_record
 from traceability.schema import HOST, VIRTUAL_K64, DriverFault
 from traceability.sources import file_hash, source_hash
 
+T = TypeVar("T")
+RECORDS = cattrs.Converter(forbid_extra_keys=True)
 RESULTS = Path("build/results")
 RUNS = {HOST: "trace", VIRTUAL_K64: "board"}  # the run of the tests that tells for a binding
 TASKS = {HOST: task_record.TESTS_TRACE, VIRTUAL_K64: task_record.TESTS_BOARD}
@@ -40,6 +44,15 @@ def read_json(path: Path) -> Any:
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
+        return None
+
+
+def read_record(path: Path, kind: type[T]) -> T | None:
+    """The content as typed records, or None when it is missing, cut short or of another form."""
+    content = read_json(path)
+    try:
+        return RECORDS.structure(content, kind) if isinstance(content, dict) else None
+    except cattrs.BaseValidationError:
         return None
 
 

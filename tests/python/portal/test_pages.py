@@ -525,7 +525,13 @@ def test_products_are_compared_when_they_were_built(tmp_path: Path) -> None:
     assert "not built from these sources" in page()
     results = tmp_path / "build" / "results"
     results.mkdir(parents=True)
-    every = {"flash": 40000, "ram": 9000, "modules": ["MainController"], "forbidden": []}
+    every = {
+        "flash": 40000,
+        "ram": 9000,
+        "stack": 0,
+        "modules": ["MainController"],
+        "forbidden": [],
+    }
     held = {name: dict(every) for name in PRODUCTS} | {
         DEFAULT: every | {"flash": 41234, "modules": ["MainController", "RC"]}
     }

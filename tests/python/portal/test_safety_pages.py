@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -19,12 +18,13 @@ from tests.python.model.small_case import make_model, report_of, write_case
 from tests.python.portal.fixture import REPORT, make_project
 from traceability.model.design_model import Model
 from traceability.model.safety_case import safety_of
-from traceability.reading.bench_record import PAPER_BENCH
 from traceability.reading.declared import Declared
 from traceability.reading.declared_safety import read_sources
-from traceability.schema import SafetyCost, TouchedFile
+from traceability.schema import BenchRun, BenchScenario, SafetyCost, Spread, TouchedFile
 
-RECORD = {"scenarios": {"steps": {"no-wait-states": {"report_ms": {"maximum": 0.25}}}}}
+TIMES = Spread(0.2, 0.1, 0.25)
+RUN = BenchRun(report_ms=TIMES, load=TIMES, start_us=TIMES, jitter_us=0, times_us=[], cycles=1)
+RECORD = {"steps": BenchScenario({"no-wait-states": RUN})}
 
 
 @pytest.fixture
@@ -144,7 +144,4 @@ def test_the_longest_cycle_is_read_where_it_was_measured() -> None:
 def test_a_product_that_was_not_measured_has_no_difference(portal: Portal) -> None:
     (row,) = cycles(portal)
     assert (row.safe, row.paper, row.difference) == (None, None, None)
-    path = portal.root / PAPER_BENCH
-    path.parent.mkdir(parents=True)
-    path.write_text(json.dumps(RECORD))
     assert Compared("", "ms", 0.5, longest(RECORD, "steps")).difference == 0.25

@@ -8,7 +8,15 @@ from pathlib import Path
 
 from tests.python.firmware.seeding import BOARD, link_command
 from tools import bench
-from traceability.reading.bench_record import BENCH, FOLDER, SCENARIOS, frames_of, profile_of
+from traceability.reading.bench_record import (
+    BENCH,
+    FOLDER,
+    SCENARIOS,
+    Record,
+    frames_of,
+    profile_of,
+)
+from traceability.reading.results import read_record
 
 ROOT = Path(__file__).parents[3]
 BUILD = ROOT / "build" / "k64"
@@ -52,7 +60,7 @@ def rows(image: Path, folder: Path) -> dict[str, float]:
     raw = json.loads(output.read_text(encoding="utf-8"))
     counts = {int(address): tuple(pair) for address, pair in raw["profile"].items()}
     found = profile_of(counts, frames_of(image.with_suffix(".elf"), counts))
-    return {name: whole for name, whole, _ in found["modules"]}
+    return {name: whole for name, whole, _ in found.modules}
 
 
 def test_a_slowed_algorithm_shows_in_its_row(tmp_path: Path) -> None:
@@ -83,9 +91,10 @@ def test_a_board_on_a_line_is_measured(tmp_path: Path) -> None:
             assert bench.on_board(tmp_path, link, 2) == 0
         finally:
             board.terminate()
-    record = json.loads((tmp_path / BENCH).read_text(encoding="utf-8"))
+    record = read_record(tmp_path / BENCH, Record)
+    assert record is not None
     for paper in SCENARIOS:
-        found = record["scenarios"][paper.name]["board"]
-        assert found["cycles"] >= 5
-        assert 0.05 < found["report_ms"]["average"] < 5
-        assert 0 < found["load"]["average"] < 100
+        found = record[paper.name].runs[bench.BOARD]
+        assert found.cycles >= 5
+        assert 0.05 < found.report_ms.average < 5
+        assert 0 < found.load.average < 100

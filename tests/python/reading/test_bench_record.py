@@ -1,5 +1,6 @@
 """The figures of the bench, from what the board program measured."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -14,13 +15,14 @@ from traceability.reading.bench_record import (
     SCENARIOS,
     SLOW,
     bench_metrics,
-    figures,
+    bench_run,
     owner,
     profile_of,
     read_frames,
     spread,
 )
 from traceability.reading.task_record import BENCH
+from traceability.schema import BenchScenario, Latency, Spread
 
 ROOT = Path(__file__).parents[3]
 
@@ -55,23 +57,24 @@ def exception(priority: int, requests: int, latency: int, cycles: int = 0) -> di
 
 
 def test_times_are_in_ms_and_the_load_in_per_cent_of_100_ms() -> None:
-    found = figures(raw())
-    assert found["report_ms"] == {"average": 0.2002, "minimum": 0.2, "maximum": 0.4}
-    assert found["load"]["maximum"] == 2.0
-    assert found["instructions"]["maximum"] == 120_000
-    assert found["start_us"]["minimum"] == 5.0
-    assert found["jitter_us"] == 5.0
-    assert found["times_us"][-2:] == [200, 400]
+    found = bench_run(raw())
+    assert found.report_ms == Spread(average=0.2002, minimum=0.2, maximum=0.4)
+    assert found.load.maximum == 2.0
+    assert found.instructions is not None
+    assert found.instructions.maximum == 120_000
+    assert found.start_us.minimum == 5.0
+    assert found.jitter_us == 5.0
+    assert found.times_us[-2:] == [200, 400]
 
 
 @pytest.mark.parametrize("reported", [[1] * (CYCLES - 1), [1] * (CYCLES - 1) + [0]])
 def test_each_of_the_cycles_must_have_reported(reported: list[int]) -> None:
     with pytest.raises(ValueError, match="999 cycles with a report"):
-        figures(raw(reported=reported))
+        bench_run(raw(reported=reported))
 
 
 def test_the_worst_latency_of_each_priority_names_its_interrupt() -> None:
-    found = figures(
+    found = bench_run(
         raw(
             exceptions={
                 "64": exception(2, 1000, 240),
@@ -81,11 +84,8 @@ def test_the_worst_latency_of_each_priority_names_its_interrupt() -> None:
             }
         )
     )
-    assert found["latency"] == {
-        "1": {"us": 0.5, "who": "Hall sensors"},
-        "2": {"us": 2.0, "who": "clock pulse"},
-    }
-    assert found["exceptions"][0]["who"] == "main thread"
+    assert found.latency == {"1": Latency(0.5, "Hall sensors"), "2": Latency(2.0, "clock pulse")}
+    assert found.exceptions[0].who == "main thread"
 
 
 def test_an_instruction_belongs_to_the_innermost_part_of_the_project() -> None:
@@ -112,16 +112,15 @@ def test_the_profile_has_the_instructions_of_a_cycle_dearest_first() -> None:
     counts = {0x10: (1000, 500), 0x12: (4000, 0)}
     frames = {0x10: [("f", "src/A.cpp")], 0x12: [("g", "src/B.cpp")]}
     found = profile_of(counts, frames)
-    assert found["modules"] == [["B", 4.0, 0.0], ["A", 1.5, 0.5]]
-    assert found["functions"] == [["g", 4.0, 0.0], ["f", 1.5, 0.5]]
+    assert found.modules == [("B", 4.0, 0.0), ("A", 1.5, 0.5)]
+    assert found.functions == [("g", 4.0, 0.0), ("f", 1.5, 0.5)]
 
 
 def test_the_metrics_have_the_times_of_both_models() -> None:
-    run = {
-        MANUAL: {"report_ms": spread([1.0, 3.0], 1)},
-        SLOW: {"report_ms": spread([2.0, 6.0], 1)},
-    }
-    assert bench_metrics({"scenarios": {"steps": run}}) == [
+    run = bench_run(raw())
+    times = {MANUAL: spread([1.0, 3.0], 1), SLOW: spread([2.0, 6.0], 1)}
+    runs = {timing: replace(run, report_ms=found) for timing, found in times.items()}
+    assert bench_metrics({"steps": BenchScenario(runs)}) == [
         {"name": "steps", "avg_ms": 2.0, "max_ms": 3.0, "bound_avg_ms": 4.0, "bound_max_ms": 6.0}
     ]
     assert bench_metrics(None) is None
@@ -134,10 +133,12 @@ def test_a_record_of_other_sources_is_none(tmp_path: Path) -> None:
     path = tmp_path / bench_record.BENCH
     path.parent.mkdir(parents=True)
     assert bench_record.read_bench(tmp_path) is None
-    path.write_text('{"scenarios": {}}')
+    path.write_text("{}")
     assert bench_record.read_bench(tmp_path) is None
     record_task(tmp_path, BENCH, "src")
     assert bench_record.read_bench(tmp_path) is not None
+    path.write_text('{"steps": {"runs": {"slow-flash": {"load": 3}}}}')
+    assert bench_record.read_bench(tmp_path) is None, "a record of another form"
     source.write_text("int b;\n")
     assert bench_record.read_bench(tmp_path) is None
 

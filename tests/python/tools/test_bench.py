@@ -10,6 +10,7 @@ from tools import cli
 from tools.bench import costs, orders_of, wishes
 from tools.steps import FailureError
 from traceability.reading.bench_record import BENCH, CYCLES, FOLDER, SCENARIOS
+from traceability.schema import Spread
 
 ROOT = Path(__file__).parents[3]
 
@@ -52,10 +53,10 @@ def test_what_a_board_tells_becomes_the_figures() -> None:
         told(order_read=False, report_cycles=9_999_999),
     ]
     found = costs(reports)
-    assert found["cycles"] == 2
-    assert found["report_ms"] == {"average": 0.3, "minimum": 0.2, "maximum": 0.4}
-    assert found["load"]["average"] == 2.0
-    assert found["jitter_us"] == 5.0
+    assert found.cycles == 2
+    assert found.report_ms == Spread(average=0.3, minimum=0.2, maximum=0.4)
+    assert found.load.average == 2.0
+    assert found.jitter_us == 5.0
 
 
 def test_a_robot_that_counts_no_cycles_measures_nothing() -> None:
