@@ -24,7 +24,6 @@ constexpr int kBluetoothPort = 4;
 constexpr std::size_t kKeyAddress = 0x410;  // behind the flash configuration field
 constexpr std::uint8_t kChallenge = 0x83;
 constexpr int kWheelTimer = 0;
-constexpr int kArmingCycles = 12;
 
 // The image of a product on a board of its own. A finding ends the test. Its calls are not
 // recorded: the recordings are those of the image under test.
@@ -38,15 +37,6 @@ class ProductRobot : public SteppedRobot {
       silentCycle();
     }
     ASSERT_EQ(report().mode, mode);
-  }
-
-  // Neutral orders of the PC until the robot is armed.
-  void arm() {
-    commandByPc();
-    for (int cycles = 0; cycles < kArmingCycles; ++cycles) {
-      order({.id = 2});
-      cycle();
-    }
   }
 
   // Share of the period in which a wheel has the voltage of the supply.
@@ -152,7 +142,7 @@ TEST_P(Product, RunsWithoutFinding) {
 /// @verifies FR-80
 TEST_P(Product, NFR2_OrderedVoltageComesOutAsPulses) {
   ProductRobot robot(GetParam());
-  robot.arm();
+  robot.commandByPc();
   const auto ordered = [&robot](std::int16_t millivolts) {
     scenario::PcOrder order{.id = 3};
     order.wheels.fill({.quantity = 1, .value = millivolts});

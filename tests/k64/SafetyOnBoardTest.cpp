@@ -26,7 +26,6 @@ using std::chrono::milliseconds;
 const std::string kProduct = "weeding_robot";
 const auto kFolder = std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/safety";
 const int kN = SystemConstants::instance().waitingCycles();
-constexpr int kArmingCycles = 12;
 
 // The image with safety functions. A reset is a part of some scenarios: it does not stop the board.
 std::unique_ptr<board_robot::BoardSession> switchSafeRobotOn() {
@@ -124,7 +123,6 @@ class SafeBoard final : public SteppedRobot {
   void letThePcDrive() {
     enable(plant::EnablePosition::Pc);
     commandByPc();
-    driveByPc(0, kArmingCycles);
     driveByPc(1000, 20);
   }
 

@@ -183,6 +183,7 @@ TEST_F(OrdersOfRobot, FR21_StopOutlivesTheConnection) {
   }
   EXPECT_EQ(robot.report().orderId, 41);
   EXPECT_FALSE(robot.report().stop());
+  robot.arm();
   EXPECT_FALSE(robot.report().held());
 }
 
