@@ -1,6 +1,7 @@
-// Boards with the image under test. With the image of the paper's design alone the calls of the firmware are recorded as on the host: one file
-// for each test in the folder WR_TRACE_DIR, see trace.cpp. Which instructions it executed is in the
-// file <suite>.<test>.bits there: one bit for each half-word of the flash, up to the last one set.
+// Boards with the image under test. With the image of the paper's design alone the calls of the
+// firmware are recorded as on the host: one file for each test in the folder WR_TRACE_DIR, see
+// trace.cpp. Which instructions it executed is in the file <suite>.<test>.bits there: one bit for
+// each half-word of the flash, up to the last one set.
 
 #include "support/image.hpp"
 

@@ -23,7 +23,8 @@ void play(const std::string& example) {
   EXPECT_GE(outcome.reports, 50U);
 }
 
-// Plays an example of the paper's design alone: safety functions stop the robot, or let it follow a ramp.
+// Plays an example of the paper's design alone: safety functions stop the robot, or let it follow a
+// ramp.
 void playWithThePapersDesign(const std::string& example) {
   onlyWith("weeding_robot_paper");
   play(example);

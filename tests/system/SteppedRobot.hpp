@@ -96,8 +96,8 @@ class SteppedRobot {
     }
   }
 
-  /// Sends neutral orders of the PC until the robot is armed. A robot without safety functions never
-  /// waits for them.
+  /// Sends neutral orders of the PC until the robot is armed. A robot without safety functions
+  /// never waits for them.
   void arm() {
     for (int i = 0; i < kMostNeutral && waitsForArming(); ++i) {
       order({.id = report().orderId});
