@@ -43,6 +43,8 @@ struct Drive {
 /// @brief The firmware counts what the board measures. Its counts begin when the interrupt of the clock
 /// pulse is served; of each sleep it takes a few cycles too many.
 /// @verifies FR-160
+/// @verifies FR-302
+/// @verifies FR-303
 TEST(CyclesOfTheImage, FR160_TheReportTellsWhatTheBoardMeasures) {
   const Drive drive(60);
   constexpr std::int64_t kFew = 700;    // the interrupt of a converter may come in between

@@ -44,8 +44,8 @@ TEST(ClosedLoopOfRobot, FR82_VelocitySettlesOnTheFlat) {
 }
 
 /// @brief Uphill the velocity stays within 2 %.
-/// @verifies FR-83
-TEST(ClosedLoopOfRobot, FR83_VelocityIsKeptUphill) {
+/// @verifies FR-300
+TEST(ClosedLoopOfRobot, FR300_VelocityIsKeptUphill) {
   play("uphill");
 }
 
