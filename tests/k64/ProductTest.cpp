@@ -74,7 +74,8 @@ class RobotWithDevice final : public ProductRobot {
   // Connects the PC and the device.
   void connectBoth() {
     connect();
-    device_ = SigningDevice(kSharedKey, challenge());
+    start_ = challenge();
+    device_ = SigningDevice(kSharedKey, start_);
     send(frames_.hello());
     silentCycle();
     const scenario::Bytes answer = SigningDevice::bare(board().takeSentOn(kBluetoothPort));
@@ -85,7 +86,26 @@ class RobotWithDevice final : public ProductRobot {
   // A signed order over the line of the Bluetooth module.
   void deviceOrder(const scenario::PcOrder& order) { send(frames_.order(order)); }
 
-  // The same without a tag.
+  // The bytes of a signed order, which are not sent.
+  scenario::Bytes signedOrder(const scenario::PcOrder& order) {
+    return device_.sign(frames_.order(order));
+  }
+
+  // The same, signed with another key; the counter is newer than each one before.
+  scenario::Bytes orderWithKey(const SipHash::Key& key, const scenario::PcOrder& order) {
+    constexpr std::uint32_t kNewer = 1000;
+    return SigningDevice(key, start_).signWith(kNewer, frames_.order(order));
+  }
+
+  // Bytes on the line of the Bluetooth module, and the cycle that may read them. Returns whether
+  // the robot read an order.
+  bool reads(const scenario::Bytes& bytes) {
+    board().receiveOn(kBluetoothPort, bytes);
+    silentCycle();
+    return report().orderRead();
+  }
+
+  // An order without a tag.
   void unsignedOrder(const scenario::PcOrder& order) {
     board().receiveOn(kBluetoothPort, frames_.order(order));
   }
@@ -111,6 +131,7 @@ class RobotWithDevice final : public ProductRobot {
   }
 
   SigningDevice device_;
+  std::uint64_t start_ = 0;  // the number of this start
   scenario::PcSender frames_;
 };
 
@@ -213,6 +234,31 @@ TEST(ProductWithBluetooth, FR262_UnsignedOrderIsNotRead) {
     EXPECT_FALSE(robot.report().orderRead());
     EXPECT_FALSE(robot.report().stop());
   }
+}
+
+/// @brief While the robot reads orders of the device, it does not read one that is repeated, altered or signed
+/// with another key; the next one with the right key it reads.
+/// @verifies FR-262
+TEST(ProductWithBluetooth, FR262_OnlyNewOrdersWithTheRightKeyAreRead) {
+  RobotWithDevice robot;
+  robot.connectBoth();
+  robot.waitForMode(kBluetooth);
+  scenario::Bytes order;
+  for (int tries = 0; tries < kN && robot.report().source != kBluetooth; ++tries) {
+    order = robot.signedOrder({.id = 900});
+    static_cast<void>(robot.reads(order));
+  }
+  ASSERT_EQ(robot.report().orderId, 900);
+  EXPECT_FALSE(robot.reads(order)) << "repeated";
+  scenario::Bytes altered = robot.signedOrder({.id = 901});
+  altered.at(6) ^= 1U;
+  EXPECT_FALSE(robot.reads(altered));
+  SipHash::Key other = kSharedKey;
+  other.back() ^= 1U;
+  EXPECT_FALSE(robot.reads(robot.orderWithKey(other, {.id = 902})));
+  EXPECT_EQ(robot.report().orderId, 900);
+  EXPECT_TRUE(robot.reads(robot.signedOrder({.id = 903})));
+  EXPECT_EQ(robot.report().orderId, 903);
 }
 
 /// @brief A stop over the second serial port acts while the PC commands.
