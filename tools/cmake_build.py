@@ -11,13 +11,13 @@ import xml.etree.ElementTree as ET
 from collections import defaultdict
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TextIO
+from typing import Any, TextIO
 
 from tools.steps import FailureError, run
 from tools.task_graph import Outcome
-from traceability.reading.products import PAPER, image_of
+from traceability.reading.products import DEFAULT, PAPER, image_of
 from traceability.reading.results import cost_of
 from traceability.sources import FRAMES, TESTED, files_below, source_hash
 
@@ -90,7 +90,8 @@ def write_failures(results: Path, log: TextIO) -> None:
             if "failures" not in test:
                 continue
             seed = f", WR_SEED={test['seed']}" if "seed" in test else ""
-            log.write(f"\nFAILED {suite['name']}.{test['name']}{seed}\n")
+            image = f" with the image {test['image']}" if "image" in test else ""
+            log.write(f"\nFAILED {suite['name']}.{test['name']}{image}{seed}\n")
             log.writelines(f"{one['failure']}\n" for one in test["failures"])
 
 
@@ -128,24 +129,49 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
     shutil.rmtree(binaries / ("traces-board" if on_board else "traces"), ignore_errors=True)
     for counters in binaries.rglob("*.gcda"):  # gcc would add those of this run
         counters.unlink()
-    shards = [Shard(results, number, int(jobs())) for number in range(int(jobs()))]
-    with ThreadPoolExecutor(len(shards)) as pool:
-        ends = list(pool.map(lambda shard: shard.run(program_of(root, run_name)), shards))
-    for shard in shards:
-        log.write(shard.log.read_text(errors="replace"))
-    ended = next((end for end, _ in ends if end), "")
-    if not all(shard.results.exists() for shard in shards):
-        raise FailureError(ended or "the tests wrote no results")
-    parts = [json.loads(shard.results.read_text()) for shard in shards]
-    merged = {"testsuites": [suite for part in parts for suite in part["testsuites"]]}
+    program = program_of(root, run_name)
+    suites, seconds, ended = run_shards(results, program, log, {})
+    if on_board and (names := of_each_image(suites)):
+        image = root / image_of(DEFAULT, ".bin")
+        again = {"WR_IMAGE": str(image), "GTEST_FILTER": ":".join(names)}
+        second = run_shards(results, program, log, again)
+        suites, seconds, ended = suites + second[0], seconds + second[1], ended or second[2]
+    merged = {"testsuites": suites}
     results.write_text(json.dumps(merged) + "\n")
-    cost = {"sources": source_hash(root), "seconds": sum(seconds for _, seconds in ends)}
+    cost = {"sources": source_hash(root), "seconds": seconds}
     cost_of(root, run_name).write_text(json.dumps(cost) + "\n")
     write_failures(results, log)
     counts = gtest_counts(results)
     if ended and not counts.failed:
         raise FailureError(ended)
     return counts
+
+
+def run_shards(
+    results: Path, program: Path, log: TextIO, variables: Mapping[str, str]
+) -> tuple[list[dict[str, Any]], float, str]:
+    """Returns the suites with their results, the processor time [s], and how a process failed."""
+    shards = [Shard(results, number, int(jobs()), variables) for number in range(int(jobs()))]
+    with ThreadPoolExecutor(len(shards)) as pool:
+        ends = list(pool.map(lambda shard: shard.run(program), shards))
+    for shard in shards:
+        log.write(shard.log.read_text(errors="replace"))
+    ended = next((end for end, _ in ends if end), "")
+    if not all(shard.results.exists() for shard in shards):
+        raise FailureError(ended or "the tests wrote no results")
+    parts = [json.loads(shard.results.read_text()) for shard in shards]
+    suites = [suite for part in parts for suite in part["testsuites"]]
+    return suites, sum(seconds for _, seconds in ends), ended
+
+
+def of_each_image(suites: list[dict[str, Any]]) -> list[str]:
+    """The tests of the image under test that are not for the paper's design alone."""
+    return [
+        f"{suite['name']}.{test['name']}"
+        for suite in suites
+        for test in suite["testsuite"]
+        if test.get("image") == PAPER and "only" not in test
+    ]
 
 
 @dataclass(frozen=True)
@@ -155,6 +181,7 @@ class Shard:
     whole: Path
     number: int
     total: int
+    variables: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def results(self) -> Path:
@@ -171,7 +198,7 @@ class Shard:
         with self.log.open("w") as log:
             try:
                 words: list[str | Path] = [program, f"--gtest_output=json:{self.results}"]
-                return "", run(log, words, env=os.environ | numbers)
+                return "", run(log, words, env={**os.environ, **numbers, **self.variables})
             except FailureError as error:
                 return str(error), 0.0
 

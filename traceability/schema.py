@@ -296,6 +296,7 @@ class BindingResult:
     )  # files of recorded calls that it may have
     measured: str = ""  # what the test tells of its run, beside the result
     instances: Mapping[str, str] = field(default_factory=dict)  # of a parameterised test -> result
+    images: Sequence[str] = field(default_factory=list)  # products whose images the test ran
 
 
 @dataclass(frozen=True)

@@ -25,6 +25,9 @@ class Timebase {
   /// @return number of cycles since start, which begins again at 0 after 2^32 of them; always 0 where the
   /// platform does not count them
   /// @satisfies FR-160
+  /// @satisfies FR-302
+  /// @satisfies FR-303
+  /// @satisfies FR-304
   /// @isr{yes}
   [[nodiscard]] virtual std::uint32_t awakeCycles() const = 0;
 

@@ -56,12 +56,15 @@ class K64Timebase final : public Timebase {
   [[nodiscard]] Instant now() const override;
 
   /// @satisfies FR-160
+  /// @satisfies FR-302
+  /// @satisfies FR-303
   /// @isr{yes}
   [[nodiscard]] std::uint32_t awakeCycles() const override;
 
   /// @brief Sleeps until an interrupt comes; it is served when this returns.
   /// @pre No interrupt is being served, and none is kept away.
   /// @satisfies FR-160
+  /// @satisfies FR-302
   /// @isr{no}
   void sleep();
 

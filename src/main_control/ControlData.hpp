@@ -34,7 +34,8 @@ class ControlData {
   /// @brief Notes what the begin of this cycle cost, and what the cycle before cost.
   /// @param pulse count of processor cycles at the clock pulse of this cycle
   /// @param start the same count when this cycle began
-  /// @satisfies FR-160
+  /// @satisfies FR-302
+  /// @satisfies FR-303
   /// @isr{no}
   void saveStart(std::uint32_t pulse, std::uint32_t start);
 
@@ -53,7 +54,7 @@ class ControlData {
   /// @brief Puts set-points in force, with the source that was noted last.
   /// @param setPoints what the control systems shall reach
   /// @satisfies FR-19
-  /// @satisfies FR-175
+  /// @satisfies FR-305
   /// @isr{no}
   void saveSetPoints(const SetPoints& setPoints);
 
@@ -67,7 +68,7 @@ class ControlData {
   /// @brief Notes whether the control systems are held in this cycle.
   /// @param held true if the wheels are halted and the steering is held
   /// @isr{no}
-  /// @satisfies FR-175
+  /// @satisfies FR-306
   void saveHeld(bool held);
 
   /// @brief Counts this cycle as an overrun.
@@ -112,6 +113,8 @@ class ControlData {
   /// @return content of the report.
   /// @satisfies FR-61
   /// @satisfies FR-175
+  /// @satisfies FR-305
+  /// @satisfies FR-306
   /// @satisfies FR-242
   /// @satisfies FR-249
   /// @isr{no}

@@ -152,7 +152,9 @@ class MainController {
   /// @satisfies FR-35
   /// @satisfies FR-37
   /// @satisfies FR-74
-  /// @satisfies FR-160
+  /// @satisfies FR-302
+  /// @satisfies FR-303
+  /// @satisfies FR-304
   void cycle();
   /// @brief Has every source of orders take in what came.
   /// @satisfies FR-35

@@ -52,6 +52,7 @@ class WheelController final {
   /// @param position position of the wheel
   /// @satisfies FR-80
   /// @satisfies FR-86
+  /// @satisfies FR-301
   /// @satisfies FR-90
   /// @satisfies FR-91
   /// @satisfies FR-222

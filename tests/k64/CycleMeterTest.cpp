@@ -17,6 +17,7 @@ namespace {
 constexpr unsigned kPulse = 16 + 48;
 constexpr unsigned kHallEdges = 16 + 62;
 constexpr unsigned kMainThread = 16 + 64;
+constexpr int kCyclesToArm = 15;  // the PC commands, and its neutral orders arm the robot
 
 /// A connected robot that drives, and what was measured of some of its cycles.
 struct Drive {
@@ -26,7 +27,8 @@ struct Drive {
     robot.connect();
     for (int cycle = 0; cycle < cycles; ++cycle) {
       scenario::PcOrder order{.id = static_cast<std::uint16_t>(cycle + 1)};
-      order.wheels.fill({.quantity = 0, .value = 500});
+      const bool armed = cycle >= kCyclesToArm;
+      order.wheels.fill({.quantity = 0, .value = static_cast<std::int16_t>(armed ? 500 : 0)});
       robot.order(order);
       robot.cycle();
       reports.push_back(robot.report());
@@ -41,6 +43,8 @@ struct Drive {
 /// @brief The firmware counts what the board measures. Its counts begin when the interrupt of the clock
 /// pulse is served; of each sleep it takes a few cycles too many.
 /// @verifies FR-160
+/// @verifies FR-302
+/// @verifies FR-303
 TEST(CyclesOfTheImage, FR160_TheReportTellsWhatTheBoardMeasures) {
   const Drive drive(60);
   constexpr std::int64_t kFew = 700;    // the interrupt of a converter may come in between

@@ -130,7 +130,7 @@ TEST(K64FtmInTheRobot, FR140_OrderedTensionComesOutAsPulses) {
   BoardRobot robot;
   robot.startUp();
   robot.commandByPc(order);
-  for (int cycle = 0; cycle < 3; ++cycle) {
+  for (int cycle = 0; cycle < 6; ++cycle) {
     robot.order(order);
     robot.cycle();
   }

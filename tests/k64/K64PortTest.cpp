@@ -255,7 +255,8 @@ TEST(K64PortInTheRobot, FR200_OneInterruptServesEdgesThatComeTogether) {
 TEST(K64PortInTheRobot, FR200_PulsesThatComeTogetherHaveTheirWidths) {
   // 1 us of the pulse is 6.4 hundredths of a degree, and each of its edges may be 1 us off.
   std::istringstream text(
-      "seed 5\nat 0 noise off\nat 0 rc coincident on\nat 0 rc velocity 0 steering 2000\nat 50 "
+      "seed 5\nat 0 noise off\nat 0 rc coincident on\nat 0 rc enable drive\nat 0 rc velocity 0 "
+      "steering 2000\nat 50 "
       "connect\n"
       "from 400 to 3000 every 400 keepalive\n"
       "from 1000 to 3000 every 100 expect steering_set_point between 1988 2012\nat 3100 end\n");

@@ -24,7 +24,6 @@ constexpr int kBluetoothPort = 4;
 constexpr std::size_t kKeyAddress = 0x410;  // behind the flash configuration field
 constexpr std::uint8_t kChallenge = 0x83;
 constexpr int kWheelTimer = 0;
-constexpr int kArmingCycles = 12;
 
 // The image of a product on a board of its own. A finding ends the test. Its calls are not
 // recorded: the recordings are those of the image under test.
@@ -38,15 +37,6 @@ class ProductRobot : public SteppedRobot {
       silentCycle();
     }
     ASSERT_EQ(report().mode, mode);
-  }
-
-  // Neutral orders of the PC until the robot is armed.
-  void arm() {
-    commandByPc();
-    for (int cycles = 0; cycles < kArmingCycles; ++cycles) {
-      order({.id = 2});
-      cycle();
-    }
   }
 
   // Share of the period in which a wheel has the voltage of the supply.
@@ -84,7 +74,8 @@ class RobotWithDevice final : public ProductRobot {
   // Connects the PC and the device.
   void connectBoth() {
     connect();
-    device_ = SigningDevice(kSharedKey, challenge());
+    start_ = challenge();
+    device_ = SigningDevice(kSharedKey, start_);
     send(frames_.hello());
     silentCycle();
     const scenario::Bytes answer = SigningDevice::bare(board().takeSentOn(kBluetoothPort));
@@ -95,7 +86,26 @@ class RobotWithDevice final : public ProductRobot {
   // A signed order over the line of the Bluetooth module.
   void deviceOrder(const scenario::PcOrder& order) { send(frames_.order(order)); }
 
-  // The same without a tag.
+  // The bytes of a signed order, which are not sent.
+  scenario::Bytes signedOrder(const scenario::PcOrder& order) {
+    return device_.sign(frames_.order(order));
+  }
+
+  // The same, signed with another key; the counter is newer than each one before.
+  scenario::Bytes orderWithKey(const SipHash::Key& key, const scenario::PcOrder& order) {
+    constexpr std::uint32_t kNewer = 1000;
+    return SigningDevice(key, start_).signWith(kNewer, frames_.order(order));
+  }
+
+  // Bytes on the line of the Bluetooth module, and the cycle that may read them. Returns whether
+  // the robot read an order.
+  bool reads(const scenario::Bytes& bytes) {
+    board().receiveOn(kBluetoothPort, bytes);
+    silentCycle();
+    return report().orderRead();
+  }
+
+  // An order without a tag.
   void unsignedOrder(const scenario::PcOrder& order) {
     board().receiveOn(kBluetoothPort, frames_.order(order));
   }
@@ -121,6 +131,7 @@ class RobotWithDevice final : public ProductRobot {
   }
 
   SigningDevice device_;
+  std::uint64_t start_ = 0;  // the number of this start
   scenario::PcSender frames_;
 };
 
@@ -152,7 +163,7 @@ TEST_P(Product, RunsWithoutFinding) {
 /// @verifies FR-80
 TEST_P(Product, NFR2_OrderedVoltageComesOutAsPulses) {
   ProductRobot robot(GetParam());
-  robot.arm();
+  robot.commandByPc();
   const auto ordered = [&robot](std::int16_t millivolts) {
     scenario::PcOrder order{.id = 3};
     order.wheels.fill({.quantity = 1, .value = millivolts});
@@ -223,6 +234,31 @@ TEST(ProductWithBluetooth, FR262_UnsignedOrderIsNotRead) {
     EXPECT_FALSE(robot.report().orderRead());
     EXPECT_FALSE(robot.report().stop());
   }
+}
+
+/// @brief While the robot reads orders of the device, it does not read one that is repeated, altered or signed
+/// with another key; the next one with the right key it reads.
+/// @verifies FR-262
+TEST(ProductWithBluetooth, FR262_OnlyNewOrdersWithTheRightKeyAreRead) {
+  RobotWithDevice robot;
+  robot.connectBoth();
+  robot.waitForMode(kBluetooth);
+  scenario::Bytes order;
+  for (int tries = 0; tries < kN && robot.report().source != kBluetooth; ++tries) {
+    order = robot.signedOrder({.id = 900});
+    static_cast<void>(robot.reads(order));
+  }
+  ASSERT_EQ(robot.report().orderId, 900);
+  EXPECT_FALSE(robot.reads(order)) << "repeated";
+  scenario::Bytes altered = robot.signedOrder({.id = 901});
+  altered.at(6) ^= 1U;
+  EXPECT_FALSE(robot.reads(altered));
+  SipHash::Key other = kSharedKey;
+  other.back() ^= 1U;
+  EXPECT_FALSE(robot.reads(robot.orderWithKey(other, {.id = 902})));
+  EXPECT_EQ(robot.report().orderId, 900);
+  EXPECT_TRUE(robot.reads(robot.signedOrder({.id = 903})));
+  EXPECT_EQ(robot.report().orderId, 903);
 }
 
 /// @brief A stop over the second serial port acts while the PC commands.

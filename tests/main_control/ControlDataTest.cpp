@@ -41,6 +41,8 @@ TEST_F(ControlDataTest, FR19_SourceTakesForceWithTheSetPoints) {
 /// @verifies FR-61
 /// @verifies FR-174
 /// @verifies FR-175
+/// @verifies FR-305
+/// @verifies FR-306
 TEST_F(ControlDataTest, FR61_ReportHoldsTheCycle) {
   data.beginCycle(Instant(123'456));
   data.saveModeId(ModeId::PC);
@@ -90,7 +92,7 @@ TEST_F(ControlDataTest, FR62_NextCycleForgetsWhatWasMeasured) {
 /// @brief While a source orders stop, the report gives this as the reason why the robot does not follow its
 /// set-points, whatever else keeps it.
 /// @verifies FR-242
-/// @verifies FR-175
+/// @verifies FR-306
 TEST_F(ControlDataTest, FR242_AStopIsTheFirstReason) {
   data.beginCycle(Instant(1));
   data.saveStop(1);
@@ -101,6 +103,7 @@ TEST_F(ControlDataTest, FR242_AStopIsTheFirstReason) {
 
 /// @brief Without set-points, and in the state Reconnecting, the reason is that nobody orders.
 /// @verifies FR-242
+/// @verifies FR-306
 TEST_F(ControlDataTest, FR242_WithoutOrdersTheReasonIsThatNobodyOrders) {
   data.beginCycle(Instant(1));
   EXPECT_EQ(report().measurements.protection.inhibit, Inhibit::NoOrder);
@@ -116,7 +119,7 @@ TEST_F(ControlDataTest, FR242_WithoutOrdersTheReasonIsThatNobodyOrders) {
 /// @brief The reason, the cause and the wheel that a safety function has measured are in the report, and
 /// the report says that the robot is held.
 /// @verifies FR-242
-/// @verifies FR-175
+/// @verifies FR-306
 TEST_F(ControlDataTest, FR242_TheReasonOfASafetyFunctionIsReported) {
   data.beginCycle(Instant(1));
   data.saveSetPoints({.orderId = 1});
@@ -138,6 +141,8 @@ TEST_F(ControlDataTest, FR4_OverrunCountStopsAtItsGreatestValue) {
 
 /// @brief The costs are differences of the count of cycles, which may begin again at 0 between them.
 /// @verifies FR-160
+/// @verifies FR-302
+/// @verifies FR-303
 TEST_F(ControlDataTest, FR160_CostsAreDifferences) {
   constexpr std::uint32_t kFirst = 0xFFFFFF00;  // the count begins again at 0 in the first cycle
   data.beginCycle(Instant(1));

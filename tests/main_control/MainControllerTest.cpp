@@ -145,8 +145,8 @@ TEST_F(MainControllerTest, FR61_ReportTellsTheCycleAfterTheRead) {
 }
 
 /// @brief The report tells the cycles between the clock pulses, and those that the cycle waited to begin.
-/// @verifies FR-160
-TEST_F(MainControllerTest, FR160_ReportTellsWhatTheCyclesCost) {
+/// @verifies FR-302
+TEST_F(MainControllerTest, FR302_ReportTellsWhatTheCyclesCost) {
   connect();
   controller.start();
   time.work(500);

@@ -1,6 +1,7 @@
-// Boards with the image under test. The calls of the firmware are recorded as on the host: one file
-// for each test in the folder WR_TRACE_DIR, see trace.cpp. Which instructions it executed is in the
-// file <suite>.<test>.bits there: one bit for each half-word of the flash, up to the last one set.
+// Boards with the image under test. With the image of the paper's design alone the calls of the
+// firmware are recorded as on the host: one file for each test in the folder WR_TRACE_DIR, see
+// trace.cpp. Which instructions it executed is in the file <suite>.<test>.bits there: one bit for
+// each half-word of the flash, up to the last one set.
 
 #include "support/image.hpp"
 
@@ -17,6 +18,7 @@
 #include "sim/emulator/CallRecorder.hpp"
 #include "sim/emulator/ExecutedCode.hpp"
 #include "sim/emulator/Image.hpp"
+#include "support/onlyWith.hpp"
 
 namespace wr::test {
 
@@ -32,6 +34,16 @@ emulator::ExecutedCode& executed() {
   return instance;
 }
 
+// Recordings hold addresses: all are those of one image.
+bool isRecorded() {
+  return imageFile() == WR_IMAGE;
+}
+
+// The results of the test name the image that it runs.
+void nameInResults(const std::filesystem::path& image) {
+  testing::Test::RecordProperty("image", image.stem().string());
+}
+
 void writeBits(const std::filesystem::path& path) {
   const auto bits = executed().bits();
   const auto last =
@@ -43,14 +55,14 @@ void writeBits(const std::filesystem::path& path) {
 
 class Recording final : public testing::EmptyTestEventListener {
   void OnTestStart(const testing::TestInfo& /*test*/) override {
-    if (std::filesystem::exists(elfFile())) {
+    if (isRecorded() && std::filesystem::exists(elfFile())) {
       recorder().clear();
       executed().clear();
     }
   }
 
   void OnTestEnd(const testing::TestInfo& test) override {
-    if (!std::filesystem::exists(elfFile()) || recorder().events().empty()) {
+    if (!isRecorded() || !std::filesystem::exists(elfFile()) || recorder().events().empty()) {
       return;
     }
     std::string name = std::string(test.test_suite_name()) + "." + test.name();
@@ -94,6 +106,10 @@ std::unique_ptr<board_robot::BoardSession> switchBoardOn(std::vector<std::uint8_
   // them.
   const bool asLinked = image.size() == emulator::readImage(imageFile()).size();
   auto robot = std::make_unique<board_robot::BoardSession>(std::move(image), std::move(options));
+  nameInResults(imageFile());
+  if (!isRecorded()) {
+    return robot;
+  }
   if (asLinked) {
     robot->board.noteExecuted(executed());
   }
@@ -110,6 +126,8 @@ std::unique_ptr<board_robot::BoardSession> switchProductOn(const std::string& pr
                                                            std::vector<std::uint8_t> image,
                                                            emulator::Options options) {
   options.elf = imageOf(product).replace_extension(".elf");
+  nameInResults(imageOf(product));
+  onlyWith(product);
   auto robot = std::make_unique<board_robot::BoardSession>(std::move(image), std::move(options));
   if (!robot->board.runToSleep(std::chrono::milliseconds(50))) {
     throw std::runtime_error(product + " does not start");

@@ -123,6 +123,7 @@ TEST_F(OperationStatesOfRobot, FR18_ReconnectingHoldsTheRobot) {
   robot.order({.id = 3});
   robot.cycle();
   EXPECT_EQ(robot.report().state, kWorking);
+  robot.arm();
   EXPECT_FALSE(robot.report().held());
 }
 

@@ -151,6 +151,8 @@ TEST_F(OrdersOfRobot, FR241_AnOrderThatMovesDoesNotRelease) {
 /// @brief A stop of the PC holds the robot in the mode PC, in every operation state.
 /// @verifies FR-21
 /// @verifies FR-175
+/// @verifies FR-305
+/// @verifies FR-306
 TEST_F(OrdersOfRobot, FR21_StopActsInEveryState) {
   robot.commandByPc();
   robot.order({.id = 40, .stop = true});
@@ -183,12 +185,14 @@ TEST_F(OrdersOfRobot, FR21_StopOutlivesTheConnection) {
   }
   EXPECT_EQ(robot.report().orderId, 41);
   EXPECT_FALSE(robot.report().stop());
+  robot.arm();
   EXPECT_FALSE(robot.report().held());
 }
 
 /// @brief Before the first order the control systems are held, in every operation state.
 /// @verifies FR-22
-/// @verifies FR-175
+/// @verifies FR-305
+/// @verifies FR-306
 TEST_F(OrdersOfRobot, FR22_RobotIsHeldBeforeTheFirstOrder) {
   robot.connect();
   for (int i = 0; i < kN + 3; ++i) {

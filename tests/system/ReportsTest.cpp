@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "services/SystemConstants.hpp"
+#include "support/onlyWith.hpp"
 #include "system/SteppedRobot.hpp"
 
 namespace wr::test {
@@ -155,9 +156,10 @@ TEST_F(ReportsOfRobot, FR66_EndStopThatIsReachedIsTold) {
   }
 }
 
-/// @brief The report tells that a wheel was cut off, and no other one.
+/// @brief The report tells that a wheel was cut off, and no other one. Safety functions limit the current before that.
 /// @verifies FR-67
 TEST_F(ReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
+  onlyWith("weeding_robot_paper");
   robot.physics().setFault(plant::Fault::Block, 2, true);
   robot.commandByPc({.id = 1});
   EXPECT_EQ(robot.report().cutOffs, 0);
@@ -166,9 +168,10 @@ TEST_F(ReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
 }
 
 /// @brief The report tells that a wheel is blind, and no other one: with both of its Hall sensors
-/// broken, or with one.
+/// broken, or with one. Safety functions stop the robot before that.
 /// @verifies FR-68
 TEST_F(ReportsOfRobot, FR68_BlindWheelIsTold) {
+  onlyWith("weeding_robot_paper");
   for (const plant::Fault fault : {plant::Fault::Hall, plant::Fault::HallB}) {
     SteppedRobot one;
     one.physics().setFault(fault, 1, true);

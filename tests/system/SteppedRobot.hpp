@@ -31,6 +31,7 @@ inline constexpr int kReconnecting = 3;
 inline constexpr int kRc = 0;
 inline constexpr int kPc = 1;
 inline constexpr int kNobody = 255;
+inline constexpr int kNotArmed = 3;
 
 /// The whole firmware in stepped time, and a PC on its line.
 class SteppedRobot {
@@ -77,7 +78,8 @@ class SteppedRobot {
     cycle();
   }
 
-  /// Connects the PC, and lets it order until the robot works with its order.
+  /// Connects the PC, and lets it order until the robot works with its order. A robot that is not
+  /// armed gets neutral orders first.
   void commandByPc(const scenario::PcOrder& first = {.id = 1}) {
     connect();
     for (int i = 0; i < kMostTries && !worksForPc(); ++i) {
@@ -86,6 +88,23 @@ class SteppedRobot {
     }
     if (!worksForPc()) {
       throw std::runtime_error("the robot does not read the orders of the PC");
+    }
+    if (waitsForArming()) {
+      arm();
+      order(first);
+      cycle();
+    }
+  }
+
+  /// Sends neutral orders of the PC until the robot is armed. A robot without safety functions
+  /// never waits for them.
+  void arm() {
+    for (int i = 0; i < kMostNeutral && waitsForArming(); ++i) {
+      order({.id = report().orderId});
+      cycle();
+    }
+    if (waitsForArming()) {
+      throw std::runtime_error("neutral orders do not arm the robot");
     }
   }
 
@@ -116,6 +135,9 @@ class SteppedRobot {
 
  private:
   static constexpr int kMostTries = SystemConstants::instance().waitingCycles() + 4;
+  static constexpr int kMostNeutral = 12;
+
+  [[nodiscard]] bool waitsForArming() const { return report().inhibit == kNotArmed; }
 
   [[nodiscard]] bool worksForPc() const {
     return report().mode == kPc && report().state == kWorking && report().orderRead();

@@ -53,8 +53,8 @@ TEST_F(WheelControllerTest, FR80_FR82_FR85_EachQuantityHasItsAlgorithm) {
 }
 
 /// @brief Another quantity finds no memory of the one before.
-/// @verifies FR-86
-TEST_F(WheelControllerTest, FR86_AnotherQuantityStartsAfresh) {
+/// @verifies FR-301
+TEST_F(WheelControllerTest, FR301_AnotherQuantityStartsAfresh) {
   for (int cycle = 0; cycle < 5; ++cycle) {
     control(velocityOf(1000), Velocity(100), Current(3500));
   }
@@ -67,6 +67,7 @@ TEST_F(WheelControllerTest, FR86_AnotherQuantityStartsAfresh) {
 /// @brief However much an algorithm demands, the wheel gets the supply at most, and the algorithm learns
 /// it: the integral does not grow.
 /// @verifies FR-86
+/// @verifies FR-301
 TEST_F(WheelControllerTest, FR86_DemandStaysWithinTheSupply) {
   for (int cycle = 0; cycle < 50; ++cycle) {
     control(currentOf(10000), Velocity(3000), Current(4000));

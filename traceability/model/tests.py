@@ -73,6 +73,7 @@ def _result_of(found: Result | None, model: Model, binding: str) -> BindingResul
         found.recordings,
         found.measured,
         found.instances,
+        found.images,
     )
 
 

@@ -37,6 +37,7 @@ class Result:
     recordings: list[str] = field(default_factory=list)  # names of the files of recorded calls
     measured: str = ""  # what the test itself tells: its property of this name
     instances: dict[str, str] = field(default_factory=dict)  # of a parameterised test -> result
+    images: list[str] = field(default_factory=list)  # products whose images the test ran
 
 
 def read_json(path: Path) -> Any:
@@ -118,15 +119,23 @@ def read_results(root: Path, binding: str) -> dict[str, Result]:
             result.recordings.append(own)
             if "/" in test["name"]:
                 result.instances[own] = result.result
-            known = found.get(name)
-            if known is not None:
-                result.milliseconds += known.milliseconds
-                result.recordings += known.recordings
-                result.instances |= known.instances
-                if known.result == "failed":
-                    result.result, result.message = known.result, known.message
-            found[name] = result
+            found[name] = _together(found[name], result) if name in found else result
     return found
+
+
+def _together(known: Result, result: Result) -> Result:
+    """The result of several instances, and of a test with several images: one failure fails all."""
+    worst = known if known.result == "failed" else result
+    failed = {name: one for name, one in known.instances.items() if one == "failed"}
+    return Result(
+        worst.result,
+        known.milliseconds + result.milliseconds,
+        worst.message,
+        list(dict.fromkeys(known.recordings + result.recordings)),
+        result.measured,
+        known.instances | result.instances | failed,
+        sorted({*known.images, *result.images}),
+    )
 
 
 def plain_name(suite: str, name: str) -> str:
@@ -136,12 +145,14 @@ def plain_name(suite: str, name: str) -> str:
 
 def _result(test: dict[str, Any]) -> Result:
     milliseconds = 1000 * float(re.sub("s$", "", str(test.get("time", "0"))))
+    images = [str(test["image"])] if "image" in test else []
     failures = [str(item.get("failure", "")) for item in test.get("failures", [])]
     if failures:
-        return Result("failed", milliseconds, failures[0])
+        return Result("failed", milliseconds, failures[0], images=images)
     if test.get("status") != "RUN" or test.get("result") == "SKIPPED":
         return Result("skipped", milliseconds, "")
-    return Result("passed", milliseconds, "", measured=str(test.get("measured", "")))
+    measured = str(test.get("measured", ""))
+    return Result("passed", milliseconds, "", measured=measured, images=images)
 
 
 def read_driver_faults(root: Path, sources: str) -> list[DriverFault] | None:

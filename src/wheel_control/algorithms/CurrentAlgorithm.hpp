@@ -31,7 +31,7 @@ class CurrentAlgorithm final : public WheelAlgorithm {
 
   /// @brief Learns what was applied.
   /// @param tension voltage that is at the wheel [mV], positive forwards
-  /// @satisfies FR-86
+  /// @satisfies FR-301
   /// @isr{no}
   void applied(Tension tension) override;
 

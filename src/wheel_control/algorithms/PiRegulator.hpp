@@ -48,6 +48,7 @@ class PiRegulator final {
   /// @return voltage that works against the error [mV], rounded towards zero
   /// @post The part of the integral is at most the supply.
   /// @satisfies FR-83
+  /// @satisfies FR-300
   /// @satisfies FR-85
   /// @satisfies FR-224
   /// @isr{no}
@@ -56,7 +57,7 @@ class PiRegulator final {
   /// @brief Learns by how much the wheel will miss its voltage in the cycle that begins. An error of that
   /// cycle that the missing voltage explains is not kept. Less than 0.1 V explains nothing.
   /// @param shortfall calculated less applied voltage [mV]
-  /// @satisfies FR-86
+  /// @satisfies FR-301
   /// @isr{no}
   void missed(Tension shortfall);
 

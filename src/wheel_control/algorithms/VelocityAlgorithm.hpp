@@ -29,6 +29,7 @@ class VelocityAlgorithm final : public WheelAlgorithm {
   /// @return voltage [mV], positive forwards
   /// @satisfies FR-82
   /// @satisfies FR-83
+  /// @satisfies FR-300
   /// @satisfies FR-84
   /// @satisfies FR-223
   /// @satisfies FR-224
@@ -38,7 +39,7 @@ class VelocityAlgorithm final : public WheelAlgorithm {
   /// @brief Learns what was applied. After another voltage than the calculated one the model goes on from
   /// the measured velocity.
   /// @param tension voltage that is at the wheel [mV], positive forwards
-  /// @satisfies FR-86
+  /// @satisfies FR-301
   /// @isr{no}
   void applied(Tension tension) override;
 

@@ -1043,6 +1043,8 @@ ReportData reportOfCycle8() {
 /// @verifies FR-68
 /// @verifies FR-69
 /// @verifies FR-160
+/// @verifies FR-302
+/// @verifies FR-303
 TEST_F(PcConnectionTest, FR61_TheReportsAgreeWithTheExamples) {
   handshake();
   std::vector<Bytes> made;

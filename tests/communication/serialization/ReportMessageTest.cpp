@@ -221,6 +221,8 @@ TEST(ReportMessage, FR62_TheTurnDirectionHasItsBit) {
 /// @brief Each flag has its bit.
 /// @verifies FR-4
 /// @verifies FR-175
+/// @verifies FR-305
+/// @verifies FR-306
 TEST(ReportMessage, FR175_EachFlagHasItsBit) {
   const std::vector<std::pair<bool ReportData::*, int>> flags{
       {&ReportData::orderRead, 2}, {&ReportData::held, 4}, {&ReportData::overran, 8}};
@@ -342,6 +344,8 @@ TEST(ReportMessage, FR69_EachCountOfRejectedEdgesHasItsPlace) {
 
 /// @brief Each count of processor cycles has its place, and all of its 32 bits.
 /// @verifies FR-160
+/// @verifies FR-302
+/// @verifies FR-303
 TEST(ReportMessage, FR160_EachCountOfCyclesHasItsPlace) {
   const Bytes bytes =
       written({.costs = {.report = 0x04030201, .awake = 0x08070605, .start = 0x0C0B0A09}});
@@ -376,6 +380,8 @@ TEST(ReportMessage, ValuesAreLimitedToTheirFields) {
 /// @verifies FR-68
 /// @verifies FR-69
 /// @verifies FR-160
+/// @verifies FR-302
+/// @verifies FR-303
 /// @verifies FR-170
 TEST(ReportMessage, IsReadAsItWasWritten) {
   std::mt19937 random(test::seed());

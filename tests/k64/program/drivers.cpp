@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,6 +13,7 @@
 #include "k64/start_up/handlers.hpp"
 #include "k64/start_up/platform.hpp"
 #include "services/Command.hpp"
+#include "services/Pipe.hpp"
 
 namespace wr {
 
@@ -84,6 +86,92 @@ void countEdges(std::size_t begin, std::size_t end) {
   }
 }
 
+// A value of which each word is its number.
+struct Numbered {
+  std::array<std::uint32_t, 32> words{};
+};
+
+// Hands numbers over a pipe, and checks the numbers that come. While one side works the other one
+// may interrupt it.
+class Handover {
+ public:
+  Handover() = default;
+
+  void write() {
+    if (working_) {
+      ++interruptions_;
+    }
+    const bool outer = begin();
+    ++next_;
+    Numbered value;
+    value.words.fill(next_);
+    pipe_.write(value, Instant(next_));
+    end(outer);
+  }
+
+  void read() {
+    if (working_) {
+      ++interruptions_;
+    }
+    const bool outer = begin();
+    const auto got = pipe_.read();
+    end(outer);
+    if (!got) {
+      return;
+    }
+    const std::uint32_t number = got->value.words[0];
+    const bool whole =
+        got->at == Instant(number) &&
+        std::ranges::all_of(got->value.words, [&](std::uint32_t word) { return word == number; });
+    torn_ += whole ? 0 : 1;
+    older_ += whole && number < newest_ ? 1 : 0;
+    newest_ = std::max(newest_, number);
+    ++reads_;
+  }
+
+  void answerCounts() const;
+
+ private:
+  bool begin() {
+    const bool outer = !working_;
+    working_ = true;
+    std::atomic_signal_fence(std::memory_order_seq_cst);
+    return outer;
+  }
+
+  void end(bool outer) {
+    std::atomic_signal_fence(std::memory_order_seq_cst);
+    working_ = working_ && !outer;
+  }
+
+  Pipe<Numbered> pipe_;
+  volatile bool working_ = false;
+  std::uint32_t next_ = 0;
+  std::uint32_t newest_ = 0;
+  std::uint32_t interruptions_ = 0;
+  std::uint32_t torn_ = 0;
+  std::uint32_t older_ = 0;
+  std::uint32_t reads_ = 0;
+};
+
+Handover toMain;       // the interrupt of the Hall sensors writes
+Handover toInterrupt;  // the interrupt of the Hall sensors reads
+
+void Handover::answerCounts() const {
+  for (const std::uint32_t count : {interruptions_, torn_, older_, newest_, reads_}) {
+    answer(static_cast<std::uint16_t>(std::min<std::uint32_t>(count, 0xFFFF)));
+  }
+}
+
+// Reads and writes for some time, in which the edges of Hall sensors interrupt.
+void handOver(Microseconds duration) {
+  const Instant begin = platform::timebase.now();
+  while (platform::timebase.now() - begin < duration) {
+    toMain.read();
+    toInterrupt.write();
+  }
+}
+
 struct Pulse {
   Instant rose;
   std::uint16_t width;  // [us]
@@ -145,6 +233,13 @@ void obey(std::uint8_t order, std::uint8_t first, std::uint8_t second, std::uint
         answer(pulse.width);
       }
       break;
+    case 'H':  // for so many ms
+      handOver(milliseconds(first));
+      break;
+    case 'N':
+      toMain.answerCounts();
+      toInterrupt.answerCounts();
+      break;
     case 'T':
       platform::mainThread.post();
       break;
@@ -186,6 +281,8 @@ void cycleTimerInterrupt() {
 
 void hallSensorInterrupt() {
   wr::countEdges(0, wr::kHallCount);
+  wr::toMain.write();
+  wr::toInterrupt.read();
   wr::finishStores();
 }
 

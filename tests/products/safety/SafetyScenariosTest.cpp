@@ -8,36 +8,34 @@
 #include "sim/host_robot/HostSession.hpp"
 #include "sim/scenario/Scenario.hpp"
 #include "sim/scenario/ScenarioPlayer.hpp"
+#include "support/scenarios.hpp"
 
 namespace wr::test {
 namespace {
 
-const auto kFolder = std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/safety";
-
-// All scenarios but that of the clock, which only the virtual board has.
-std::vector<std::string> scenarios() {
-  std::vector<std::string> names;
-  for (const auto& file : std::filesystem::directory_iterator(kFolder)) {
-    names.push_back(file.path().stem().string());
-  }
-  std::erase(names, "clock_lost");
-  std::ranges::sort(names);
-  return names;
+// All scenarios that the image with safety functions must meet on the virtual board, but for that
+// of the clock, which only the virtual board has.
+std::vector<std::filesystem::path> scenarios() {
+  std::vector<std::filesystem::path> files = allScenarios();
+  std::erase_if(files, [](const std::filesystem::path& file) {
+    return isOfThePaperAlone(file) || file.stem() == "clock_lost";
+  });
+  return files;
 }
 
-class SafetyScenarios : public testing::TestWithParam<std::string> {};
+class ScenariosWithSafety : public testing::TestWithParam<std::filesystem::path> {};
 
-/// @brief After a single fault or a stop the robot with safety functions does what the scenario expects.
-TEST_P(SafetyScenarios, RobotStopsAsExpected) {
-  const scenario::Scenario scenario =
-      scenario::Scenario::load(kFolder / (GetParam() + ".scenario"));
+/// @brief The robot with safety functions does what each scenario expects that is not of the paper's design alone.
+/// @verifies NFR-6
+TEST_P(ScenariosWithSafety, NFR6_RobotDoesWhatIsExpected) {
+  const scenario::Scenario scenario = scenario::Scenario::load(GetParam());
   host_robot::HostSession robot(host::HostEquipment::Safe);
   robot.start();
   EXPECT_EQ(scenario::ScenarioPlayer(scenario, robot).play().failures, std::vector<std::string>{});
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, SafetyScenarios, testing::ValuesIn(scenarios()),
-                         [](const auto& file) { return file.param; });
+INSTANTIATE_TEST_SUITE_P(Files, ScenariosWithSafety, testing::ValuesIn(scenarios()),
+                         [](const auto& file) { return file.param.stem().string(); });
 
 /// The product with safety functions in the simulated robot.
 class SafetyScenario : public testing::TestWithParam<const char*> {
@@ -50,27 +48,6 @@ class SafetyScenario : public testing::TestWithParam<const char*> {
     return scenario::ScenarioPlayer(scenario, robot).play().failures;
   }
 };
-
-const auto kExamples = std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/examples";
-
-class ExamplesWithSafety : public testing::TestWithParam<const char*> {};
-
-/// @brief The robot with safety functions does what the examples expect that are not of the paper's design alone.
-/// @verifies NFR-6
-TEST_P(ExamplesWithSafety, RobotDoesWhatIsExpected) {
-  const scenario::Scenario scenario =
-      scenario::Scenario::load(kExamples / (std::string(GetParam()) + ".scenario"));
-  host_robot::HostSession robot(host::HostEquipment::Safe);
-  robot.start();
-  EXPECT_EQ(scenario::ScenarioPlayer(scenario, robot).play().failures, std::vector<std::string>{});
-}
-
-INSTANTIATE_TEST_SUITE_P(Files, ExamplesWithSafety,
-                         testing::Values("current_step", "downhill", "loss_of_the_pc", "rc_drive",
-                                         "steering", "steering_faults", "stop",
-                                         "stop_from_full_speed", "stop_on_a_slope", "tension_step",
-                                         "uphill", "velocity_step"),
-                         [](const auto& file) { return std::string(file.param); });
 
 class StopOfTheRemoteControl : public SafetyScenario {};
 

@@ -48,6 +48,18 @@ def test_one_failed_instance_fails_a_parameterised_test(tmp_path: Path) -> None:
     assert sorted(result.recordings) == ["All_Suite.T_0", "All_Suite.T_1"]
 
 
+def test_a_test_that_fails_with_one_image_fails(tmp_path: Path) -> None:
+    base = {"name": "T/0", "status": "RUN", "time": "1s"}
+    failed = {**base, "image": "other", "failures": [{"failure": "expected 1"}]}
+    suites = [{"name": "Suite", "testsuite": [one]} for one in (failed, {**base, "image": "first"})]
+    write(tmp_path, "board.json", {"testsuites": suites})
+    result = read_results(tmp_path, VIRTUAL_K64)["Suite.T"]
+    assert (result.result, result.message) == ("failed", "expected 1")
+    assert result.images == ["first", "other"]
+    assert result.recordings == ["Suite.T_0"]
+    assert result.instances == {"Suite.T_0": "failed"}
+
+
 def test_what_a_test_measured_stands_with_its_result(tmp_path: Path) -> None:
     tests = [
         {"name": "Counts", "status": "RUN", "time": "1s", "measured": "7 events"},

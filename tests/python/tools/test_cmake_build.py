@@ -147,6 +147,19 @@ def test_results_of_the_board_and_of_this_machine_are_kept_apart(root: Path) -> 
     assert not (root / "build/results/trace.json").exists()
 
 
+def test_tests_of_the_image_run_with_that_of_the_default_product_too(root: Path) -> None:
+    """The stub leaves the same results for each image: what is asked for is what counts."""
+    tests = root / "build/host/tests/board_tests"
+    tests.parent.mkdir(parents=True)
+    write_program(tests, f'echo "$WR_IMAGE $GTEST_FILTER" >>{root}/asked')
+    both = {**PASSED, "image": "weeding_robot_paper"}
+    alone = {**both, "name": "Alone", "only": "weeding_robot_paper"}
+    (root / "results.json").write_text(gtest_json(PASSED, both, alone))
+    assert run_tests(root, cmake_build.BOARD) == Counts(12, 0, 0)
+    again = f"{root}/build/k64/weeding_robot.bin Wheel.Falls:Wheel.Falls"
+    assert (root / "asked").read_text().splitlines() == [" ", " ", again, again]
+
+
 @pytest.mark.parametrize("changed", cmake_build.SETTINGS)
 def test_a_build_is_configured_anew_when_its_settings_changed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, changed: str

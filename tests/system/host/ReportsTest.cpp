@@ -60,8 +60,8 @@ TEST_F(ReportsOfRobotOnHost, FR64_ReportWithoutRoomIsDroppedWholeAndCounted) {
 }
 
 /// @brief The host counts no cycles of its processor.
-/// @verifies FR-160
-TEST_F(ReportsOfRobotOnHost, FR160_TheHostTellsNoCosts) {
+/// @verifies FR-304
+TEST_F(ReportsOfRobotOnHost, FR304_TheHostTellsNoCosts) {
   robot.connect();
   robot.keepAlive();
   robot.cycle();

@@ -58,8 +58,8 @@ TEST_F(CurrentAlgorithmTest, FR85_NewSetPointIsNoError) {
 }
 
 /// @brief An error that a missing tension explains is not kept.
-/// @verifies FR-86
-TEST_F(CurrentAlgorithmTest, FR86_ExplainedErrorIsNotKept) {
+/// @verifies FR-301
+TEST_F(CurrentAlgorithmTest, FR301_ExplainedErrorIsNotKept) {
   calculate(10000, 0, 0);
   algorithm.applied(Tension(12000));
   EXPECT_EQ(calculate(10000, 0, 8000), Tension(15000));

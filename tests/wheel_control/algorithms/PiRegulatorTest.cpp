@@ -32,8 +32,8 @@ TEST_F(PiRegulatorTest, FR83_KeepsFractions) {
 }
 
 /// @brief The integral goes no further than the supply, on either side.
-/// @verifies FR-86
-TEST_F(PiRegulatorTest, FR86_IntegralStaysWithinTheSupply) {
+/// @verifies FR-301
+TEST_F(PiRegulatorTest, FR301_IntegralStaysWithinTheSupply) {
   for (int cycle = 0; cycle < 10; ++cycle) {
     regulator.regulate(65535);
   }
@@ -45,8 +45,8 @@ TEST_F(PiRegulatorTest, FR86_IntegralStaysWithinTheSupply) {
 }
 
 /// @brief An error that a missing tension explains is not kept; an error of the other sign is.
-/// @verifies FR-86
-TEST_F(PiRegulatorTest, FR86_ExplainedErrorIsNotKept) {
+/// @verifies FR-301
+TEST_F(PiRegulatorTest, FR301_ExplainedErrorIsNotKept) {
   regulator.regulate(1000);
   regulator.missed(Tension(400));
   EXPECT_EQ(regulator.regulate(100), Tension(300 + 500));
@@ -60,8 +60,8 @@ TEST_F(PiRegulatorTest, FR86_ExplainedErrorIsNotKept) {
 
 /// @brief A missing tension below 0.1 V explains nothing: the integral can raise a demand that waits for
 /// a change of orientation.
-/// @verifies FR-86
-TEST_F(PiRegulatorTest, FR86_SlightShortfallExplainsNothing) {
+/// @verifies FR-301
+TEST_F(PiRegulatorTest, FR301_SlightShortfallExplainsNothing) {
   regulator.missed(Tension(99));
   EXPECT_EQ(regulator.regulate(100), Tension(300 + 50));
   regulator.missed(Tension(100));
@@ -85,8 +85,8 @@ TEST(PiRegulatorMemory, FR224_OneBitIsCorrected) {
 }
 
 /// @brief After a reset neither errors nor missing tension are known.
-/// @verifies FR-86
-TEST_F(PiRegulatorTest, FR86_ResetForgets) {
+/// @verifies FR-301
+TEST_F(PiRegulatorTest, FR301_ResetForgets) {
   regulator.regulate(1000);
   regulator.missed(Tension(400));
   regulator.reset();

@@ -41,6 +41,7 @@ TEST_F(VelocityAlgorithmTest, FR82_WheelOfTheModelNeedsNoCorrection) {
 
 /// @brief A wheel that stays behind the model gets more tension with each cycle.
 /// @verifies FR-83
+/// @verifies FR-300
 TEST_F(VelocityAlgorithmTest, FR83_LoadRaisesTheTension) {
   algorithm.applied(calculate(1500, 1500));
   Tension before = calculate(1500, 1400);
@@ -55,8 +56,8 @@ TEST_F(VelocityAlgorithmTest, FR83_LoadRaisesTheTension) {
 }
 
 /// @brief After a tension that could not be applied the model goes on from what was measured.
-/// @verifies FR-86
-TEST_F(VelocityAlgorithmTest, FR86_ModelGoesOnFromTheMeasuredVelocity) {
+/// @verifies FR-301
+TEST_F(VelocityAlgorithmTest, FR301_ModelGoesOnFromTheMeasuredVelocity) {
   calculate(3000, 0);
   algorithm.applied(Tension(12000));
   // From 0 the model has turned at 582.0 on the mean of this cycle: 58.2 rpm.

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace wr::test {
+
+/// @brief States in the results that a test is for one product. Other tests of the image under test run
+/// again with the image of the default product.
+/// @param product name of the product
+inline void onlyWith(const std::string& product) {
+  testing::Test::RecordProperty("only", product);
+}
+
+}  // namespace wr::test
