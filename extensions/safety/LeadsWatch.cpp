@@ -8,21 +8,21 @@ namespace wr {
 
 namespace {
 
-// The parameters are shares of the resistance and of the motor constant, divided by the share of the
-// supply, and the voltage of the current sensor's offset. These are their variances before the first
-// cycle, and the limits of what is learned.
+// The parameters are shares of the resistance and of the motor constant, divided by the share of
+// the supply, and the voltage of the current sensor's offset. These are their variances before the
+// first cycle, and the limits of what is learned.
 constexpr std::array<float, 3> kFirst{0.13F * 0.13F, 0.13F * 0.13F, 0.25F * 0.25F};
 constexpr float kGreatest = 0.5F;
 constexpr float kDrift = 1e-6F;  // growth of a variance in a cycle: temperature and battery
 
 // Standard deviations of the measured voltage balance.
-constexpr float kNoise = 0.1F;           // [V] always
-constexpr float kOfVelocity = 0.3F;      // of the change of the induced voltage since the cycle before
-constexpr float kOfTension = 0.2F;       // of the change of the voltage since the cycle before
-constexpr float kOfCurrent = 0.02F;      // of the voltage across the winding
+constexpr float kNoise = 0.1F;       // [V] always
+constexpr float kOfVelocity = 0.3F;  // of the change of the induced voltage since the cycle before
+constexpr float kOfTension = 0.2F;   // of the change of the voltage since the cycle before
+constexpr float kOfCurrent = 0.02F;  // of the voltage across the winding
 
-// Evidence: logarithm of the probability of these measurements with swapped leads, divided by that with
-// right leads.
+// Evidence: logarithm of the probability of these measurements with swapped leads, divided by that
+// with right leads.
 constexpr float kSwapped = 12.0F;
 constexpr float kPerCycle = 6.0F;      // two cycles are needed
 constexpr float kBackPerCycle = 3.0F;  // as much a cycle takes back
@@ -96,8 +96,8 @@ void LeadsWatch::reset() {
 
 LeadsWatch::Cycle LeadsWatch::examine(const WheelMeasurements& measured, Tension tension) {
   const Velocity velocity = *measured.velocity;
-  const HallCount way = measured.position && position_ ? *measured.position - *position_
-                                                       : HallCount();
+  const HallCount way =
+      measured.position && position_ ? *measured.position - *position_ : HallCount();
   Cycle cycle;
   cycle.inputs = {across(*measured.current), induced(velocity), 1.0F};
   cycle.unexplained = volts(tension) - cycle.inputs[0] - cycle.inputs[kInduced] -
@@ -109,7 +109,8 @@ LeadsWatch::Cycle LeadsWatch::examine(const WheelMeasurements& measured, Tension
                    square(kOfTension * volts(tension - tension_)) +
                    square(kOfCurrent * cycle.inputs[0]) +
                    std::max(product(cycle.inputs, cycle.spread), 0.0F);
-  cycle.moved = velocity > Velocity() ? way > HallCount() : velocity < Velocity() && way < HallCount();
+  cycle.moved =
+      velocity > Velocity() ? way > HallCount() : velocity < Velocity() && way < HallCount();
   tension_ = tension;
   velocity_ = velocity;
   position_ = measured.position;

@@ -52,12 +52,12 @@ class LeadsWatch final {
   void weigh(const Cycle& cycle);
   void learn(const Cycle& cycle);
 
-  Vector deviations_{};                        // of the parameters from those of the nominal motor
-  std::array<Vector, kParameters> doubts_{};   // covariance of the deviations
-  float evidence_ = 0;                         // for swapped leads, a logarithm of probabilities
-  Tension tension_{};                          // voltage of the cycle before
-  Velocity velocity_{};                        // of the cycle before
-  std::optional<HallCount> position_;          // of the cycle before
+  Vector deviations_{};                       // of the parameters from those of the nominal motor
+  std::array<Vector, kParameters> doubts_{};  // covariance of the deviations
+  float evidence_ = 0;                        // for swapped leads, a logarithm of probabilities
+  Tension tension_{};                         // voltage of the cycle before
+  Velocity velocity_{};                       // of the cycle before
+  std::optional<HallCount> position_;         // of the cycle before
 };
 
 }  // namespace wr

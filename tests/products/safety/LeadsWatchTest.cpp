@@ -8,14 +8,14 @@
 namespace wr::test {
 namespace {
 
-/// A motor with its tolerances, whose velocity and current a test chooses. The leads are swapped when
-/// the test demands it.
+/// A motor with its tolerances, whose velocity and current a test chooses. The leads are swapped
+/// when the test demands it.
 struct Motor {
   double supply = 24;
-  double resistance = 1.5;     // [ohm]
-  double constant = 0.05236;   // [V per rpm]
-  double offset = 0;           // [A] of the current sensor
-  double position = 0.5;       // [edges]
+  double resistance = 1.5;    // [ohm]
+  double constant = 0.05236;  // [V per rpm]
+  double offset = 0;          // [A] of the current sensor
+  double position = 0.5;      // [edges]
   bool swapped = false;
 };
 
@@ -79,15 +79,16 @@ TEST_F(WatchedLeads, FR300_SwappedLeadsAreFoundInTheSecondCycle) {
 }
 
 /// @brief Motors at the ends of their tolerances, with a supply of 21 or 29 V and a current sensor that is
-/// off by 0.3 A, are learned: right leads are no cause, also when load and velocity change at once, and
-/// swapped leads are found within five cycles at 20 rpm.
+/// off by 0.3 A, are learned: right leads are no cause, also when load and velocity change at once,
+/// and swapped leads are found within five cycles at 20 rpm.
 /// @verifies FR-300
 TEST_F(WatchedLeads, FR300_EachMotorIsLearned) {
   for (const double supply : {21.0, 29.0}) {
     for (const double resistance : {1.2, 1.875}) {
       for (const double constant : {0.0471, 0.0576}) {
         for (const double offset : {-0.3, 0.3}) {
-          motor = {.supply = supply, .resistance = resistance, .constant = constant, .offset = offset};
+          motor = {
+              .supply = supply, .resistance = resistance, .constant = constant, .offset = offset};
           watch.reset();
           for (const double rpm : {20.0, 150.0, -60.0, 300.0, -10.0, 50.0}) {
             for (const double amperes : {1.0, 8.0, -5.0}) {
