@@ -24,7 +24,7 @@ class LeadsWatch final {
 
   /// @brief Compares the measurements of a cycle with the model, and learns from them.
   /// @param measured measurements of the cycle that ends
-  /// @param tension voltage of the wheel during this cycle; nothing while its driver is off
+  /// @param tension voltage of the wheel during this cycle [mV]; nothing while its driver is off
   /// @return whether the leads of the motor are swapped.
   /// @satisfies FR-300
   /// @isr{no}
