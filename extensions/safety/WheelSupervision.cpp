@@ -92,6 +92,7 @@ StopCause WheelSupervision::examine(const WheelMeasurements& measured,
   const bool tooFast = lasts(exceedsReference(velocity), tooFast_, kTooFastCycles);
   const bool deviating = lasts(deviates(measured), deviating_, kDeviatingCycles);
   const bool rejecting = lasts(rejectsEdges(measured.rejectedEdges), rejecting_, kRejectingCycles);
+  const bool swapped = leads_.swapped(measured, tension_);
   velocity_ = velocity;
   const bool constant = staysEqual(measured.current);
   record(applied, followed);
@@ -110,7 +111,7 @@ StopCause WheelSupervision::examine(const WheelMeasurements& measured,
   if (magnitude(velocity) > kGreatest || tooFast) {
     return StopCause::Overspeed;
   }
-  if (deviating) {
+  if (deviating || swapped) {
     return StopCause::Tracking;
   }
   if (missing || constant) {
@@ -132,6 +133,7 @@ void WheelSupervision::reset() {
   deviating_ = 0;
   missing_ = 0;
   rejecting_ = 0;
+  leads_.reset();
 }
 
 // A wheel that is dragged against its voltage draws the current that its velocity explains. A wheel

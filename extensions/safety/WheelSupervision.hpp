@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "safety/LeadsWatch.hpp"
 #include "units/Measurements.hpp"
 #include "units/SetPoints.hpp"
 #include "units/quantities.hpp"
@@ -37,6 +38,7 @@ class WheelSupervision final {
   /// @satisfies FR-277
   /// @satisfies FR-278
   /// @satisfies FR-279
+  /// @satisfies FR-307
   /// @isr{no}
   [[nodiscard]] StopCause examine(const WheelMeasurements& measured, std::optional<Tension> applied,
                                   const WheelSetPoint* followed);
@@ -68,6 +70,7 @@ class WheelSupervision final {
   std::uint8_t deviating_ = 0;
   std::uint8_t missing_ = 0;
   std::uint8_t rejecting_ = 0;
+  LeadsWatch leads_;
 };
 
 }  // namespace wr

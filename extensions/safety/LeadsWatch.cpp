@@ -1,0 +1,140 @@
+#include "safety/LeadsWatch.hpp"
+
+#include <algorithm>
+
+#include "services/SystemConstants.hpp"
+
+namespace wr {
+
+namespace {
+
+// The parameters are shares of the resistance and of the motor constant, divided by the share of
+// the supply, and the voltage of the current sensor's offset. These are their variances before the
+// first cycle, and the limits of what is learned.
+constexpr std::array<float, 3> kFirst{0.13F * 0.13F, 0.13F * 0.13F, 0.25F * 0.25F};
+constexpr float kGreatest = 0.5F;
+constexpr float kDrift = 1e-6F;  // growth of a variance in a cycle: temperature and battery
+
+// Standard deviations of the measured voltage balance.
+constexpr float kNoise = 0.1F;       // [V] always
+constexpr float kOfVelocity = 0.3F;  // of the change of the induced voltage since the cycle before
+constexpr float kOfTension = 0.2F;   // of the change of the voltage since the cycle before
+constexpr float kOfCurrent = 0.02F;  // of the voltage across the winding
+
+// Evidence: logarithm of the probability of these measurements with swapped leads, divided by that
+// with right leads.
+constexpr float kSwapped = 12.0F;
+constexpr float kPerCycle = 6.0F;      // two cycles are needed
+constexpr float kBackPerCycle = 3.0F;  // as much a cycle takes back
+constexpr float kDoubtful = 3.0F;      // from here on nothing is learned
+
+constexpr float kMilli = 1e-3F;
+constexpr std::size_t kInduced = 1;  // input: induced voltage
+
+float volts(Tension tension) {
+  return static_cast<float>(tension.count()) * kMilli;
+}
+
+// Voltage that a velocity induces in the nominal motor.
+float induced(Velocity velocity) {
+  constexpr float kConstant =
+      static_cast<float>(SystemConstants::instance().motorConstant().count()) * kMilli * kMilli;
+  return static_cast<float>(velocity.count()) * kConstant;
+}
+
+// Voltage of a current in the nominal winding.
+float across(Current current) {
+  constexpr float kWinding = static_cast<float>(SystemConstants::instance().winding()) * kMilli;
+  return static_cast<float>(current.count()) * kMilli * kWinding;
+}
+
+float square(float value) {
+  return value * value;
+}
+
+template <class T>
+float product(const T& left, const T& right) {
+  float sum = 0;
+  for (std::size_t index = 0; index < left.size(); ++index) {
+    sum += left[index] * right[index];
+  }
+  return sum;
+}
+
+}  // namespace
+
+LeadsWatch::LeadsWatch() {
+  reset();
+}
+
+bool LeadsWatch::swapped(const WheelMeasurements& measured, std::optional<Tension> tension) {
+  if (!tension || !measured.velocity || !measured.current) {
+    return false;
+  }
+  const Cycle cycle = examine(measured, *tension);
+  if (cycle.moved) {
+    weigh(cycle);
+  }
+  // Without edges the measured velocity is only the greatest possible one.
+  if (evidence_ < kDoubtful && (cycle.moved || measured.velocity == Velocity())) {
+    learn(cycle);
+  }
+  return evidence_ >= kSwapped;
+}
+
+void LeadsWatch::reset() {
+  deviations_ = {};
+  doubts_ = {};
+  for (std::size_t row = 0; row < kParameters; ++row) {
+    doubts_[row][row] = kFirst[row];
+  }
+  evidence_ = 0;
+  tension_ = Tension();
+  velocity_ = Velocity();
+  position_.reset();
+}
+
+LeadsWatch::Cycle LeadsWatch::examine(const WheelMeasurements& measured, Tension tension) {
+  const Velocity velocity = *measured.velocity;
+  const HallCount way =
+      measured.position && position_ ? *measured.position - *position_ : HallCount();
+  Cycle cycle;
+  cycle.inputs = {across(*measured.current), induced(velocity), 1.0F};
+  cycle.unexplained = volts(tension) - cycle.inputs[0] - cycle.inputs[kInduced] -
+                      product(cycle.inputs, deviations_);
+  for (std::size_t row = 0; row < kParameters; ++row) {
+    cycle.spread[row] = product(doubts_[row], cycle.inputs);
+  }
+  cycle.variance = square(kNoise) + square(kOfVelocity * induced(velocity - velocity_)) +
+                   square(kOfTension * volts(tension - tension_)) +
+                   square(kOfCurrent * cycle.inputs[0]) +
+                   std::max(product(cycle.inputs, cycle.spread), 0.0F);
+  cycle.moved =
+      velocity > Velocity() ? way > HallCount() : velocity < Velocity() && way < HallCount();
+  tension_ = tension;
+  velocity_ = velocity;
+  position_ = measured.position;
+  return cycle;
+}
+
+// Swapped leads change the sign of the induced voltage: then twice of it is missing in the balance.
+void LeadsWatch::weigh(const Cycle& cycle) {
+  const float turning = (1 + deviations_[kInduced]) * cycle.inputs[kInduced];
+  const float shown = -2 * turning * (cycle.unexplained + turning) / cycle.variance;
+  evidence_ = std::clamp(evidence_ + std::clamp(shown, -kBackPerCycle, kPerCycle), 0.0F, kSwapped);
+}
+
+// A step of the recursive least squares.
+void LeadsWatch::learn(const Cycle& cycle) {
+  for (std::size_t row = 0; row < kParameters; ++row) {
+    const float gain = cycle.spread[row] / cycle.variance;
+    deviations_[row] =
+        std::clamp(deviations_[row] + gain * cycle.unexplained, -kGreatest, kGreatest);
+    for (std::size_t column = 0; column < kParameters; ++column) {
+      doubts_[row][column] -= gain * cycle.spread[column];
+    }
+    doubts_[row][row] = std::min(doubts_[row][row] + kDrift, kFirst[row]);
+  }
+}
+
+}  // namespace wr

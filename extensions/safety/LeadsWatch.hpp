@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "units/Measurements.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief Watch over the polarity of one motor.
+///
+/// @function Learns the resistance, the constant and the offset of a motor while it turns, and finds leads
+/// that are swapped afterwards: the induced voltage changes its sign in one cycle.
+///
+/// @secret How the model of a motor is learned, and how much its measurements must contradict it.
+class LeadsWatch final {
+ public:
+  /// @brief Begins with the nominal motor.
+  LeadsWatch();
+  LeadsWatch(const LeadsWatch&) = delete;
+  LeadsWatch& operator=(const LeadsWatch&) = delete;
+
+  /// @brief Compares the measurements of a cycle with the model, and learns from them.
+  /// @param measured measurements of the cycle that ends
+  /// @param tension voltage of the wheel during this cycle [mV]; nothing while its driver is off
+  /// @return whether the leads of the motor are swapped.
+  /// @satisfies FR-307
+  /// @isr{no}
+  [[nodiscard]] bool swapped(const WheelMeasurements& measured, std::optional<Tension> tension);
+
+  /// @brief Begins again with the nominal motor.
+  /// @satisfies FR-307
+  /// @isr{no}
+  void reset();
+
+ private:
+  static constexpr std::size_t kParameters = 3;
+  using Vector = std::array<float, kParameters>;
+
+  /// What a cycle shows.
+  struct Cycle {
+    Vector inputs{};        // voltages of the nominal motor, and 1 V [V]
+    Vector spread{};        // covariance of the parameters times the inputs
+    float unexplained = 0;  // voltage that the model does not explain [V]
+    float variance = 0;     // of this voltage [V^2]
+    bool moved = false;     // the Hall edges show the direction of the velocity
+  };
+
+  [[nodiscard]] Cycle examine(const WheelMeasurements& measured, Tension tension);
+  void weigh(const Cycle& cycle);
+  void learn(const Cycle& cycle);
+
+  Vector deviations_{};                       // of the parameters from those of the nominal motor
+  std::array<Vector, kParameters> doubts_{};  // covariance of the deviations
+  float evidence_ = 0;                        // for swapped leads, a logarithm of probabilities
+  Tension tension_{};                         // voltage of the cycle before
+  Velocity velocity_{};                       // of the cycle before
+  std::optional<HallCount> position_;         // of the cycle before
+};
+
+}  // namespace wr

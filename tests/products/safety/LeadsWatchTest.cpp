@@ -1,0 +1,156 @@
+#include "safety/LeadsWatch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+
+namespace wr::test {
+namespace {
+
+/// A motor with its tolerances, whose velocity and current a test chooses. The leads are swapped
+/// when the test demands it.
+struct Motor {
+  double supply = 24;
+  double resistance = 1.5;    // [ohm]
+  double constant = 0.05236;  // [V per rpm]
+  double offset = 0;          // [A] of the current sensor
+  double position = 0.5;      // [edges]
+  bool swapped = false;
+};
+
+class WatchedLeads : public testing::Test {
+ protected:
+  /// A cycle at a velocity, in which the motor has a voltage. Its current follows from both.
+  bool cycle(double rpm, double ordered) {
+    motor.position += rpm * 60 / 600;
+    const double real = ordered * motor.supply / 24;
+    const double turning = (motor.swapped ? -1 : 1) * motor.constant * rpm;
+    WheelMeasurements measured;
+    measured.velocity = Velocity(static_cast<std::int32_t>(std::lround(rpm * 10)));
+    const double amperes = (real - turning) / motor.resistance + motor.offset;
+    measured.current = Current(static_cast<std::int32_t>(std::lround(amperes * 1000)));
+    measured.position = HallCount(static_cast<std::int32_t>(std::floor(motor.position)));
+    return watch.swapped(measured, Tension(static_cast<std::int32_t>(ordered * 1000)));
+  }
+
+  /// Voltage at which the wheel pulls with a current.
+  [[nodiscard]] double pulling(double rpm, double amperes) const {
+    return (motor.constant * rpm + motor.resistance * amperes) * 24 / motor.supply;
+  }
+
+  /// Starts, and drives for some seconds; returns whether it was stopped.
+  bool drive(double rpm, double amperes, int cycles) {
+    bool stopped = false;
+    const double step = rpm < 0 ? -17.6 : 17.6;
+    for (double now = 0; std::abs(now) < std::abs(rpm); now += step) {
+      stopped = cycle(now, pulling(now, 3 * amperes)) || stopped;
+    }
+    for (int number = 0; number < cycles; ++number) {
+      stopped = cycle(rpm, pulling(rpm, amperes)) || stopped;
+    }
+    return stopped;
+  }
+
+  /// Cycles until leads that are swapped at a constant voltage are found; 0 if they are not.
+  int found(double rpm, double volts) {
+    motor.swapped = true;
+    for (int number = 1; number <= 20; ++number) {
+      if (cycle(rpm, volts)) {
+        return number;
+      }
+    }
+    return 0;
+  }
+
+  Motor motor;
+  LeadsWatch watch;
+};
+
+/// @brief Leads that are swapped at 10 to 300 rpm, in either direction, are found in the second cycle.
+/// @verifies FR-307
+TEST_F(WatchedLeads, FR307_SwappedLeadsAreFoundInTheSecondCycle) {
+  for (const double rpm : {10.0, 20.0, 50.0, 150.0, 300.0, -10.0, -20.0, -300.0}) {
+    watch.reset();
+    motor = {};
+    EXPECT_FALSE(drive(rpm, rpm > 0 ? 1 : -1, 40)) << rpm;
+    EXPECT_EQ(found(rpm, pulling(rpm, rpm > 0 ? 1 : -1)), 2) << rpm;
+  }
+}
+
+/// @brief Motors at the ends of their tolerances, with a supply of 21 or 29 V and a current sensor that is
+/// off by 0.3 A, are learned: right leads are no cause, also when load and velocity change at once,
+/// and swapped leads are found within five cycles at 20 rpm.
+/// @verifies FR-307
+TEST_F(WatchedLeads, FR307_EachMotorIsLearned) {
+  for (const double supply : {21.0, 29.0}) {
+    for (const double resistance : {1.2, 1.875}) {
+      for (const double constant : {0.0471, 0.0576}) {
+        for (const double offset : {-0.3, 0.3}) {
+          motor = {
+              .supply = supply, .resistance = resistance, .constant = constant, .offset = offset};
+          watch.reset();
+          for (const double rpm : {20.0, 150.0, -60.0, 300.0, -10.0, 50.0}) {
+            for (const double amperes : {1.0, 8.0, -5.0}) {
+              EXPECT_FALSE(drive(rpm, amperes, 10))
+                  << supply << ' ' << resistance << ' ' << constant << ' ' << offset << ' ' << rpm;
+            }
+          }
+          EXPECT_FALSE(drive(20, 1, 40));
+          const int cycles = found(20, pulling(20, 1));
+          EXPECT_GE(cycles, 2);
+          EXPECT_LE(cycles, 5);
+        }
+      }
+    }
+  }
+}
+
+/// @brief One cycle that fits swapped leads, however well, is no cause.
+/// @verifies FR-307
+TEST_F(WatchedLeads, FR307_OneCycleIsNotEnough) {
+  EXPECT_FALSE(drive(300, 1, 40));
+  for (int number = 0; number < 10; ++number) {
+    motor.swapped = true;
+    EXPECT_FALSE(cycle(300, pulling(300, 1))) << number;
+    motor.swapped = false;
+    for (int right = 0; right < 2; ++right) {
+      EXPECT_FALSE(cycle(300, pulling(300, 1))) << number;
+    }
+  }
+}
+
+/// @brief A cycle without an edge in the direction of the velocity, or without a measurement or a voltage,
+/// shows nothing, and takes nothing back.
+/// @verifies FR-307
+TEST_F(WatchedLeads, FR307_OnlyCompleteCyclesCount) {
+  EXPECT_FALSE(drive(100, 1, 40));
+  motor.swapped = true;
+  EXPECT_FALSE(cycle(100, pulling(100, 1)));
+  WheelMeasurements measured;
+  EXPECT_FALSE(watch.swapped(measured, Tension(6000)));
+  measured.velocity = Velocity(1000);
+  EXPECT_FALSE(watch.swapped(measured, Tension(6000)));
+  measured.current = Current(8000);
+  EXPECT_FALSE(watch.swapped(measured, std::nullopt));
+  measured.position = HallCount(static_cast<std::int32_t>(std::floor(motor.position)));
+  for (int number = 0; number < 5; ++number) {
+    EXPECT_FALSE(watch.swapped(measured, Tension(6000))) << "without an edge";
+  }
+  EXPECT_TRUE(cycle(100, pulling(100, 1)));
+}
+
+/// @brief A watch that begins again has no evidence.
+/// @verifies FR-307
+TEST_F(WatchedLeads, FR307_ANewBeginHasNoEvidence) {
+  EXPECT_FALSE(drive(100, 1, 40));
+  EXPECT_EQ(found(100, pulling(100, 1)), 2);
+  EXPECT_TRUE(cycle(100, pulling(100, 1)));
+  watch.reset();
+  motor.swapped = false;
+  EXPECT_FALSE(drive(100, 1, 40));
+  EXPECT_EQ(found(100, pulling(100, 1)), 2);
+}
+
+}  // namespace
+}  // namespace wr::test
