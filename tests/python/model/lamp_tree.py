@@ -187,26 +187,6 @@ from = "Off"
 on = "press"
 to = "On"
 requirements = ["FR-1"]
-
-[[transition]]
-from = "On"
-on = "press"
-to = "Off"
-requirements = ["FR-1"]
-
-[[transition]]
-from = "On"
-on = "wait"
-guard = "less than 3 times"
-to = "On"
-requirements = ["FR-1"]
-
-[[transition]]
-from = "On"
-on = "wait"
-guard = "3 times"
-to = "Off"
-requirements = ["FR-1"]
 """,
     "design/execution.toml": """\
 ends = []
@@ -230,32 +210,15 @@ body = "Work::execute"
 object = "House::presses"
 name = "pipe of presses"
 says = "How often the button was pressed."
-
-[[shared]]
-members = ["Pipe::*"]
-protection = "none needed here"
-why = "An example."
-
-[[shared]]
-members = ["Button::count_"]
-protection = "none needed here"
-why = "An example."
 """,
 }
 
 
-def write_lamp(root: Path, **replaced: str) -> Path:
-    """The tree; ``replaced`` maps a name of a file, such as Lamp_cpp, to "old -> new"."""
+def write_lamp(root: Path) -> Path:
     for name, text in FILES.items():
         path = root / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        change = replaced.get(path.name.replace(".", "_"))
-        if change:
-            old, _, new = change.partition(" -> ")
-            assert old in text
-            path.write_text(text.replace(old, new, 1), encoding="utf-8")
-        else:
-            path.write_text(text, encoding="utf-8")
+        path.write_text(text, encoding="utf-8")
     return root
 
 

@@ -9,7 +9,6 @@ from traceability.model.build import build
 from traceability.model.design_model import Model
 from traceability.model.likely_changes import changes_of
 from traceability.reading.change_texts import ChangeTexts, Recipe
-from traceability.schema import LikelyChange
 
 CHANGES = """\
 [[recipe]]
@@ -54,39 +53,17 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Model:
     return build(root).model
 
 
-@pytest.fixture
-def change(built: Model) -> LikelyChange:
-    return built.changes["reading-modes"]
-
-
-def test_a_new_part_derives_from_the_abstraction_beside_the_present_ones(
-    change: LikelyChange,
-) -> None:
-    assert change.hidden_by == "Mode"
-    assert (change.role, change.derives) == ("Concrete State", ["Mode"])
-    assert change.altered == ["PC", "RC"]
+def test_a_likely_change_lists_what_is_added_edited_and_looked_at_again(built: Model) -> None:
+    change = built.changes["reading-modes"]
+    assert (change.hidden_by, change.role, change.derives) == ("Mode", "Concrete State", ["Mode"])
     assert change.logic == "main_control/operation_modes"
-
-
-def test_it_is_made_known_where_a_present_one_is_named_and_nowhere_else(
-    change: LikelyChange,
-) -> None:
+    assert change.altered == ["PC", "RC"]
     assert change.edits == ["Builder"]
     assert "MainController" in change.untouched
     assert "Builder" not in change.untouched
-
-
-def test_steps_of_the_pattern_come_before_those_of_the_application(change: LikelyChange) -> None:
     assert change.steps == ["Derive a class from {derives}.", "Number it."]
     assert change.examples == ["PC"]
-
-
-def test_requirements_whose_trees_run_through_its_modules_are_looked_at_again(
-    built: Model,
-) -> None:
-    change = built.changes["reading-modes"]
-    assert change.requirements == ["FR-15"]
-    assert change.tests == ["Working.WaitsWithoutMessage"]
+    assert (change.requirements, change.tests) == (["FR-15"], ["Working.WaitsWithoutMessage"])
 
 
 def test_a_change_that_adds_nothing_edits_what_it_alters(built: Model) -> None:

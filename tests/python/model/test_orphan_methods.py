@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
-from types import SimpleNamespace
 
-from traceability.checks.requirement_checks import check
 from traceability.model.design_model import Model
-from traceability.model.orphan_methods import justify, methods_without
-from traceability.reading.comments import Comments
-from traceability.schema import HOST, Justified, Method, Module, Place, Requirement, Test, TreeNode
+from traceability.model.orphan_methods import methods_without
+from traceability.schema import Method, Module, Place, Requirement, TreeNode
 
 PLACE = Place("src/a/A.hpp", 1)
 TOML = Place("design/justified.toml", 4)
@@ -66,35 +62,3 @@ def test_a_constructor_serves_with_its_module() -> None:
 def test_private_methods_and_value_types_serve_whom_they_like() -> None:
     hidden = replace(method("Leaf::hidden"), access="private")
     assert without(module(hidden), module(method("Value::x"), datatype=True)) == []
-
-
-def findings(model: Model) -> set[tuple[str, str, int]]:
-    root = Path("no such folder")
-    facts = SimpleNamespace(root=root, comments=Comments(root))
-    found = check(model, facts)  # type: ignore[arg-type]  # it reads the model and the sources
-    wanted = ("req-method", "req-test", "req-justified")
-    return {(one.check, one.place.file, one.place.line) for one in found if one.check in wanted}
-
-
-def test_gaps_and_needless_justifications_are_findings() -> None:
-    model = model_of(module(method("Leaf::left")))
-    for name, file in (("A.One", "tests/a/A.cpp"), ("B.Two", "tests/sim/B.cpp")):
-        model.tests[name] = Test(name, "S", "t", "", Place(file, 9), results={})
-    model = justify(model, [])
-    gaps = {
-        ("req-method", "src/a/A.hpp", 1),
-        ("req-test", "tests/a/A.cpp", 9),
-        ("req-test", "tests/sim/B.cpp", 9),
-    }
-    assert findings(model) == gaps
-    declared = [
-        Justified("method", ["Leaf::left"], "why", TOML),
-        Justified("test", ["tests/sim/", "A.One"], "why", TOML),
-    ]
-    model = justify(model, declared)
-    assert findings(model) == set()
-    assert model.justified[1].covers == ["A.One", "B.Two"]
-    model.tests["A.One"] = replace(model.tests["A.One"], verifies=["FR-1"])
-    model = justify(model, [Justified("test", ["A.One"], "why", TOML), *declared])
-    assert findings(model) == {("req-justified", TOML.file, TOML.line)}
-    assert HOST not in model.results_hashes
