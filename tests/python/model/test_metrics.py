@@ -1,4 +1,4 @@
-"""The figures of the image."""
+"""The figures of the image, and the comparison of the products."""
 
 import json
 from pathlib import Path
@@ -8,6 +8,7 @@ import pytest
 from tests.python.reading.task_records import record_task
 from traceability.model.metrics import image
 from traceability.reading.image_record import TOTALS
+from traceability.reading.products import PRODUCTS, RESULTS, read_products
 from traceability.reading.task_record import IMAGES
 
 
@@ -30,6 +31,14 @@ def test_the_figures_are_those_of_the_image(root: Path) -> None:
 def test_the_image_of_other_sources_gives_no_figures(root: Path) -> None:
     (root / "src/RC.cpp").write_text("int b;\n")
     assert image(root) == {}
+
+
+def test_products_are_compared_when_all_were_built_from_these_sources(root: Path) -> None:
+    assert read_products(root) is None
+    (root / RESULTS).write_text(json.dumps(dict.fromkeys(PRODUCTS, {})))
+    assert read_products(root) == dict.fromkeys(PRODUCTS, {})
+    (root / "src/RC.cpp").write_text("int b;\n")
+    assert read_products(root) is None
 
 
 def test_an_image_that_was_not_measured_gives_no_figures(root: Path) -> None:
