@@ -60,7 +60,8 @@ def test_the_pages_of_a_case_lead_to_each_other(tmp_path: Path) -> None:
     assert "@/requirements/FR-1.html" in found["safety/SG-1"].links
     assert "@/safety/SG-1.html" in found["requirements/FR-1"].links
     assert "@/safety/hazards.html#HZ-1" in found["safety/index"].links
-    assert {"@/safety/SG-1.html", "@/safety/index.html#AU-1"} <= found["safety/hazards"].links.keys()
+    hazards = found["safety/hazards"].links
+    assert {"@/safety/SG-1.html", "@/safety/index.html#AU-1"} <= hazards.keys()
     assert "an example analysis, not a certificate" in found["safety/index"].text
     cost = found["safety/cost"].text
     assert cost.index("src/Mode.cpp") < cost.index("A bug.") < cost.index("src/Hall.cpp")

@@ -102,9 +102,3 @@ def test_lines_of_an_inlined_function_are_those_of_its_file(program: Path) -> No
     number, graph = graph_of(program, 15)
     assert graph.whole().lines == {"choose.cpp": {14, 15, 16}, "positive.hpp": {2}}
     assert graph.executed(run(program, "a", "b", "c")[number]).lines["positive.hpp"] == {2}
-
-
-def test_branches_belong_to_the_last_line_of_what_they_decide(program: Path) -> None:
-    """As gcov has it: the last line, not the one that the compiler names last."""
-    _, graph = graph_of(program, 15)
-    assert {line for line, _ in graph.whole().branches["choose.cpp"]} == {16}

@@ -110,6 +110,11 @@ def called(tools: Path) -> list[str]:
     return file.read_text().splitlines() if file.exists() else []
 
 
+def said(capsys: pytest.CaptureFixture[str]) -> str:
+    captured = capsys.readouterr()
+    return captured.out + captured.err
+
+
 def test_pyocd_is_the_first_way(tools: Path) -> None:
     add_pyocd(tools)
     add_tool(tools, "openocd")
@@ -118,34 +123,6 @@ def test_pyocd_is_the_first_way(tools: Path) -> None:
     assert run(tools) == 0
     assert called(tools)[:4] == ["pyocd", "flash", "-t", "k64f"]
     assert called(tools)[-1] == str(tools.parent / "image.bin")
-
-
-def test_pyocd_reads_the_flash_back(tools: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """pyOCD itself does not compare what it wrote."""
-    add_pyocd(tools, "other.bin")
-    add_probe(tools)
-    (tools.parent / "other.bin").write_bytes(CODE[:0x420] + b"\1" + CODE[0x421:])
-    assert run(tools) == 1
-    assert "flash at 0x420 holds 0x01, not 0x00" in capsys.readouterr().out
-
-
-def test_a_flash_that_cannot_be_read_back_is_a_failure(
-    tools: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    add_tool(tools, "pyocd")
-    add_probe(tools)
-    assert run(tools) == 1
-    assert "could not be read back" in capsys.readouterr().out
-
-
-def test_a_flash_that_is_read_back_in_part_is_a_failure(
-    tools: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    add_pyocd(tools, "short.bin")
-    add_probe(tools)
-    (tools.parent / "short.bin").write_bytes(CODE[:-4])
-    assert run(tools) == 1
-    assert f"only {len(CODE) - 4} of {len(CODE)} bytes" in capsys.readouterr().out
 
 
 def test_openocd_is_the_second_way(tools: Path) -> None:
@@ -162,10 +139,11 @@ def test_the_drive_of_the_board_is_the_third_way(
     tools: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     drive = add_drive(tools, "FRDM K64F")
+    (drive / "FAIL.TXT").write_text("error: of an earlier copy")
     with board(drive):
         assert run(tools) == 0
     assert (tools.parent / "written").read_bytes() == CODE
-    assert "flash (drive) ... the board took the image" in capsys.readouterr().out
+    assert "flash (drive) ... the board took the image" in said(capsys)
 
 
 @pytest.mark.parametrize("way", ["pyocd", "openocd"])
@@ -176,60 +154,76 @@ def test_the_way_can_be_chosen(tools: Path, way: str) -> None:
     assert called(tools)[0] == way
 
 
-@pytest.mark.parametrize("way", ["pyocd", "openocd"])
-def test_a_tool_that_fails_fails_the_command_and_is_shown(
-    tools: Path, capsys: pytest.CaptureFixture[str], way: str
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (CODE[:0x420] + b"\1" + CODE[0x421:], "flash at 0x420 holds 0x01, not 0x00"),
+        (CODE[:-4], f"only {len(CODE) - 4} of {len(CODE)} bytes"),
+        (None, "could not be read back"),
+    ],
+)
+def test_pyocd_reads_the_flash_back(
+    tools: Path, capsys: pytest.CaptureFixture[str], content: bytes | None, words: str
 ) -> None:
-    add_tool(tools, way, "echo no answer from the chip >&2; exit 9")
-    assert run(tools, "--with", way) == 1
-    said = capsys.readouterr().out
-    assert f"{way} ended with exit code 9" in said
-    assert "no answer from the chip" in said
+    """pyOCD itself does not compare what it wrote."""
+    add_probe(tools)
+    if content is None:
+        add_tool(tools, "pyocd")
+    else:
+        add_pyocd(tools, "other.bin")
+        (tools.parent / "other.bin").write_bytes(content)
+    assert run(tools) == 1
+    assert words in said(capsys)
 
 
 @pytest.mark.parametrize(
-    ("way", "text"),
+    ("way", "text", "code", "words"),
     [
-        ("pyocd", "No connected debug probes"),
-        ("openocd", "Error: unable to find a matching CMSIS-DAP device"),
+        ("pyocd", "no answer", 1, "pyocd ended with exit code 9"),
+        ("openocd", "no answer", 1, "openocd ended with exit code 9"),
+        ("pyocd", "No connected debug probes", 3, "pyocd found no debug probe"),
+        (
+            "openocd",
+            "Error: unable to find a matching CMSIS-DAP device",
+            3,
+            "openocd found no debug probe",
+        ),
     ],
 )
-def test_a_chosen_tool_that_finds_no_probe_leaves_out_the_board(
-    tools: Path, capsys: pytest.CaptureFixture[str], way: str, text: str
+def test_a_tool_that_fails_fails_the_command(
+    tools: Path, capsys: pytest.CaptureFixture[str], way: str, text: str, code: int, words: str
 ) -> None:
-    add_tool(tools, way, f"echo '{text}' >&2; exit 1")
-    assert run(tools, "--with", way) == 3
-    said = capsys.readouterr().err
-    assert f"{way} found no debug probe" in said
-    assert "Connect a USB cable" in said
+    add_tool(tools, way, f"echo '{text}' >&2; exit 9")
+    assert run(tools, "--with", way) == code
+    printed = said(capsys)
+    assert words in printed
+    assert ("Connect a USB cable" if code == 3 else text) in printed
 
 
+@pytest.mark.parametrize(
+    ("installed", "probe", "options", "words"),
+    [
+        ([], False, [], ["pyocd: not installed\n", "openocd: not installed\n"]),
+        ([], False, [], ["drive: none is mounted\n", "debug probe on USB: none\n"]),
+        (["pyocd"], False, [], ["pyocd: installed\n"]),
+        (["pyocd"], True, ["--with", "openocd"], ["openocd: not installed"]),
+    ],
+)
 def test_without_a_way_it_says_what_was_looked_for(
-    tools: Path, capsys: pytest.CaptureFixture[str]
+    tools: Path,
+    capsys: pytest.CaptureFixture[str],
+    installed: list[str],
+    probe: bool,
+    options: list[str],
+    words: list[str],
 ) -> None:
-    assert run(tools) == 3
-    said = capsys.readouterr().err
-    assert "pyocd: not installed\n" in said
-    assert "openocd: not installed\n" in said
-    assert "drive: none is mounted\n" in said
-    assert "debug probe on USB: none\n" in said
-    assert "Connect a USB cable" in said
-
-
-def test_a_tool_without_a_probe_is_no_way(tools: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    add_tool(tools, "pyocd")
-    assert run(tools) == 3
-    assert "pyocd: installed\n" in capsys.readouterr().err
-    assert called(tools) == []
-
-
-def test_a_chosen_tool_that_is_missing_is_named(
-    tools: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    add_probe(tools)
-    add_tool(tools, "pyocd")
-    assert run(tools, "--with", "openocd") == 3
-    assert "openocd: not installed" in capsys.readouterr().err
+    for name in installed:
+        add_tool(tools, name)
+    if probe:
+        add_probe(tools)
+    assert run(tools, *options) == 3
+    printed = said(capsys)
+    assert [one for one in (*words, "Connect a USB cable") if one not in printed] == []
     assert called(tools) == []
 
 
@@ -237,7 +231,7 @@ def test_two_drives_need_a_choice(tools: Path, capsys: pytest.CaptureFixture[str
     first = add_drive(tools, "DAPLINK")
     add_drive(tools, "DAPLINK1")
     assert run(tools) == 3
-    assert "choose with --drive" in capsys.readouterr().err
+    assert "choose with --drive" in said(capsys)
     with board(first):
         assert run(tools, "--drive", str(first)) == 0
 
@@ -248,7 +242,7 @@ def test_other_drives_are_not_written(tools: Path, capsys: pytest.CaptureFixture
     (tools.parent / "mounts").write_text(f"/dev/sdc {stick} vfat rw 0 0\n")
     assert run(tools) == 3
     assert run(tools, "--drive", str(stick)) == 3
-    assert "neither DETAILS.TXT nor MBED.HTM" in capsys.readouterr().err
+    assert "neither DETAILS.TXT nor MBED.HTM" in said(capsys)
     assert list(stick.iterdir()) == []
 
 
@@ -258,59 +252,48 @@ def test_a_probe_that_waits_for_its_own_software_gets_no_image(
 ) -> None:
     drive = add_drive(tools, name, mode)
     assert run(tools, "--with", "drive") == 3
-    assert "without its reset button" in capsys.readouterr().err
+    assert "without its reset button" in said(capsys)
     assert not (drive / "image.bin").exists()
 
 
-def test_the_reason_of_the_board_for_a_failure_is_shown(
-    tools: Path, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize(
+    ("failure", "comes", "code", "words"),
+    [
+        ("error: FAILED to reset/halt the target MCU", True, 1, "FAILED to reset/halt"),
+        ("", False, 0, "not mounted again"),
+    ],
+)
+def test_the_outcome_of_a_copy_is_shown(
+    tools: Path,
+    capsys: pytest.CaptureFixture[str],
+    failure: str,
+    comes: bool,
+    code: int,
+    words: str,
+) -> None:
+    with board(add_drive(tools), failure, comes):
+        assert run(tools) == code
+    assert words in said(capsys)
+
+
+@pytest.mark.parametrize(("writable", "words"), [(True, "did not react"), (False, "cannot write")])
+def test_a_drive_that_takes_no_image_is_a_failure(
+    tools: Path, capsys: pytest.CaptureFixture[str], writable: bool, words: str
 ) -> None:
     drive = add_drive(tools)
-    with board(drive, failure="error: FAILED to reset/halt the target MCU"):
-        assert run(tools) == 1
-    assert "FAILED to reset/halt" in capsys.readouterr().out
-
-
-def test_the_failure_of_an_earlier_copy_is_not_that_of_this_one(tools: Path) -> None:
-    drive = add_drive(tools)
-    (drive / "FAIL.TXT").write_text("error: old")
-    with board(drive):
-        assert run(tools) == 0
-
-
-def test_a_drive_that_is_not_mounted_again_is_said(
-    tools: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    drive = add_drive(tools)
-    with board(drive, comes=False):
-        assert run(tools) == 0
-    assert "not mounted again" in capsys.readouterr().out
-
-
-def test_a_board_that_does_not_react_is_a_failure(
-    tools: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    add_drive(tools)
+    if not writable:
+        (drive / "image.bin").mkdir()
     assert run(tools) == 1
-    assert "did not react" in capsys.readouterr().out
-
-
-def test_a_drive_that_cannot_be_written_is_a_failure(
-    tools: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    drive = add_drive(tools)
-    (drive / "image.bin").mkdir()
-    assert run(tools) == 1
-    assert f"cannot write to {drive}" in capsys.readouterr().out
+    assert words in said(capsys)
 
 
 def test_a_dry_run_writes_nothing(tools: Path, capsys: pytest.CaptureFixture[str]) -> None:
     drive = add_drive(tools)
     add_tool(tools, "openocd")
     assert run(tools, "--dry-run", "--with", "openocd") == 0
-    assert "would run openocd -f board/nxp_frdm-k64f.cfg" in capsys.readouterr().out
+    assert "would run openocd -f board/nxp_frdm-k64f.cfg" in said(capsys)
     assert run(tools, "--dry-run") == 0
-    assert f"image.bin to {drive}" in capsys.readouterr().out
+    assert f"image.bin to {drive}" in said(capsys)
     assert called(tools) == []
     assert not (drive / "image.bin").exists()
 
@@ -336,9 +319,9 @@ def test_an_image_that_could_lock_the_chip_is_not_written(
     add_tool(tools, "pyocd")
     add_probe(tools)
     assert run(tools) == 1
-    said = capsys.readouterr().out
-    assert f"byte 0x{address:X} is 0x{value:02X}" in said
-    assert why in said
+    printed = said(capsys)
+    assert f"byte 0x{address:X} is 0x{value:02X}" in printed
+    assert why in printed
     assert called(tools) == []
 
 
@@ -353,7 +336,7 @@ def test_an_image_that_is_not_there_is_said(
 ) -> None:
     (tools.parent / "image.bin").unlink()
     assert run(tools) == 1
-    assert "No such file" in capsys.readouterr().out
+    assert "No such file" in said(capsys)
 
 
 def test_a_drive_and_another_way_contradict_each_other(
@@ -362,7 +345,7 @@ def test_a_drive_and_another_way_contradict_each_other(
     with pytest.raises(SystemExit) as ended:
         run(tools, "--with", "pyocd", "--drive", str(tools))
     assert ended.value.code == 2
-    assert "--with pyocd" in capsys.readouterr().err
+    assert "--with pyocd" in said(capsys)
 
 
 def test_the_image_of_a_product_is_built_and_written(
