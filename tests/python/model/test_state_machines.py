@@ -1,46 +1,36 @@
-"""State machines: what the code can change, and what recorded calls show."""
+"""State machines: what recorded calls show of them."""
 
 from __future__ import annotations
 
 import pytest
 
-from tests.python.model.lamp_tree import facts_of, write_lamp
-from traceability.model.state_machines import MachineCode, Seen, Watcher, read_machine
-from traceability.reading.source_facts import Facts
+from traceability.model.state_machines import Change, MachineCode, Seen, Watcher
+from traceability.schema import Place
+
+PLACE = Place("src/lamp/Lamp.cpp", 1)
+# A lamp that a press switches; after some time it goes off. Off inherits the operation "wait".
+CODE = MachineCode(
+    holders={"Lamp": "Lamp::changeState"},
+    operations=["press", "wait"],
+    runs={
+        "Off": {"press": "Off::press", "wait": "LampState::wait"},
+        "On": {"press": "On::press", "wait": "On::wait"},
+    },
+    changes=[
+        Change("Off", "press", "On", PLACE, (), False),
+        Change("On", "press", "Off", PLACE, ("On::leave",), False),
+        Change("On", "wait", "Off", PLACE, ("On::leave",), True),
+    ],
+    initial={"Off"},
+)
+ON = "Lamp::tick Off::press Lamp::changeState / / /"
+OFF = "Lamp::tick On::wait On::leave Lamp::changeState / / / /"
+SWITCHED_ON = Seen("Off", "press", "On")
+SWITCHED_OFF = Seen("On", "wait", "Off", ("On::leave",))
+STAYS_OFF = Seen("Off", "press", "Off")
 
 
-@pytest.fixture(scope="module")
-def facts(tmp_path_factory: pytest.TempPathFactory) -> Facts:
-    return facts_of(write_lamp(tmp_path_factory.mktemp("lamp")))
-
-
-@pytest.fixture(scope="module")
-def code(facts: Facts) -> MachineCode:
-    return read_machine(facts.declared.machines["lamp-states"], facts)
-
-
-def test_changes_are_followed_to_the_object_that_the_composition_gave(code: MachineCode) -> None:
-    changes = {(c.source, c.operation, c.target): (c.path, c.sometimes) for c in code.changes}
-    assert changes == {
-        ("Off", "press", "On"): ((), False),
-        ("On", "press", "Off"): (("On::leave",), False),
-        ("On", "wait", "Off"): (("On::leave",), True),
-    }
-    assert code.initial == {"Off"}
-    assert code.holders == {"Lamp": "Lamp::changeState"}
-
-
-def test_an_operation_that_a_state_inherits_stays(code: MachineCode) -> None:
-    assert code.runs["Off"]["wait"] == "LampState::wait"
-    assert code.stays("Off", "wait")
-    assert code.stays("On", "wait")
-    assert not code.stays("On", "press")
-
-
-# ---- what recorded calls show ------------------------------------------------
-
-
-def watched(code: MachineCode, calls: str) -> list[Seen]:
+def watched(calls: str) -> list[Seen]:
     """Each word is a call that is entered; ``/`` leaves the last one."""
     events: list[tuple[str, bool]] = []
     stack: list[str] = []
@@ -50,30 +40,31 @@ def watched(code: MachineCode, calls: str) -> list[Seen]:
         else:
             stack.append(word)
             events.append((word, True))
-    watcher = Watcher(code, {"press", "wait"}, {"LampState", "Off", "On", "Blinking"})
+    watcher = Watcher(CODE, {"press", "wait"}, {"LampState", "Off", "On", "Blinking"})
     assert all(watcher.concerns(method) for method, _ in events)
     return watcher.watch(iter(events))
 
 
-ON = "Lamp::tick Off::press Lamp::changeState / / /"
+def test_an_operation_stays_unless_it_always_changes_the_state() -> None:
+    stays = {(state, one): CODE.stays(state, one) for state in CODE.runs for one in CODE.operations}
+    assert stays == {
+        ("Off", "press"): False,
+        ("Off", "wait"): True,
+        ("On", "press"): False,
+        ("On", "wait"): True,
+    }
 
 
-def test_a_change_is_seen_when_the_next_call_tells_the_state(code: MachineCode) -> None:
-    assert watched(code, ON) == []
-    then = watched(code, f"{ON} Lamp::tick On::wait / /")
-    assert then == [Seen("Off", "press", "On"), Seen("On", "wait", "On")]
-
-
-def test_the_way_to_a_change_is_kept(code: MachineCode) -> None:
-    off = "Lamp::tick On::wait On::leave Lamp::changeState / / / / Lamp::tick Off::press / /"
-    assert watched(code, off)[0] == Seen("On", "wait", "Off", ("On::leave",))
-
-
-def test_a_state_that_is_called_by_itself_shows_nothing(code: MachineCode) -> None:
-    assert watched(code, "Off::press Lamp::changeState / / On::wait /") == []
-
-
-def test_another_state_or_another_lamp_ends_what_is_known(code: MachineCode) -> None:
-    assert watched(code, f"{ON} Lamp::tick Blinking::wait / /") == []
-    other = watched(code, f"{ON} Lamp::Lamp / Lamp::tick Off::press / /")
-    assert Seen("Off", "press", "On") not in other
+@pytest.mark.parametrize(
+    ("calls", "seen"),
+    [
+        (ON, []),  # only the next call shows the state
+        (f"{ON} Lamp::tick On::wait / /", [SWITCHED_ON, Seen("On", "wait", "On")]),
+        (f"{OFF} Lamp::tick Off::press / /", [SWITCHED_OFF, STAYS_OFF]),
+        ("Off::press Lamp::changeState / / On::wait /", []),  # no lamp calls the state
+        (f"{ON} Lamp::tick Blinking::wait / /", []),
+        (f"{ON} Lamp::Lamp / Lamp::tick Off::press / /", [STAYS_OFF]),  # another lamp
+    ],
+)
+def test_a_change_is_seen_when_the_next_call_shows_the_state(calls: str, seen: list[Seen]) -> None:
+    assert watched(calls) == seen

@@ -17,61 +17,78 @@ from tools.tasks import K64_FIRMWARE
 CODE = bytes(0x400) + WANTED + bytes(100)
 
 
+class Desk:
+    """A machine without tools, probes or drives, until a test adds some."""
+
+    def __init__(self, root: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        self.root = root
+        self.capsys = capsys
+        self.tools = root / "tools"  # all that PATH has
+        self.image = root / "image.bin"
+        self.tools.mkdir()
+        (root / "usb").mkdir()
+        (root / "mounts").touch()
+        self.image.write_bytes(CODE)
+
+    def add_program(self, name: str, script: str) -> None:
+        (self.tools / name).write_text(f"#!/bin/sh\n{script}\n")
+        (self.tools / name).chmod(0o755)
+
+    def add_tool(self, name: str, end: str = "exit 0") -> None:
+        """A tool that notes its words, one a line."""
+        self.add_program(name, f'printf "%s\\n" {name} "$@" >"{self.root}/called"\n{end}')
+
+    def add_pyocd(self, read_back: str = "flashed") -> None:
+        """A pyOCD that notes its words of ``flash``, and reads back what it wrote, or a file."""
+        self.add_program(
+            "pyocd",
+            'for word; do case "$word" in "savemem "*)'
+            f' exec /bin/cp "{self.root}/{read_back}" "${{word##* }}";; esac; done\n'
+            f'/bin/cp "$word" "{self.root}/flashed"\n'
+            f'printf "%s\\n" pyocd "$@" >"{self.root}/called"',
+        )
+
+    def add_probe(self, vendor: str = "0d28", product: str = "DAPLink CMSIS-DAP") -> None:
+        device = self.root / "usb" / "1-2"
+        device.mkdir()
+        (device / "idVendor").write_text(f"{vendor}\n")
+        (device / "product").write_text(f"{product}\n")
+
+    def add_drive(self, name: str = "DAPLINK", mode: str = "Interface") -> Path:
+        """A mounted drive as that of the board."""
+        drive = self.root / name
+        drive.mkdir()
+        (drive / "DETAILS.TXT").write_text(f"# DAPLink Firmware\nDaplink Mode: {mode}\n")
+        place = str(drive).replace(" ", r"\040")
+        with (self.root / "mounts").open("a") as mounts:
+            mounts.write(f"/dev/sdb {place} vfat rw,relatime 0 0\n")
+        return drive
+
+    def run(self, *options: str) -> int:
+        return cli.main(["flash", "--image", str(self.image), *options])
+
+    def called(self) -> list[str]:
+        file = self.root / "called"
+        return file.read_text().splitlines() if file.exists() else []
+
+    def said(self) -> str:
+        captured = self.capsys.readouterr()
+        return captured.out + captured.err
+
+
 @pytest.fixture
-def tools(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A machine without tools, probes or drives: all that PATH holds is this folder."""
-    folder = tmp_path / "tools"
-    folder.mkdir()
-    (tmp_path / "usb").mkdir()
-    (tmp_path / "mounts").touch()
-    (tmp_path / "image.bin").write_bytes(CODE)
-    monkeypatch.setenv("PATH", str(folder))
+def desk(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> Desk:
+    found = Desk(tmp_path, capsys)
+    monkeypatch.setenv("PATH", str(found.tools))
     monkeypatch.setattr(flash, "USB", tmp_path / "usb")
     monkeypatch.setattr(usb_drive, "MOUNTS", tmp_path / "mounts")
     monkeypatch.setattr(usb_drive, "GOES_WITHIN", 0.3)
     monkeypatch.setattr(usb_drive, "COMES_WITHIN", 0.3)
     monkeypatch.setattr(usb_drive, "LOOK", 0.01)
     monkeypatch.setattr(cli, "ROOT", tmp_path)
-    return folder
-
-
-def add_tool(tools: Path, name: str, end: str = "exit 0") -> None:
-    """A tool that notes its words, one a line."""
-    program = tools / name
-    program.write_text(f'#!/bin/sh\nprintf "%s\\n" {name} "$@" >"{tools.parent}/called"\n{end}\n')
-    program.chmod(0o755)
-
-
-def add_pyocd(tools: Path, read_back: str = "flashed") -> None:
-    """A pyOCD that notes its words of ``flash``; what it reads back is what it wrote, or a file."""
-    folder = tools.parent
-    program = tools / "pyocd"
-    program.write_text(
-        "#!/bin/sh\n"
-        'for word; do case "$word" in "savemem "*)'
-        f' exec /bin/cp "{folder}/{read_back}" "${{word##* }}";; esac; done\n'
-        f'/bin/cp "$word" "{folder}/flashed"\n'
-        f'printf "%s\\n" pyocd "$@" >"{folder}/called"\n'
-    )
-    program.chmod(0o755)
-
-
-def add_probe(tools: Path, vendor: str = "0d28", product: str = "DAPLink CMSIS-DAP") -> None:
-    device = tools.parent / "usb" / "1-2"
-    device.mkdir()
-    (device / "idVendor").write_text(f"{vendor}\n")
-    (device / "product").write_text(f"{product}\n")
-
-
-def add_drive(tools: Path, name: str = "DAPLINK", mode: str = "Interface") -> Path:
-    """A mounted drive as that of the board."""
-    drive = tools.parent / name
-    drive.mkdir()
-    (drive / "DETAILS.TXT").write_text(f"# DAPLink Firmware\nDaplink Mode: {mode}\n")
-    place = str(drive).replace(" ", r"\040")
-    with (tools.parent / "mounts").open("a") as mounts:
-        mounts.write(f"/dev/sdb {place} vfat rw,relatime 0 0\n")
-    return drive
+    return found
 
 
 @contextlib.contextmanager
@@ -101,57 +118,41 @@ def board(drive: Path, failure: str = "", comes: bool = True) -> Iterator[None]:
         thread.join()
 
 
-def run(tools: Path, *options: str) -> int:
-    return cli.main(["flash", "--image", str(tools.parent / "image.bin"), *options])
+def test_pyocd_is_the_first_way(desk: Desk) -> None:
+    desk.add_pyocd()
+    desk.add_tool("openocd")
+    desk.add_probe()
+    desk.add_drive()
+    assert desk.run() == 0
+    assert desk.called()[:4] == ["pyocd", "flash", "-t", "k64f"]
+    assert desk.called()[-1] == str(desk.image)
 
 
-def called(tools: Path) -> list[str]:
-    file = tools.parent / "called"
-    return file.read_text().splitlines() if file.exists() else []
+def test_openocd_is_the_second_way(desk: Desk) -> None:
+    desk.add_tool("openocd")
+    desk.add_probe(vendor="1fc9", product="LPC-LINK2 CMSIS-DAP")
+    desk.add_drive()
+    assert desk.run() == 0
+    assert desk.called()[:4] == ["openocd", "-f", "board/nxp_frdm-k64f.cfg", "-c"]
+    script = f"init; kinetis fcf_source write; program {{{desk.root}/image.bin}}"
+    assert desk.called()[4] == f"{script} verify reset exit 0x0"
 
 
-def said(capsys: pytest.CaptureFixture[str]) -> str:
-    captured = capsys.readouterr()
-    return captured.out + captured.err
-
-
-def test_pyocd_is_the_first_way(tools: Path) -> None:
-    add_pyocd(tools)
-    add_tool(tools, "openocd")
-    add_probe(tools)
-    add_drive(tools)
-    assert run(tools) == 0
-    assert called(tools)[:4] == ["pyocd", "flash", "-t", "k64f"]
-    assert called(tools)[-1] == str(tools.parent / "image.bin")
-
-
-def test_openocd_is_the_second_way(tools: Path) -> None:
-    add_tool(tools, "openocd")
-    add_probe(tools, vendor="1fc9", product="LPC-LINK2 CMSIS-DAP")
-    add_drive(tools)
-    assert run(tools) == 0
-    assert called(tools)[:4] == ["openocd", "-f", "board/nxp_frdm-k64f.cfg", "-c"]
-    script = f"init; kinetis fcf_source write; program {{{tools.parent}/image.bin}}"
-    assert called(tools)[4] == f"{script} verify reset exit 0x0"
-
-
-def test_the_drive_of_the_board_is_the_third_way(
-    tools: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    drive = add_drive(tools, "FRDM K64F")
+def test_the_drive_of_the_board_is_the_third_way(desk: Desk) -> None:
+    drive = desk.add_drive("FRDM K64F")
     (drive / "FAIL.TXT").write_text("error: of an earlier copy")
     with board(drive):
-        assert run(tools) == 0
-    assert (tools.parent / "written").read_bytes() == CODE
-    assert "flash (drive) ... the board took the image" in said(capsys)
+        assert desk.run() == 0
+    assert (desk.root / "written").read_bytes() == CODE
+    assert "flash (drive) ... the board took the image" in desk.said()
 
 
 @pytest.mark.parametrize("way", ["pyocd", "openocd"])
-def test_the_way_can_be_chosen(tools: Path, way: str) -> None:
-    add_pyocd(tools)
-    add_tool(tools, "openocd")
-    assert run(tools, "--with", way) == 0
-    assert called(tools)[0] == way
+def test_the_way_can_be_chosen(desk: Desk, way: str) -> None:
+    desk.add_pyocd()
+    desk.add_tool("openocd")
+    assert desk.run("--with", way) == 0
+    assert desk.called()[0] == way
 
 
 @pytest.mark.parametrize(
@@ -162,18 +163,16 @@ def test_the_way_can_be_chosen(tools: Path, way: str) -> None:
         (None, "could not be read back"),
     ],
 )
-def test_pyocd_reads_the_flash_back(
-    tools: Path, capsys: pytest.CaptureFixture[str], content: bytes | None, words: str
-) -> None:
+def test_pyocd_reads_the_flash_back(desk: Desk, content: bytes | None, words: str) -> None:
     """pyOCD itself does not compare what it wrote."""
-    add_probe(tools)
+    desk.add_probe()
     if content is None:
-        add_tool(tools, "pyocd")
+        desk.add_tool("pyocd")
     else:
-        add_pyocd(tools, "other.bin")
-        (tools.parent / "other.bin").write_bytes(content)
-    assert run(tools) == 1
-    assert words in said(capsys)
+        desk.add_pyocd("other.bin")
+        (desk.root / "other.bin").write_bytes(content)
+    assert desk.run() == 1
+    assert words in desk.said()
 
 
 @pytest.mark.parametrize(
@@ -191,11 +190,11 @@ def test_pyocd_reads_the_flash_back(
     ],
 )
 def test_a_tool_that_fails_fails_the_command(
-    tools: Path, capsys: pytest.CaptureFixture[str], way: str, text: str, code: int, words: str
+    desk: Desk, way: str, text: str, code: int, words: str
 ) -> None:
-    add_tool(tools, way, f"echo '{text}' >&2; exit 9")
-    assert run(tools, "--with", way) == code
-    printed = said(capsys)
+    desk.add_tool(way, f"echo '{text}' >&2; exit 9")
+    assert desk.run("--with", way) == code
+    printed = desk.said()
     assert words in printed
     assert ("Connect a USB cable" if code == 3 else text) in printed
 
@@ -210,49 +209,48 @@ def test_a_tool_that_fails_fails_the_command(
     ],
 )
 def test_without_a_way_it_says_what_was_looked_for(
-    tools: Path,
-    capsys: pytest.CaptureFixture[str],
+    desk: Desk,
     installed: list[str],
     probe: bool,
     options: list[str],
     words: list[str],
 ) -> None:
     for name in installed:
-        add_tool(tools, name)
+        desk.add_tool(name)
     if probe:
-        add_probe(tools)
-    assert run(tools, *options) == 3
-    printed = said(capsys)
+        desk.add_probe()
+    assert desk.run(*options) == 3
+    printed = desk.said()
     assert [one for one in (*words, "Connect a USB cable") if one not in printed] == []
-    assert called(tools) == []
+    assert desk.called() == []
 
 
-def test_two_drives_need_a_choice(tools: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    first = add_drive(tools, "DAPLINK")
-    add_drive(tools, "DAPLINK1")
-    assert run(tools) == 3
-    assert "choose with --drive" in said(capsys)
+def test_two_drives_need_a_choice(desk: Desk) -> None:
+    first = desk.add_drive("DAPLINK")
+    desk.add_drive("DAPLINK1")
+    assert desk.run() == 3
+    assert "choose with --drive" in desk.said()
     with board(first):
-        assert run(tools, "--drive", str(first)) == 0
+        assert desk.run("--drive", str(first)) == 0
 
 
-def test_other_drives_are_not_written(tools: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    stick = tools.parent / "STICK"
+def test_other_drives_are_not_written(desk: Desk) -> None:
+    stick = desk.root / "STICK"
     stick.mkdir()
-    (tools.parent / "mounts").write_text(f"/dev/sdc {stick} vfat rw 0 0\n")
-    assert run(tools) == 3
-    assert run(tools, "--drive", str(stick)) == 3
-    assert "neither DETAILS.TXT nor MBED.HTM" in said(capsys)
+    (desk.root / "mounts").write_text(f"/dev/sdc {stick} vfat rw 0 0\n")
+    assert desk.run() == 3
+    assert desk.run("--drive", str(stick)) == 3
+    assert "neither DETAILS.TXT nor MBED.HTM" in desk.said()
     assert list(stick.iterdir()) == []
 
 
 @pytest.mark.parametrize(("name", "mode"), [("MAINTENANCE", "Interface"), ("DISK", "Bootloader")])
 def test_a_probe_that_waits_for_its_own_software_gets_no_image(
-    tools: Path, capsys: pytest.CaptureFixture[str], name: str, mode: str
+    desk: Desk, name: str, mode: str
 ) -> None:
-    drive = add_drive(tools, name, mode)
-    assert run(tools, "--with", "drive") == 3
-    assert "without its reset button" in said(capsys)
+    drive = desk.add_drive(name, mode)
+    assert desk.run("--with", "drive") == 3
+    assert "without its reset button" in desk.said()
     assert not (drive / "image.bin").exists()
 
 
@@ -264,37 +262,34 @@ def test_a_probe_that_waits_for_its_own_software_gets_no_image(
     ],
 )
 def test_the_outcome_of_a_copy_is_shown(
-    tools: Path,
-    capsys: pytest.CaptureFixture[str],
+    desk: Desk,
     failure: str,
     comes: bool,
     code: int,
     words: str,
 ) -> None:
-    with board(add_drive(tools), failure, comes):
-        assert run(tools) == code
-    assert words in said(capsys)
+    with board(desk.add_drive(), failure, comes):
+        assert desk.run() == code
+    assert words in desk.said()
 
 
 @pytest.mark.parametrize(("writable", "words"), [(True, "did not react"), (False, "cannot write")])
-def test_a_drive_that_takes_no_image_is_a_failure(
-    tools: Path, capsys: pytest.CaptureFixture[str], writable: bool, words: str
-) -> None:
-    drive = add_drive(tools)
+def test_a_drive_that_takes_no_image_is_a_failure(desk: Desk, writable: bool, words: str) -> None:
+    drive = desk.add_drive()
     if not writable:
         (drive / "image.bin").mkdir()
-    assert run(tools) == 1
-    assert words in said(capsys)
+    assert desk.run() == 1
+    assert words in desk.said()
 
 
-def test_a_dry_run_writes_nothing(tools: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    drive = add_drive(tools)
-    add_tool(tools, "openocd")
-    assert run(tools, "--dry-run", "--with", "openocd") == 0
-    assert "would run openocd -f board/nxp_frdm-k64f.cfg" in said(capsys)
-    assert run(tools, "--dry-run") == 0
-    assert f"image.bin to {drive}" in said(capsys)
-    assert called(tools) == []
+def test_a_dry_run_writes_nothing(desk: Desk) -> None:
+    drive = desk.add_drive()
+    desk.add_tool("openocd")
+    assert desk.run("--dry-run", "--with", "openocd") == 0
+    assert "would run openocd -f board/nxp_frdm-k64f.cfg" in desk.said()
+    assert desk.run("--dry-run") == 0
+    assert f"image.bin to {drive}" in desk.said()
+    assert desk.called() == []
     assert not (drive / "image.bin").exists()
 
 
@@ -311,18 +306,18 @@ def test_a_dry_run_writes_nothing(tools: Path, capsys: pytest.CaptureFixture[str
     ],
 )
 def test_an_image_that_could_lock_the_chip_is_not_written(
-    tools: Path, capsys: pytest.CaptureFixture[str], address: int, value: int, why: str
+    desk: Desk, address: int, value: int, why: str
 ) -> None:
     image = bytearray(CODE)
     image[address] = value
-    (tools.parent / "image.bin").write_bytes(image)
-    add_tool(tools, "pyocd")
-    add_probe(tools)
-    assert run(tools) == 1
-    printed = said(capsys)
+    (desk.image).write_bytes(image)
+    desk.add_tool("pyocd")
+    desk.add_probe()
+    assert desk.run() == 1
+    printed = desk.said()
     assert f"byte 0x{address:X} is 0x{value:02X}" in printed
     assert why in printed
-    assert called(tools) == []
+    assert desk.called() == []
 
 
 @pytest.mark.parametrize("image", [b"", bytes(0x40F), bytes(0x100001)])
@@ -331,34 +326,30 @@ def test_an_image_must_hold_the_field_and_fit_the_chip(image: bytes) -> None:
     assert f"{len(image)} bytes" in problem
 
 
-def test_an_image_that_is_not_there_is_said(
-    tools: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    (tools.parent / "image.bin").unlink()
-    assert run(tools) == 1
-    assert "No such file" in said(capsys)
+def test_an_image_that_is_not_there_is_said(desk: Desk) -> None:
+    (desk.image).unlink()
+    assert desk.run() == 1
+    assert "No such file" in desk.said()
 
 
-def test_a_drive_and_another_way_contradict_each_other(
-    tools: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_drive_and_another_way_contradict_each_other(desk: Desk) -> None:
     with pytest.raises(SystemExit) as ended:
-        run(tools, "--with", "pyocd", "--drive", str(tools))
+        desk.run("--with", "pyocd", "--drive", str(desk.root))
     assert ended.value.code == 2
-    assert "--with pyocd" in said(capsys)
+    assert "--with pyocd" in desk.said()
 
 
 def test_the_image_of_a_product_is_built_and_written(
-    tools: Path, monkeypatch: pytest.MonkeyPatch
+    desk: Desk, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def build(_log: TextIO) -> None:
-        image = tools.parent / "build/k64/weeding_robot_warning.bin"
+        image = desk.root / "build/k64/weeding_robot_warning.bin"
         image.parent.mkdir(parents=True)
         image.write_bytes(CODE)
 
     built = Task(K64_FIRMWARE, build, always=True)
     monkeypatch.setattr(flash, "graph", lambda root: Graph(root, [built]))
-    add_pyocd(tools)
-    add_probe(tools)
+    desk.add_pyocd()
+    desk.add_probe()
     assert cli.main(["flash", "--product", "weeding_robot_warning"]) == 0
-    assert called(tools)[-1] == str(tools.parent / "build/k64/weeding_robot_warning.bin")
+    assert desk.called()[-1] == str(desk.root / "build/k64/weeding_robot_warning.bin")
