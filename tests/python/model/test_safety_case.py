@@ -20,10 +20,9 @@ from traceability.reading.declared_safety import (
     evaluate,
     level_of,
     read_safety_case,
-    words_of,
 )
 from traceability.reading.toml_reader import Entries
-from traceability.schema import HOST, SafetyCase
+from traceability.schema import HOST
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -49,10 +48,6 @@ def test_a_case_is_read_with_its_links_both_ways(tmp_path: Path) -> None:
     assert case.scenarios["lost"].title == "The radio is lost."
 
 
-def test_without_the_file_there_is_no_case(tmp_path: Path) -> None:
-    assert read_safety_case(tmp_path, Entries(tmp_path)) == SafetyCase()
-
-
 def test_the_risk_graph_of_the_project_follows_the_sum_of_its_three_estimates() -> None:
     """The scheme of the standard: each step of an estimate raises the level by one."""
     case = read_safety_case(ROOT, Entries(ROOT))
@@ -76,10 +71,6 @@ def test_the_risk_graph_of_the_project_follows_the_sum_of_its_three_estimates() 
 )
 def test_a_formula_is_of_numbers_only(formula: str, value: float | None) -> None:
     assert evaluate(formula) == (value if value is None else pytest.approx(value, abs=1e-6))
-
-
-def test_names_may_be_parted_by_commas_or_spaces() -> None:
-    assert words_of(["SG-1, SG-2", "SG-3 SG-4."]) == ["SG-1", "SG-2", "SG-3", "SG-4"]
 
 
 def test_the_title_of_a_scenario_is_its_first_comment(tmp_path: Path) -> None:

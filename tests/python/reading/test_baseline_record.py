@@ -81,16 +81,6 @@ def test_a_target_is_met_or_missed() -> None:
     assert baseline_record.verdict(figures, "lines") is None
 
 
-def test_functions_stand_beside_each_other_the_greatest_difference_first() -> None:
-    rows = baseline_record.beside(
-        {USUAL: {"run": 90.0, "crc": 10.0}, PATTERNS: {"put": 120.0, "crc": 10.0, "x": 3.0}}, 20
-    )
-    assert rows == [
-        {"name": "put", USUAL: 0.0, PATTERNS: 120.0},
-        {"name": "run", USUAL: 90.0, PATTERNS: 0.0},
-    ]
-
-
 def test_figures_of_other_sources_are_not_shown(tmp_path: Path) -> None:
     result = tmp_path / baseline_record.RESULT
     result.parent.mkdir(parents=True)

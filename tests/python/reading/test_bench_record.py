@@ -8,16 +8,12 @@ from tests.python.reading.task_records import record_task
 from traceability.reading import bench_record
 from traceability.reading.bench_record import (
     CYCLES,
-    FOLDER,
     LIBRARY,
     MANUAL,
-    SCENARIOS,
     SLOW,
     bench_metrics,
     figures,
     owner,
-    profile_of,
-    read_frames,
     spread,
 )
 from traceability.reading.task_record import BENCH
@@ -100,22 +96,6 @@ def test_an_instruction_belongs_to_the_innermost_part_of_the_project() -> None:
     assert owner([arming]) == ("Arming", "wr::Arming::follow")
 
 
-def test_the_frames_of_an_address_are_read_innermost_first() -> None:
-    text = "0x00000010\ninner\na.cpp:1\nouter\nb.cpp:2\n0x00000012\nalone\nc.cpp:3"
-    assert read_frames(text.splitlines()) == {
-        0x10: [("inner", "a.cpp"), ("outer", "b.cpp")],
-        0x12: [("alone", "c.cpp")],
-    }
-
-
-def test_the_profile_has_the_instructions_of_a_cycle_dearest_first() -> None:
-    counts = {0x10: (1000, 500), 0x12: (4000, 0)}
-    frames = {0x10: [("f", "src/A.cpp")], 0x12: [("g", "src/B.cpp")]}
-    found = profile_of(counts, frames)
-    assert found["modules"] == [["B", 4.0, 0.0], ["A", 1.5, 0.5]]
-    assert found["functions"] == [["g", 4.0, 0.0], ["f", 1.5, 0.5]]
-
-
 def test_the_metrics_have_the_times_of_both_models() -> None:
     run = {
         MANUAL: {"report_ms": spread([1.0, 3.0], 1)},
@@ -140,8 +120,3 @@ def test_a_record_of_other_sources_is_none(tmp_path: Path) -> None:
     assert bench_record.read_bench(tmp_path) is not None
     source.write_text("int b;\n")
     assert bench_record.read_bench(tmp_path) is None
-
-
-def test_each_scenario_of_the_paper_has_its_file() -> None:
-    files = {path.stem for path in (ROOT / FOLDER).glob("*.scenario")}
-    assert files == {paper.name for paper in SCENARIOS}

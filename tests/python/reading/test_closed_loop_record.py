@@ -89,10 +89,6 @@ def test_a_run_of_other_sources_is_none(tmp_path: Path) -> None:
     assert scenario.plots[0].curves == []
 
 
-def test_without_a_declaration_there_is_no_scenario(tmp_path: Path) -> None:
-    assert read_closed_loop(tmp_path) == []
-
-
 POINTS = [(0.0, 0.0), (500.0, 90.0), (1000.0, 104.0), (1500.0, 99.0), (2000.0, 101.0)]
 
 

@@ -128,15 +128,6 @@ def fits(tree: TreeNode, rows: list[Row]) -> str | None:
     return found.failed.label if found.failed else None
 
 
-def test_rows_keep_depth_and_extent_without_unwanted_calls(tmp_path: Path) -> None:
-    rows = recorded(tmp_path, "a(x(b()) c())")
-    assert [(row.depth, row.method, row.end) for row in rows] == [
-        (0, "M::a", 3),
-        (1, "M::b", 2),
-        (1, "M::c", 3),
-    ]
-
-
 @pytest.mark.parametrize(
     ("tree", "calls", "failed"),
     [
