@@ -12,7 +12,7 @@ import pytest
 
 from tests.python.model.small_case import make_model, report_of, write_case
 from traceability.model.design_model import Model
-from traceability.model.metrics import methods, safety
+from traceability.model.metrics import safety
 from traceability.model.report import Verdict
 from traceability.model.safety_case import plays, safety_of
 from traceability.reading.declared import Declared
@@ -71,15 +71,6 @@ def test_the_risk_graph_of_the_project_follows_the_sum_of_its_three_estimates() 
 )
 def test_a_formula_is_of_numbers_only(formula: str, value: float | None) -> None:
     assert evaluate(formula) == (value if value is None else pytest.approx(value, abs=1e-6))
-
-
-def test_the_title_of_a_scenario_is_its_first_comment(tmp_path: Path) -> None:
-    write_case(tmp_path)
-    path = tmp_path / "sim/scenario/safety/lost.scenario"
-    path.write_text("# The radio\n# is lost.\n# goal SG-1\nseed 1\n\n# It is back.\nat 9 end\n")
-    assert settled(tmp_path).safety.scenarios["lost"].title == "The radio is lost."
-    path.write_text("seed 1\nat 9 end\n")
-    assert settled(tmp_path).safety.scenarios["lost"].title == "lost"
 
 
 @pytest.mark.parametrize(
@@ -184,14 +175,3 @@ def test_what_was_not_measured_is_null(tmp_path: Path) -> None:
     stale = safety(model.safety, report, fresh=False)
     assert stale["safety.goals_verified"] is None
     assert stale["safety.fault_scenarios_passed"] is None
-
-
-def test_the_methods_of_verification_add_up(tmp_path: Path) -> None:
-    write_case(tmp_path)
-    model = settled(tmp_path)
-    model.requirements["FR-1"] = replace(model.requirements["FR-1"], partly="not all.")
-    counts = methods(model.requirements.values())
-    ways = ("by_test", "by_analysis", "by_measurement", "by_inspection")
-    assert sum(counts[f"requirements.{way}"] for way in ways) == len(model.requirements)
-    assert counts["requirements.partly"] == 1
-    assert counts["requirements.reviewed_by_person"] == 0

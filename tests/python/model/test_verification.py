@@ -17,11 +17,10 @@ from traceability.model.build import build
 from traceability.model.design_model import Model
 from traceability.model.report import Report
 from traceability.model.reviews import Sources, hashes, link_texts, write_review
-from traceability.model.trace_summary import fold
 from traceability.reading import traces
 from traceability.reading.results import RESULTS
 from traceability.reading.task_record import TESTS_TRACE
-from traceability.reading.traces import EXIT, SOURCES, Row
+from traceability.reading.traces import EXIT, SOURCES
 from traceability.schema import HOST, Review
 from traceability.sources import file_hash
 
@@ -150,17 +149,3 @@ def test_a_changed_text_is_suspect_in_the_exports_too(tree: Path) -> None:
     assert row["tests"] == {TEST: {HOST: "passed"}}
     top = junit(model, report)
     assert (top.get("tests"), top.get("failures")) == ("1", "1")
-
-
-def test_calls_are_folded_to_modules() -> None:
-    rows = [
-        Row(0, "A::run", -1, 5),
-        Row(1, "A::help", 0, 3),
-        Row(2, "B::work", 1, 3),
-        Row(1, "B::work", 0, 4),
-        Row(1, "C::tick", 0, 5, activation=1),
-    ]
-    folded = fold(rows, [0], {("A", "B"): ["FR-1"]})
-    assert [(call.module, call.depth, call.count) for call in folded] == [("A", 0, 1), ("B", 1, 2)]
-    assert folded[1].methods == ["B::work"]
-    assert folded[1].declared_by == ["FR-1"]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from portal.frame_tables import TABLE, expanded, frame_tables
+from portal.frame_tables import frame_tables
 
 ROOT = Path(__file__).parents[3]
 PAGE = ROOT / "docs" / "protocol.rst"
@@ -60,14 +60,3 @@ def test_the_page_includes_tables_that_exist(tables: dict[str, str]) -> None:
     used = set(re.findall(r"include:: /_generated/(\S+)", PAGE.read_text(encoding="utf-8")))
     assert used <= tables.keys()
     assert {f"frame_{name}.inc" for name in ("types", "order", "welcome", "report")} <= used
-
-
-def test_the_search_has_the_words_of_the_tables() -> None:
-    text = expanded(PAGE.read_text(encoding="utf-8"), ROOT)
-    assert "rejected_edges" in text
-    assert "/_generated/" not in text
-
-
-def test_without_a_table_of_frames_there_are_no_tables(tmp_path: Path) -> None:
-    assert not (tmp_path / TABLE).exists()
-    assert frame_tables(tmp_path) == {}

@@ -4,8 +4,6 @@ from pathlib import Path
 
 import pytest
 
-from tests.python.reading.task_records import record_task
-from traceability.reading import bench_record
 from traceability.reading.bench_record import (
     CYCLES,
     LIBRARY,
@@ -16,7 +14,6 @@ from traceability.reading.bench_record import (
     owner,
     spread,
 )
-from traceability.reading.task_record import BENCH
 
 ROOT = Path(__file__).parents[3]
 
@@ -105,18 +102,3 @@ def test_the_metrics_have_the_times_of_both_models() -> None:
         {"name": "steps", "avg_ms": 2.0, "max_ms": 3.0, "bound_avg_ms": 4.0, "bound_max_ms": 6.0}
     ]
     assert bench_metrics(None) is None
-
-
-def test_a_record_of_other_sources_is_none(tmp_path: Path) -> None:
-    source = tmp_path / "src/a.cpp"
-    source.parent.mkdir()
-    source.write_text("int a;\n")
-    path = tmp_path / bench_record.BENCH
-    path.parent.mkdir(parents=True)
-    assert bench_record.read_bench(tmp_path) is None
-    path.write_text('{"scenarios": {}}')
-    assert bench_record.read_bench(tmp_path) is None
-    record_task(tmp_path, BENCH, "src")
-    assert bench_record.read_bench(tmp_path) is not None
-    source.write_text("int b;\n")
-    assert bench_record.read_bench(tmp_path) is None

@@ -28,15 +28,6 @@ def test_a_run_gives_instructions_and_stack() -> None:
     }
 
 
-def test_instructions_are_those_of_the_function_that_holds_the_address() -> None:
-    symbols = "00000101 T wr::PC::read(wr::MainController&)\n00000120 t helper\n00000300 B data\n"
-    measured = {"profile": {"256": [1, 3], "262": [0, 2], "288": [4, 0]}, "instructions": [5, 5]}
-    assert baseline.instructions_by_function(measured, symbols) == {
-        "wr::PC::read(wr::MainController&)": 3.0,
-        "helper": 2.0,
-    }
-
-
 def test_what_both_have_is_not_the_own_of_one() -> None:
     assert baseline.own_parts(SIZES, "usual") == {"UsualDesign", "main"}
     own = baseline.own_parts(SIZES, "patterns") - {"stack"}
@@ -45,20 +36,6 @@ def test_what_both_have_is_not_the_own_of_one() -> None:
         "ram": 61,
         "own_flash": 76,
         "own_ram": 60,
-    }
-
-
-def test_complexity_and_lines_are_counted(tmp_path: Path) -> None:
-    source = tmp_path / "a.cpp"
-    source.write_text("// why\nint f(int a) {\n  if (a) {\n    return 1;\n  }\n  return 2;\n}\n\n")
-    figures = baseline.source_figures([source])
-    assert figures == {
-        "files": 1,
-        "lines": 6,
-        "functions": 1,
-        "complexity_max": 2,
-        "complexity_mean": 2,
-        "complexity_sum": 2,
     }
 
 

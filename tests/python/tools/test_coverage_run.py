@@ -70,13 +70,6 @@ def test_another_program_of_the_same_folder_does_not_count(root: Path) -> None:
     assert file["file"] == "src/choose.cpp"
 
 
-def test_the_totals_of_another_run_are_none(root: Path) -> None:
-    count(root)
-    assert coverage(root) != {}
-    (root / RUN).write_text("{ }")
-    assert coverage(root) == {}
-
-
 def test_a_run_without_a_line_of_the_design_is_a_failure(root: Path) -> None:
     (root / "src").rename(root / "other")
     for path in (root / "build/trace").iterdir():
