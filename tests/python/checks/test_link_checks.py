@@ -1,4 +1,4 @@
-"""Dead links of a site."""
+"""Dead links of a site, and the place where each is written."""
 
 from __future__ import annotations
 
@@ -10,106 +10,68 @@ from traceability.checks.link_checks import check, dead_links, missing_paths
 from traceability.model.design_model import Model
 
 
-@pytest.fixture
-def site(tmp_path: Path) -> Path:
-    (tmp_path / "modules").mkdir()
-    (tmp_path / "index.html").write_text(
-        '<a href="modules/RC.html#secret">RC</a> <a href="https://example.org/">out</a>'
-        '<svg><a xlink:href="modules/RC.html"><text>RC</text></a></svg>'
-    )
-    (tmp_path / "modules" / "RC.html").write_text(
-        '<h1 id="secret">Secret</h1><a href="../index.html">back</a><a href="#top">top</a>'
-    )
-    return tmp_path
+def write(root: Path, files: dict[str, str]) -> None:
+    for name, text in files.items():
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
 
 
-def reasons(site: Path) -> list[tuple[str, str]]:
-    return [(path.name, link) for path, _, link, _ in dead_links(site)]
+@pytest.mark.parametrize(
+    ("page", "dead"),
+    [
+        ('<a href="modules/RC.html#secret">RC</a> <a href="https://example.org/">out</a>', []),
+        ('<a href="modules/RC.html#other">RC</a>', ["modules/RC.html#other"]),
+        ('<svg><a xlink:href="modules/PC.html"><text>PC</text></a></svg>', ["modules/PC.html"]),
+        ('<img src="../outside.png">', ["../outside.png"]),
+        ('<a href="#top">top</a> <a href="#none">none</a>', ["#none"]),
+        ("<pre>&lt;a href=\"nowhere.html\"&gt;</pre><a title='a>b'>x</a>", []),
+    ],
+)
+def test_a_link_without_a_target_is_dead(tmp_path: Path, page: str, dead: list[str]) -> None:
+    rc = '<h1 id="secret">Secret</h1><a href="../index.html">back</a>'
+    write(tmp_path, {"index.html": page, "modules/RC.html": rc})
+    assert [link for _, _, link, _ in dead_links(tmp_path)] == dead
 
 
-def test_sound_site_has_no_dead_link(site: Path) -> None:
-    assert dead_links(site) == []
+def test_a_style_sheet_names_files_that_exist(tmp_path: Path) -> None:
+    write(tmp_path, {"look.css": ".a { background: url('none.svg'); }"})
+    assert [link for _, _, link, _ in dead_links(tmp_path)] == ["none.svg"]
 
 
-def test_missing_anchor(site: Path) -> None:
-    page = site / "modules" / "RC.html"
-    page.write_text(page.read_text().replace('id="secret"', 'id="other"'))
-    assert reasons(site) == [("index.html", "modules/RC.html#secret")]
-
-
-def test_missing_page_is_found_in_diagrams_too(site: Path) -> None:
-    (site / "modules" / "RC.html").unlink()
-    assert reasons(site) == [
-        ("index.html", "modules/RC.html#secret"),
-        ("index.html", "modules/RC.html"),
-    ]
-
-
-def test_link_out_of_the_site(site: Path) -> None:
-    (site / "a.html").write_text('<img src="../outside.png">')
-    assert reasons(site) == [("a.html", "../outside.png")]
-
-
-def test_code_that_shows_a_link_is_no_link(site: Path) -> None:
-    (site / "code.html").write_text(
-        "<pre>&lt;a href=\"nowhere.html\"&gt;</pre><a title='a>b'>x</a>"
-    )
-    assert dead_links(site) == []
-
-
-def test_a_link_of_a_template_is_one_finding_at_its_line(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("source", "text", "place"),
+    [
+        ("site/page.html", '<h1>T</h1>\n<a href="@/gone.html">x</a>', ("site/page.html", 2)),
+        ("docs/a.rst", "A\n=\n\n`There <../gone.html>`__.\n", ("docs/a.rst", 4)),
+        ("docs/other.rst", "Nothing of it.\n", ("build/site/docs/a.html", 1)),
+    ],
+)
+def test_a_dead_link_is_one_finding_where_it_is_written(
+    tmp_path: Path, source: str, text: str, place: tuple[str, int]
+) -> None:
+    page = '<a href="../gone.html">x</a>'
     site = tmp_path / "build" / "site"
-    site.mkdir(parents=True)
-    for page in ("a", "b", "c"):
-        (site / f"{page}.html").write_text('<p>\n<a href="gone.html">x</a>')
-    (tmp_path / "site").mkdir()
-    (tmp_path / "site" / "page.html").write_text('<h1>Title</h1>\n<a href="@/gone.html">x</a>\n')
+    write(tmp_path, {source: text, "build/site/docs/a.html": page})
+    if place[0].startswith("site"):
+        write(tmp_path, {"build/site/docs/b.html": page})
     (found,) = check(Model("", "", "", {}), site)
-    assert (found.place.file, found.place.line) == ("site/page.html", 2)
-    assert found.text == "dead link 'gone.html' in a.html and 2 more: there is no such file"
-
-
-def test_a_link_of_a_hand_written_page_is_found_where_it_is_written(tmp_path: Path) -> None:
-    site = tmp_path / "build" / "site" / "docs"
-    site.mkdir(parents=True)
-    (site / "robot.html").write_text('<a href="../gone.html#here">x</a>')
-    (tmp_path / "docs").mkdir()
-    (tmp_path / "docs" / "robot.rst").write_text("Robot\n=====\n\n`There <../gone.html#here>`__.\n")
-    (found,) = check(Model("", "", "", {}), site.parent)
-    assert (found.place.file, found.place.line) == ("docs/robot.rst", 4)
-
-
-def test_a_link_that_is_put_together_lies_in_the_page(tmp_path: Path) -> None:
-    site = tmp_path / "build" / "site"
-    site.mkdir(parents=True)
-    (site / "a.html").write_text('<a href="gone.html">x</a>')
-    (found,) = check(Model("", "", "", {}), site)
-    assert (found.place.file, found.place.line) == ("build/site/a.html", 1)
+    assert (found.place.file, found.place.line) == place
+    assert "dead link 'gone.html'" in found.text
 
 
 def test_paths_of_the_project_that_pages_name_exist(tmp_path: Path) -> None:
-    (tmp_path / "docs").mkdir()
-    (tmp_path / "src").mkdir()
-    (tmp_path / "src" / "there.hpp").write_text("")
-    (tmp_path / "README.md").write_text(
-        "Read `src/there.hpp` and `docs/`.\n\nThen `doc/gone.rst`.\n"
-    )
-    (tmp_path / "docs" / "page.rst").write_text(
-        "See ``src/gone.hpp``, `build/made.txt` and :source:`src/other.hpp`, or 1/2, `and/or`.\n"
+    write(
+        tmp_path,
+        {
+            "src/there.hpp": "",
+            "README.md": "`src/there.hpp`, `docs/`.\n\n`doc/gone.rst`, [it](docs/none.rst#p).\n",
+            "docs/page.rst": "See ``src/gone.hpp``, `build/made.txt` and 1/2, `and/or`.\n",
+        },
     )
     found = [(one.place.file, one.place.line, one.text) for one in missing_paths(tmp_path)]
-    assert found == [
+    assert sorted(found) == [
         ("README.md", 3, "there is no doc/gone.rst"),
+        ("README.md", 3, "there is no docs/none.rst"),
         ("docs/page.rst", 1, "there is no src/gone.hpp"),
     ]
-
-
-def test_sheet_of_styles_names_files_that_exist(site: Path) -> None:
-    (site / "look.css").write_text(".a { background: url('none.svg'); }")
-    assert reasons(site) == [("look.css", "none.svg")]
-
-
-def test_link_of_the_readme_names_a_file_that_exists(tmp_path: Path) -> None:
-    (tmp_path / "docs").mkdir()
-    (tmp_path / "README.md").write_text("Read [it](docs/none.rst#part).\n")
-    assert [finding.text for finding in missing_paths(tmp_path)] == ["there is no docs/none.rst"]

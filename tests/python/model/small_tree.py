@@ -4,6 +4,97 @@ from __future__ import annotations
 
 from pathlib import Path
 
+# Two modes and two states, which differ in their names only.
+MODE_HEADER = """\
+#pragma once
+
+#include "main_control/operation_modes/Mode.hpp"
+
+namespace wr {
+
+/// @brief Orders from the NAME.
+/// @role{reading-modes, Concrete State}
+///
+/// @function Reads orders from the NAME.
+///
+/// @secret How the NAME shows a new order.
+class NAME final : public Mode {
+ public:
+  /// @brief Makes the mode.
+  /// @param other the other mode [one that exists]
+  explicit NAME(Mode& other) : other_(other) {}
+
+  [[nodiscard]] bool newMessage() const override;
+  void changeMode(MainController& mCtrl) override;
+
+ private:
+  Mode& other_;
+};
+
+}  // namespace wr
+"""
+MODE_SOURCE = """\
+#include "main_control/operation_modes/NAME.hpp"
+
+#include "main_control/MainController.hpp"
+
+namespace wr {
+
+bool NAME::newMessage() const { return false; }
+
+void NAME::changeMode(MainController& mCtrl) { mCtrl.changeMode(other_); }
+
+}  // namespace wr
+"""
+STATE_HEADER = """\
+#pragma once
+
+#include "main_control/operation_states/OperationState.hpp"
+
+namespace wr {
+
+/// @brief The state NAME.
+///
+/// @function Acts in NAME.
+///
+/// @secret What follows NAME.
+///
+/// @role{operation-states, Concrete State}
+/// @role{read-orders, Concrete Class}
+/// @role{reading-modes, Context}
+class NAME final : public OperationState {
+ public:
+  /// @brief Makes the state.
+  /// @param next the next state
+  explicit NAME(OperationState& next) : next_(next) {}
+
+ private:
+  void actionWithMsg(MainController& mCtrl, Mode& md) override;
+  void actionNoMsg(MainController& mCtrl, Mode& md) override;
+
+  OperationState& next_;
+};
+
+}  // namespace wr
+"""
+STATE_SOURCE = """\
+#include "main_control/operation_states/NAME.hpp"
+
+#include "main_control/MainController.hpp"
+#include "main_control/operation_modes/Mode.hpp"
+
+namespace wr {
+
+void NAME::actionWithMsg(MainController& mCtrl, Mode& md) { md.changeMode(mCtrl); }
+
+void NAME::actionNoMsg(MainController& mCtrl, Mode& /*md*/) { mCtrl.changeOpState(next_); }
+
+}  // namespace wr
+"""
+TWINS = {
+    "src/main_control/operation_modes": (MODE_HEADER, MODE_SOURCE, ("PC", "RC")),
+    "src/main_control/operation_states": (STATE_HEADER, STATE_SOURCE, ("Waiting", "Working")),
+}
 FILES = {
     "requirements/reading.dox": """\
 /** @page requirements-reading Reading orders
@@ -139,89 +230,6 @@ class Mode {
 
 }  // namespace wr
 """,
-    "src/main_control/operation_modes/PC.cpp": """\
-#include "main_control/operation_modes/PC.hpp"
-
-#include "main_control/MainController.hpp"
-
-namespace wr {
-
-bool PC::newMessage() const { return false; }
-
-void PC::changeMode(MainController& mCtrl) { mCtrl.changeMode(other_); }
-
-}  // namespace wr
-""",
-    "src/main_control/operation_modes/PC.hpp": """\
-#pragma once
-
-#include "main_control/operation_modes/Mode.hpp"
-
-namespace wr {
-
-/// @brief Orders from the PC.
-///
-/// @function Reads orders from the PC.
-///
-/// @secret How the PC shows a new order.
-///
-/// @role{reading-modes, Concrete State}
-class PC final : public Mode {
- public:
-  /// @brief Makes the mode.
-  /// @param other the other mode [one that exists]
-  explicit PC(Mode& other) : other_(other) {}
-
-  [[nodiscard]] bool newMessage() const override;
-  void changeMode(MainController& mCtrl) override;
-
- private:
-  Mode& other_;
-};
-
-}  // namespace wr
-""",
-    "src/main_control/operation_modes/RC.cpp": """\
-#include "main_control/operation_modes/RC.hpp"
-
-#include "main_control/MainController.hpp"
-
-namespace wr {
-
-bool RC::newMessage() const { return false; }
-
-void RC::changeMode(MainController& mCtrl) { mCtrl.changeMode(other_); }
-
-}  // namespace wr
-""",
-    "src/main_control/operation_modes/RC.hpp": """\
-#pragma once
-
-#include "main_control/operation_modes/Mode.hpp"
-
-namespace wr {
-
-/// @brief Orders from the RC.
-/// @role{reading-modes, Concrete State}
-///
-/// @function Reads orders from the RC.
-///
-/// @secret How the RC shows a new order.
-class RC final : public Mode {
- public:
-  /// @brief Makes the mode.
-  /// @param other the other mode [one that exists]
-  explicit RC(Mode& other) : other_(other) {}
-
-  [[nodiscard]] bool newMessage() const override;
-  void changeMode(MainController& mCtrl) override;
-
- private:
-  Mode& other_;
-};
-
-}  // namespace wr
-""",
     "src/main_control/operation_modes/module.dox": """\
 /** @dir src/main_control/operation_modes
 @brief OperationModes reads orders.
@@ -296,96 +304,6 @@ class OperationState {
 
 }  // namespace wr
 """,
-    "src/main_control/operation_states/Waiting.cpp": """\
-#include "main_control/operation_states/Waiting.hpp"
-
-#include "main_control/MainController.hpp"
-#include "main_control/operation_modes/Mode.hpp"
-
-namespace wr {
-
-void Waiting::actionWithMsg(MainController& mCtrl, Mode& md) { md.changeMode(mCtrl); }
-
-void Waiting::actionNoMsg(MainController& mCtrl, Mode& /*md*/) { mCtrl.changeOpState(next_); }
-
-}  // namespace wr
-""",
-    "src/main_control/operation_states/Waiting.hpp": """\
-#pragma once
-
-#include "main_control/operation_states/OperationState.hpp"
-
-namespace wr {
-
-/// @brief The state Waiting.
-///
-/// @function Acts in Waiting.
-///
-/// @secret What follows Waiting.
-///
-/// @role{operation-states, Concrete State}
-/// @role{read-orders, Concrete Class}
-/// @role{reading-modes, Context}
-class Waiting final : public OperationState {
- public:
-  /// @brief Makes the state.
-  /// @param next the next state
-  explicit Waiting(OperationState& next) : next_(next) {}
-
- private:
-  void actionWithMsg(MainController& mCtrl, Mode& md) override;
-  void actionNoMsg(MainController& mCtrl, Mode& md) override;
-
-  OperationState& next_;
-};
-
-}  // namespace wr
-""",
-    "src/main_control/operation_states/Working.cpp": """\
-#include "main_control/operation_states/Working.hpp"
-
-#include "main_control/MainController.hpp"
-#include "main_control/operation_modes/Mode.hpp"
-
-namespace wr {
-
-void Working::actionWithMsg(MainController& mCtrl, Mode& md) { md.changeMode(mCtrl); }
-
-void Working::actionNoMsg(MainController& mCtrl, Mode& /*md*/) { mCtrl.changeOpState(next_); }
-
-}  // namespace wr
-""",
-    "src/main_control/operation_states/Working.hpp": """\
-#pragma once
-
-#include "main_control/operation_states/OperationState.hpp"
-
-namespace wr {
-
-/// @brief The state Working.
-///
-/// @function Acts in Working.
-///
-/// @secret What follows Working.
-///
-/// @role{operation-states, Concrete State}
-/// @role{read-orders, Concrete Class}
-/// @role{reading-modes, Context}
-class Working final : public OperationState {
- public:
-  /// @brief Makes the state.
-  /// @param next the next state
-  explicit Working(OperationState& next) : next_(next) {}
-
- private:
-  void actionWithMsg(MainController& mCtrl, Mode& md) override;
-  void actionNoMsg(MainController& mCtrl, Mode& md) override;
-
-  OperationState& next_;
-};
-
-}  // namespace wr
-""",
     "src/main_control/operation_states/module.dox": """\
 /** @dir src/main_control/operation_states
 @brief OperationStates acts on the cycle.
@@ -415,7 +333,12 @@ MainController::read
 
 
 def write_tree(root: Path) -> Path:
-    for name, text in FILES.items():
+    files = dict(FILES)
+    for folder, (header, source, names) in TWINS.items():
+        for name in names:
+            files[f"{folder}/{name}.hpp"] = header.replace("NAME", name)
+            files[f"{folder}/{name}.cpp"] = source.replace("NAME", name)
+    for name, text in files.items():
         path = root / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")

@@ -39,13 +39,6 @@ def test_a_change_of_an_heir_stays_behind_its_abstraction(model: Model) -> None:
     assert [one.id for one in of(model, "RC").modules] == ["RC"]
 
 
-def test_what_is_reached_over_another_module_is_farther(model: Model) -> None:
-    model.modules["MainController"] = replace(model.modules["MainController"], used_by=["Director"])
-    director = replace(model.modules["MainController"], name="Director", used_by=[])
-    model.modules["Director"] = replace(director, methods=[], requirements=[], roles=[])
-    assert [one.id for one in of(model, "Mode").at(2)] == ["Director"]
-
-
 def test_requirements_patterns_and_tests_to_look_at_again(model: Model) -> None:
     impact = of(model, "RC")
     assert impact.requirements == [Reached("FR-15", 0, "RC satisfies it")]

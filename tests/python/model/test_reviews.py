@@ -14,12 +14,6 @@ from tools.steps import FailureError
 from traceability.checks import run_checks
 from traceability.model.build import build
 from traceability.model.reviews import REVIEWS, read_reviews
-from traceability.reading.link_texts import (
-    hash_of_text,
-    texts_of_method,
-    texts_of_requirement,
-    texts_of_test,
-)
 
 TEST = "tests/main_control/WorkingTest.cpp"
 HEADER = "src/main_control/operation_modes/Mode.hpp"
@@ -131,14 +125,3 @@ def test_a_review_needs_a_known_id_and_someone_who_answers(
         with pytest.raises(FailureError):
             review(tree, argparse.Namespace(id=identifier, name=name, yes=yes))
     assert len(suspect(tree)) == 1
-
-
-def test_the_texts_of_an_earlier_version_are_found() -> None:
-    text = "/**\n@requirement FR-1 One.\n\n@priority high\n*/\n\n/**\n@requirement FR-10 Ten.\n*/\n"
-    assert list(texts_of_requirement(text, "FR-1")) == ["@requirement FR-1 One.\n@priority high"]
-    header = "  /// @brief Reads.\n  /// @satisfies FR-1\n  void read(int a,\n            int b);\n"
-    assert list(texts_of_method(header, "read")) == ["@brief Reads.\nvoid read(int a, int b)"]
-    test = 'TEST_F(A, B) {\n  run("// no comment");  // one\n}\nTEST(A, C) {}\n'
-    assert list(texts_of_test(test, "A.B")) == ['TEST_F(A, B) {\n  run("// no comment");\n}']
-    assert list(texts_of_test(test, "A.C")) == ["TEST(A, C) {}"]
-    assert hash_of_text("a  ( b )") == hash_of_text("a(b)") != hash_of_text("a(c)")

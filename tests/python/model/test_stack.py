@@ -79,14 +79,6 @@ def test_of_each_priority_the_greatest_counts_with_a_frame_of_the_hardware() -> 
     assert proof.total == 10 + 36 + 30 + 36 + 40
 
 
-@pytest.mark.parametrize("more", [8, 1024])
-def test_a_larger_frame_is_seen_byte_for_byte(more: int) -> None:
-    functions = graph(Loop_run=(8, ["Loop_a"]), Loop_a=(16, []))
-    before = prover(functions, [context("main", "Loop::run", None)]).prove(36).total
-    functions["Loop_a"].frame += more
-    assert prover(functions, [context("main", "Loop::run", None)]).prove(36).total == before + more
-
-
 def test_an_indirect_call_reaches_what_the_model_says() -> None:
     functions = graph(Loop_run=(8, []), Lamp_on=(50, []), Lamp_off=(70, []))
     functions["Loop_run"].indirect = [CALLED]
@@ -94,20 +86,6 @@ def test_an_indirect_call_reaches_what_the_model_says() -> None:
     proof = prover(functions, [context("main", "Loop::run", None)], call).prove(36)
     assert proof.total == 58
     assert proof.proven
-
-
-def test_an_indirect_call_that_nobody_knows_is_told() -> None:
-    functions = graph(Loop_run=(8, []))
-    functions["Loop_run"].indirect = [CALLED]
-    proof = prover(functions, [context("main", "Loop::run", None)]).prove(36)
-    assert proof.unresolved == [("Loop::run", CALLED)]
-    assert not proof.proven
-
-
-def test_recursion_is_told() -> None:
-    functions = graph(Loop_run=(8, ["Loop_a"]), Loop_a=(8, ["Loop_b"]), Loop_b=(8, ["Loop_a"]))
-    proof = prover(functions, [context("main", "Loop::run", None)]).prove(36)
-    assert proof.cycles == [["Loop::a", "Loop::b"]]
 
 
 def test_a_chain_passes_once_through_each_concrete_decorator() -> None:

@@ -17,11 +17,10 @@ from traceability.model.build import build
 from traceability.model.design_model import Model
 from traceability.model.report import Report
 from traceability.model.reviews import Sources, hashes, link_texts, write_review
-from traceability.model.trace_summary import fold
 from traceability.reading import traces
 from traceability.reading.results import RESULTS
 from traceability.reading.task_record import TESTS_TRACE
-from traceability.reading.traces import EXIT, SOURCES, Row
+from traceability.reading.traces import EXIT, SOURCES
 from traceability.schema import HOST, Review
 from traceability.sources import file_hash
 
@@ -124,18 +123,6 @@ def test_a_skipped_test_is_not_a_passed_one(tree: Path) -> None:
     assert "req-passed" in checks
 
 
-def test_a_call_that_is_no_longer_made_is_found(tree: Path) -> None:
-    change(
-        tree, f"{STATES}/Working.cpp", "mCtrl.changeOpState(next_);", "static_cast<void>(mCtrl);"
-    )
-    write_results(tree)
-    write_trace(tree, CALLS[:-1])
-    state, checks, model, _ = checked(tree)
-    assert state == "unverified"
-    assert "tree-static" in checks
-    assert model.requirements["FR-15"].runs == {}
-
-
 def test_a_test_that_does_not_make_the_calls_does_not_verify(tree: Path) -> None:
     write_trace(tree, CALLS[:2])
     state, checks, _, _ = checked(tree)
@@ -151,33 +138,14 @@ def test_a_test_of_another_requirement_does_not_verify(tree: Path) -> None:
     assert {"req-verified", "req-unknown", "suspect-test"} <= checks
 
 
-def test_a_changed_text_is_suspect(tree: Path) -> None:
+def test_a_changed_text_is_suspect_in_the_exports_too(tree: Path) -> None:
     change(tree, "requirements/reading.dox", "any source", "the PC")
-    state, checks, _, _ = checked(tree)
+    state, checks, model, report = checked(tree)
     assert state == "suspect"
     assert "suspect-requirement" in checks
-
-
-def test_the_exports_tell_the_same(tree: Path) -> None:
-    change(tree, "requirements/reading.dox", "any source", "the PC")
-    _, _, model, report = checked(tree)
     row = table(model, report)["requirements"][0]
     assert (row["id"], row["state"]) == ("FR-15", "suspect")
     assert row["review"] == {"reviewer": "A. Reader", "date": "2026-01-31"}
     assert row["tests"] == {TEST: {HOST: "passed"}}
     top = junit(model, report)
     assert (top.get("tests"), top.get("failures")) == ("1", "1")
-
-
-def test_calls_are_folded_to_modules() -> None:
-    rows = [
-        Row(0, "A::run", -1, 5),
-        Row(1, "A::help", 0, 3),
-        Row(2, "B::work", 1, 3),
-        Row(1, "B::work", 0, 4),
-        Row(1, "C::tick", 0, 5, activation=1),
-    ]
-    folded = fold(rows, [0], {("A", "B"): ["FR-1"]})
-    assert [(call.module, call.depth, call.count) for call in folded] == [("A", 0, 1), ("B", 1, 2)]
-    assert folded[1].methods == ["B::work"]
-    assert folded[1].declared_by == ["FR-1"]

@@ -1,7 +1,7 @@
 """The sections of the hand-written pages, for the search."""
 
 from portal.navigation import Doc
-from portal.sections import plain, sections_of
+from portal.sections import sections_of
 
 PAGE = """\
 .. _tour:
@@ -29,7 +29,3 @@ def test_each_section_has_its_address_and_its_words() -> None:
         ("Tour", "docs/tour.html", "It begins here. See the way and RC."),
         ("2. The way", "docs/tour.html#the-way", "name Secrets and src/a.hpp"),
     ]
-
-
-def test_a_title_has_no_marks() -> None:
-    assert plain("The ``wait`` of :module:`Waiting`") == "The wait of Waiting"

@@ -6,13 +6,9 @@ from pathlib import Path
 from portal.tables import (
     COMMANDS,
     DEBIAN,
-    PRODUCTS,
-    comma_separated,
     command_table,
     package_table,
-    product_table,
 )
-from traceability.reading.products import listed
 
 USAGE = """\
 usage() {
@@ -49,30 +45,3 @@ def test_each_package_is_a_row_and_no_comment_is(tmp_path: Path) -> None:
         ["g++", "compiles"],
         ["lib-1.2", "optional: a, b"],
     ]
-
-
-def test_a_text_with_a_comma_is_one_cell() -> None:
-    assert comma_separated(("a", "b"), [("1, 2", "3")]) == 'a,b\n"1, 2",3\n'
-
-
-PRODUCT = """
-[parts]
-some = ["A"]
-
-[[product]]
-name = "robot"
-commands = "the PC"
-composition = "src/main.cpp"
-text = "Has :module:`A`."
-parts = ["some"]
-modules = ["B"]
-"""
-
-
-def test_each_product_is_a_row(tmp_path: Path) -> None:
-    (tmp_path / PRODUCTS).parent.mkdir()
-    (tmp_path / PRODUCTS).write_text(PRODUCT)
-    (product,) = listed(tmp_path)
-    assert product.has == {"A", "B"}
-    rows = product_table(tmp_path).split("   * - ")[2:]
-    assert rows == ["``robot``\n     - :source:`src/main.cpp`\n     - Has :module:`A`.\n"]

@@ -1,14 +1,11 @@
 """What a patch touches, and what is made of the figures of the two designs."""
 
-import json
 from pathlib import Path
 
 import pytest
 
-from tests.python.reading.task_records import record_task
 from traceability.reading import baseline_record
 from traceability.reading.baseline_record import PATTERNS, USUAL
-from traceability.reading.task_record import BASELINE
 
 ROOT = Path(__file__).parents[3]
 PATCH = """\
@@ -79,27 +76,3 @@ def test_a_target_is_met_or_missed() -> None:
     assert baseline_record.verdict({**figures, PATTERNS: {"flash": 109.9}}, "flash") is True
     assert baseline_record.verdict({**figures, PATTERNS: {"flash": 111.0}}, "flash") is False
     assert baseline_record.verdict(figures, "lines") is None
-
-
-def test_functions_stand_beside_each_other_the_greatest_difference_first() -> None:
-    rows = baseline_record.beside(
-        {USUAL: {"run": 90.0, "crc": 10.0}, PATTERNS: {"put": 120.0, "crc": 10.0, "x": 3.0}}, 20
-    )
-    assert rows == [
-        {"name": "put", USUAL: 0.0, PATTERNS: 120.0},
-        {"name": "run", USUAL: 90.0, PATTERNS: 0.0},
-    ]
-
-
-def test_figures_of_other_sources_are_not_shown(tmp_path: Path) -> None:
-    result = tmp_path / baseline_record.RESULT
-    result.parent.mkdir(parents=True)
-    assert baseline_record.read_comparison(tmp_path) is None
-    source = tmp_path / "src/a.cpp"
-    source.parent.mkdir()
-    source.write_text("int a;\n")
-    result.write_text(json.dumps({"cycles": 1}))
-    record_task(tmp_path, BASELINE, "src")
-    assert baseline_record.read_comparison(tmp_path) is not None
-    source.write_text("int b;\n")
-    assert baseline_record.read_comparison(tmp_path) is None

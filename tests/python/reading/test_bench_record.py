@@ -5,23 +5,16 @@ from pathlib import Path
 
 import pytest
 
-from tests.python.reading.task_records import record_task
-from traceability.reading import bench_record
 from traceability.reading.bench_record import (
     CYCLES,
-    FOLDER,
     LIBRARY,
     MANUAL,
-    SCENARIOS,
     SLOW,
     bench_metrics,
     bench_run,
     owner,
-    profile_of,
-    read_frames,
     spread,
 )
-from traceability.reading.task_record import BENCH
 from traceability.schema import BenchScenario, Latency, Spread
 
 ROOT = Path(__file__).parents[3]
@@ -100,22 +93,6 @@ def test_an_instruction_belongs_to_the_innermost_part_of_the_project() -> None:
     assert owner([arming]) == ("Arming", "wr::Arming::follow")
 
 
-def test_the_frames_of_an_address_are_read_innermost_first() -> None:
-    text = "0x00000010\ninner\na.cpp:1\nouter\nb.cpp:2\n0x00000012\nalone\nc.cpp:3"
-    assert read_frames(text.splitlines()) == {
-        0x10: [("inner", "a.cpp"), ("outer", "b.cpp")],
-        0x12: [("alone", "c.cpp")],
-    }
-
-
-def test_the_profile_has_the_instructions_of_a_cycle_dearest_first() -> None:
-    counts = {0x10: (1000, 500), 0x12: (4000, 0)}
-    frames = {0x10: [("f", "src/A.cpp")], 0x12: [("g", "src/B.cpp")]}
-    found = profile_of(counts, frames)
-    assert found.modules == [("B", 4.0, 0.0), ("A", 1.5, 0.5)]
-    assert found.functions == [("g", 4.0, 0.0), ("f", 1.5, 0.5)]
-
-
 def test_the_metrics_have_the_times_of_both_models() -> None:
     run = bench_run(raw())
     times = {MANUAL: spread([1.0, 3.0], 1), SLOW: spread([2.0, 6.0], 1)}
@@ -124,25 +101,3 @@ def test_the_metrics_have_the_times_of_both_models() -> None:
         {"name": "steps", "avg_ms": 2.0, "max_ms": 3.0, "bound_avg_ms": 4.0, "bound_max_ms": 6.0}
     ]
     assert bench_metrics(None) is None
-
-
-def test_a_record_of_other_sources_is_none(tmp_path: Path) -> None:
-    source = tmp_path / "src/a.cpp"
-    source.parent.mkdir()
-    source.write_text("int a;\n")
-    path = tmp_path / bench_record.BENCH
-    path.parent.mkdir(parents=True)
-    assert bench_record.read_bench(tmp_path) is None
-    path.write_text("{}")
-    assert bench_record.read_bench(tmp_path) is None
-    record_task(tmp_path, BENCH, "src")
-    assert bench_record.read_bench(tmp_path) is not None
-    path.write_text('{"steps": {"runs": {"slow-flash": {"load": 3}}}}')
-    assert bench_record.read_bench(tmp_path) is None, "a record of another form"
-    source.write_text("int b;\n")
-    assert bench_record.read_bench(tmp_path) is None
-
-
-def test_each_scenario_of_the_paper_has_its_file() -> None:
-    files = {path.stem for path in (ROOT / FOLDER).glob("*.scenario")}
-    assert files == {paper.name for paper in SCENARIOS}

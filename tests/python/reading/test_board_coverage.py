@@ -59,8 +59,3 @@ def test_a_line_is_executed_when_one_of_its_instructions_is() -> None:
         "src/k64/K64Board.cpp": {38: True, 40: False, 95: True},
         "src/k64/Register.hpp": {74: False},
     }
-
-
-def test_nothing_is_executed_without_a_bit() -> None:
-    found = lines_executed(stretches(LISTING.splitlines()), executed())
-    assert not any(hit for lines in found.values() for hit in lines.values())

@@ -1,20 +1,14 @@
 """Curves and figures of the runs in closed loop."""
 
 import json
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from tests.python.reading.task_records import record_task
-from traceability.checks.requirement_checks import check
-from traceability.reading.ast_facts import Syntax
 from traceability.reading.closed_loop_record import csv_of, declared, measure, read_closed_loop
-from traceability.reading.declared import Declared
-from traceability.reading.source_facts import gather_facts
 from traceability.reading.task_record import CLOSED_LOOP
-from traceability.reading.toml_reader import Entries
 from traceability.schema import HOST, VIRTUAL_K64
 from weeding_robot_client.layout import LAYOUTS
 
@@ -95,10 +89,6 @@ def test_a_run_of_other_sources_is_none(tmp_path: Path) -> None:
     assert scenario.plots[0].curves == []
 
 
-def test_without_a_declaration_there_is_no_scenario(tmp_path: Path) -> None:
-    assert read_closed_loop(tmp_path) == []
-
-
 POINTS = [(0.0, 0.0), (500.0, 90.0), (1000.0, 104.0), (1500.0, 99.0), (2000.0, 101.0)]
 
 
@@ -127,18 +117,6 @@ def test_each_kind_of_figure(
 def test_an_unknown_kind_is_told() -> None:
     with pytest.raises(ValueError, match="unknown kind of figure 'area'"):
         measure({"kind": "area"}, POINTS)
-
-
-def test_a_figure_of_a_requirement_that_is_none_is_found(tmp_path: Path) -> None:
-    from tests.python.portal.fixture import make_model
-
-    root = project(tmp_path, ROWS)
-    model = replace(make_model(), closed_loop=read_closed_loop(root))
-    facts = gather_facts(root, Syntax(), Declared(entries=Entries(root)))
-    unknown = [one for one in check(model, facts) if one.check == "req-unknown"]
-    found = next(one for one in unknown if one.place.file == "design/closed_loop.toml")
-    lines = (root / found.place.file).read_text().splitlines()
-    assert lines[found.place.line - 1] == 'requirement = "FR-1"'
 
 
 def test_each_scenario_of_the_project_is_a_file_and_names_columns_that_exist() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from traceability.reading.comments import Comment, Comments, code_of, read_comments
+from traceability.reading.comments import Comment, code_of, read_comments
 from traceability.reading.declared import Declared
 from traceability.reading.source_facts import Facts, gather_facts
 from traceability.reading.syntax import read_syntax
@@ -131,11 +131,3 @@ def test_declarations_without_a_comment_are_silent(tmp_path: Path) -> None:
     names = {one.name for one in facts_of(tmp_path).syntax.silent}
     wanted = {"silent", "count", "Kind", "Kind::kTwo", "operator=="}  # count: see its last line
     assert names == {f"Speed::{name}" for name in wanted}
-
-
-def test_a_file_is_read_when_it_is_asked_for(tmp_path: Path) -> None:
-    (tmp_path / "a.hpp").write_text("/// @brief A.\nint a;\n", encoding="utf-8")
-    comments = Comments(tmp_path)
-    assert not comments.at("none.hpp", 0).tags
-    assert comments.at("a.hpp", 1).brief == "A."
-    assert not comments.at("a.hpp", 2).tags

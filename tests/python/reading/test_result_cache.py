@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from traceability.reading.result_cache import code_of, kept
+from traceability.reading.result_cache import kept
 
 
 def test_a_result_is_made_anew_when_a_part_is_another(tmp_path: Path) -> None:
@@ -25,9 +25,3 @@ def test_parts_are_not_run_together(tmp_path: Path) -> None:
     path = tmp_path / "result.pickle"
     assert kept(path, ["ab", "c"], lambda: 1) == 1
     assert kept(path, ["a", "bc"], lambda: 2) == 2
-
-
-def test_the_code_that_made_a_result_is_a_part() -> None:
-    assert all(
-        len(one) == 64 for one in code_of("model/state_machines", "model/trees", "reading/traces")
-    )

@@ -10,7 +10,6 @@ from traceability.reading.results import (
     bindings_of,
     read_recording_factor,
     read_results,
-    read_sizes,
 )
 from traceability.schema import HOST, VIRTUAL_K64
 
@@ -19,11 +18,6 @@ def write(root: Path, name: str, data: Any) -> None:
     path = root / "build" / "results" / name
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(json.dumps(data), encoding="utf-8")
-
-
-def test_nothing_measured_is_nothing(tmp_path: Path) -> None:
-    assert read_results(tmp_path, HOST) == {}
-    assert read_sizes(tmp_path) == {}
 
 
 def test_a_folder_of_tests_has_its_bindings() -> None:

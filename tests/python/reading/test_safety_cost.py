@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from traceability.reading.safety_cost import correction_of, numstat, read_cost
-from traceability.schema import Correction, Place, SafetyCase, TouchedFile
+from traceability.reading.safety_cost import correction_of, read_cost
+from traceability.schema import Correction, Place, SafetyCase
 
 WHERE = Place("design/safety_case.toml", 1)
 
@@ -95,10 +95,6 @@ def test_a_shallow_clone_tells_nothing(project: tuple[Path, str], tmp_path: Path
 
 def test_a_copy_without_history_tells_nothing(tmp_path: Path) -> None:
     assert read_cost(tmp_path, SafetyCase(base="HEAD")) is None
-
-
-def test_a_binary_file_has_no_lines() -> None:
-    assert numstat("-\t-\tsrc/image.bin") == [TouchedFile("src/image.bin", 0, 0)]
 
 
 def test_the_longest_path_decides() -> None:

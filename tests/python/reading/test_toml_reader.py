@@ -10,7 +10,6 @@ from tests.python.model.small_tree import write_tree
 from traceability.checks import run_checks
 from traceability.model.build import build
 from traceability.reading.toml_reader import Entries
-from traceability.schema import Place
 
 SOUND = """\
 total = 2
@@ -67,33 +66,10 @@ def test_a_fault_is_told_at_its_line(
     assert found[0][1].startswith(text)
 
 
-def test_words_are_found_in_their_entry_only(tmp_path: Path) -> None:
-    (tmp_path / "lamps.toml").write_text(SOUND, encoding="utf-8")
-    entries = Entries(tmp_path)
-    assert entries.line_in(Place("lamps.toml", 4), "pins").line == 6
-    assert entries.line_in(Place("lamps.toml", 8), '"PTA2"').line == 10
-    assert entries.line_in(Place("lamps.toml", 4), "green").line == 4  # a remark, another entry
-
-
 def test_a_file_that_is_no_toml_hides_the_other_checks(tmp_path: Path) -> None:
     root = write_tree(tmp_path)
     (root / "design" / "stack.toml").write_text("faults = [\n", encoding="utf-8")
     assert {finding.check for finding in run_checks(*build(root)).findings} == {"design-entry"}
-
-
-def test_a_file_that_a_whole_design_lacks_is_told(tmp_path: Path) -> None:
-    root = write_tree(tmp_path)
-    lacks = "design/concordance.toml:1 there is no such file"
-    assert lacks not in told(root)
-    design = root / "design/modules.toml"
-    text = design.read_text(encoding="utf-8") if design.exists() else ""
-    design.write_text(f"total = 133\n{text}", encoding="utf-8")
-    assert lacks in told(root)
-
-
-def told(root: Path) -> list[str]:
-    found = [f for f in run_checks(*build(root)).findings if f.check == "design-entry"]
-    return [f"{f.place.file}:{f.place.line} {f.text}" for f in found]
 
 
 def test_a_text_of_blanks_says_nothing(tmp_path: Path) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import struct
-import subprocess
 from collections.abc import Set
 from pathlib import Path
 
@@ -17,9 +16,8 @@ from traceability.reading.traces import (
     embed,
     excerpt,
     method_of,
-    read_traces,
 )
-from traceability.schema import HOST, VIRTUAL_K64, Place, TreeNode
+from traceability.schema import Place, TreeNode
 
 
 @pytest.mark.parametrize(
@@ -40,28 +38,6 @@ from traceability.schema import HOST, VIRTUAL_K64, Place, TreeNode
 def test_symbols(symbol: str, method: str) -> None:
     found = method_of(symbol)
     assert found == method or (not method and "operator" in found)
-
-
-def test_addresses_of_the_image_are_without_the_bit_of_the_instruction_set(tmp_path: Path) -> None:
-    source = tmp_path / "a.cpp"
-    source.write_text(
-        'namespace wr { struct Led { void set(); }; void Led::set() { asm("nop"); } }\n'
-        'extern "C" void _start() { wr::Led().set(); }\n'
-    )
-    image = tmp_path / "build/k64/weeding_robot_paper.elf"
-    image.parent.mkdir(parents=True)
-    words = ["-mcpu=cortex-m4", "-mthumb", "-O0", "-nostdlib", "-nostartfiles", "-Ttext=0x410"]
-    command = ["arm-none-eabi-g++", *words, str(source), "-o", str(image)]
-    subprocess.run(command, check=True)
-    folder = tmp_path / "build/host/traces-board"
-    folder.mkdir(parents=True)
-    (folder / "S.T.bin").write_bytes(struct.pack("<2Q", 0x410, 0x410 | EXIT))
-    results = tmp_path / "build/results/board.json"
-    results.parent.mkdir()
-    results.write_text("{}")
-    found = read_traces(tmp_path, tmp_path)
-    assert found[HOST].tests == set()
-    assert found[VIRTUAL_K64].methods("S.T") == {"Led::set"}
 
 
 def recorded(tmp_path: Path, calls: str, vectors: Set[str] = frozenset()) -> list[Row]:
@@ -150,15 +126,6 @@ def node(text: str) -> TreeNode:
 def fits(tree: TreeNode, rows: list[Row]) -> str | None:
     found = embed(tree, rows, lambda one: {one.resolved or ""})
     return found.failed.label if found.failed else None
-
-
-def test_rows_keep_depth_and_extent_without_unwanted_calls(tmp_path: Path) -> None:
-    rows = recorded(tmp_path, "a(x(b()) c())")
-    assert [(row.depth, row.method, row.end) for row in rows] == [
-        (0, "M::a", 3),
-        (1, "M::b", 2),
-        (1, "M::c", 3),
-    ]
 
 
 @pytest.mark.parametrize(

@@ -28,15 +28,6 @@ def test_a_run_gives_instructions_and_stack() -> None:
     }
 
 
-def test_instructions_are_those_of_the_function_that_holds_the_address() -> None:
-    symbols = "00000101 T wr::PC::read(wr::MainController&)\n00000120 t helper\n00000300 B data\n"
-    measured = {"profile": {"256": [1, 3], "262": [0, 2], "288": [4, 0]}, "instructions": [5, 5]}
-    assert baseline.instructions_by_function(measured, symbols) == {
-        "wr::PC::read(wr::MainController&)": 3.0,
-        "helper": 2.0,
-    }
-
-
 def test_what_both_have_is_not_the_own_of_one() -> None:
     assert baseline.own_parts(SIZES, "usual") == {"UsualDesign", "main"}
     own = baseline.own_parts(SIZES, "patterns") - {"stack"}
@@ -46,40 +37,6 @@ def test_what_both_have_is_not_the_own_of_one() -> None:
         "own_flash": 76,
         "own_ram": 60,
     }
-
-
-def test_sources_of_one_design_are_those_that_the_other_does_not_include(tmp_path: Path) -> None:
-    files = {
-        "src/Crc16.hpp": "",
-        "src/Crc16.cpp": '#include "Crc16.hpp"\n',
-        "src/PC.cpp": '#include "Mode.hpp"\n#include <array>\n',
-        "src/Mode.hpp": '#include "Crc16.hpp"\n',
-        "tests/usual_design/usual/UsualDesign.cpp": '#include "Crc16.hpp"\n',
-    }
-    for name, text in files.items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text)
-    own = baseline.own_sources(tmp_path, SIZES, "patterns")
-    assert [path.name for path in own] == ["Mode.hpp", "PC.cpp"]
-
-
-def test_complexity_and_lines_are_counted(tmp_path: Path) -> None:
-    source = tmp_path / "a.cpp"
-    source.write_text("// why\nint f(int a) {\n  if (a) {\n    return 1;\n  }\n  return 2;\n}\n\n")
-    figures = baseline.source_figures([source])
-    assert figures == {
-        "files": 1,
-        "lines": 6,
-        "functions": 1,
-        "complexity_max": 2,
-        "complexity_mean": 2,
-        "complexity_sum": 2,
-    }
-
-
-def test_tests_are_counted_for_each_design() -> None:
-    suites = [{"name": "Mode/Usual", "tests": 2}, {"name": "Mode/Patterns", "tests": 3}]
-    assert baseline.tests_by_design({"testsuites": suites}) == {"usual": 2, "patterns": 3}
 
 
 def test_the_copy_is_renewed_and_patched(tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ from typing import TextIO
 import pytest
 
 from tools import check
-from tools.documents import FINDINGS, METRICS, read_findings, read_times, write_time
+from tools.documents import FINDINGS, read_findings, read_times
 from tools.steps import FailureError
 from tools.task_graph import Graph, Task
 from tools.tasks import DOCUMENTS
@@ -64,14 +64,6 @@ def test_the_edit_of_one_file_is_measured(tree: Path) -> None:
     (tree / "src/a.hpp").write_text("third")
     check.check(tree)
     assert set(read_times(tree)) == {"build.edit_s"}
-
-
-def test_a_time_is_added_to_the_metrics(tmp_path: Path) -> None:
-    (tmp_path / METRICS).parent.mkdir()
-    (tmp_path / METRICS).write_text('{"a": 1, "build.cold_s": null}')
-    write_time(tmp_path, "build.cold_s", 12.34)
-    assert json.loads((tmp_path / METRICS).read_text()) == {"a": 1, "build.cold_s": 12.3}
-    assert read_times(tmp_path) == {"build.cold_s": 12.3}
 
 
 def test_documents_that_could_not_be_made_fail_and_are_made_again(

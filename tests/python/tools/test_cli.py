@@ -6,7 +6,6 @@ import signal
 import socket
 import subprocess
 import sys
-import time
 import urllib.request
 from pathlib import Path
 from threading import Thread
@@ -76,11 +75,9 @@ def test_wrong_options_are_wrong_usage(
     assert arguments[-1] in capsys.readouterr().err
 
 
-def test_set_up_does_nothing_quickly_when_nothing_is_missing() -> None:
+def test_set_up_does_nothing_when_nothing_is_missing() -> None:
     wr("setup")
-    start = time.monotonic()
     result = wr("setup")
-    assert time.monotonic() - start < 2
     assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
 
 

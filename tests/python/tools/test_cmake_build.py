@@ -92,14 +92,6 @@ def test_traces_of_the_run_before_are_removed(root: Path) -> None:
     assert not old.exists()
 
 
-def test_counters_of_the_run_before_are_removed(root: Path) -> None:
-    old = root / "build/trace/src/RC.cpp.gcda"
-    old.parent.mkdir()
-    old.touch()
-    run_tests(root)
-    assert not old.exists()
-
-
 def test_counts_of_googletest(tmp_path: Path) -> None:
     results = tmp_path / "results.json"
     results.write_text(gtest_json(PASSED, FAILED, SKIPPED, DISABLED))
@@ -120,11 +112,6 @@ def test_counts_of_pytest(tmp_path: Path) -> None:
         "<testcase><error/></testcase><testcase><skipped/></testcase></testsuite></testsuites>"
     )
     assert cmake_build.junit_counts(results) == Counts(1, 2, 1)
-
-
-def test_the_line_of_counts() -> None:
-    assert str(Counts(3, 0, 0)) == "3 passed, 0 failed"
-    assert str(Counts(3, 1, 2) + Counts(1, 0, 0)) == "4 passed, 1 failed, 2 skipped"
 
 
 def test_failed_tests_and_no_tests_are_bad() -> None:

@@ -59,13 +59,6 @@ def test_a_line_of_several_functions_counts_once(root: Path) -> None:
     assert coverage(root) == {"coverage.line": 85.7, "coverage.branch": 50.0}
 
 
-def test_the_lines_of_each_file_are_left_with_the_totals(root: Path) -> None:
-    count(root)
-    (file,) = json.loads((root / COVERAGE_LINES).read_text())["files"]
-    assert file["file"] == "src/choose.cpp"
-    assert {line["line_number"] for line in file["lines"] if not line["count"]} >= {5}
-
-
 def test_another_program_of_the_same_folder_does_not_count(root: Path) -> None:
     """It may lie there or not: the figures are those of the tests' own program."""
     (root / "src/other.cpp").write_text("int main() { return 0; }")
@@ -75,17 +68,6 @@ def test_another_program_of_the_same_folder_does_not_count(root: Path) -> None:
     count(root)
     (file,) = json.loads((root / COVERAGE_LINES).read_text())["files"]
     assert file["file"] == "src/choose.cpp"
-
-
-def test_the_totals_of_another_run_are_none(root: Path) -> None:
-    count(root)
-    assert coverage(root) != {}
-    (root / RUN).write_text("{ }")
-    assert coverage(root) == {}
-
-
-def test_what_was_not_counted_has_no_totals(root: Path) -> None:
-    assert coverage(root) == {}
 
 
 def test_a_run_without_a_line_of_the_design_is_a_failure(root: Path) -> None:

@@ -17,61 +17,78 @@ from tools.tasks import K64_FIRMWARE
 CODE = bytes(0x400) + WANTED + bytes(100)
 
 
+class Desk:
+    """A machine without tools, probes or drives, until a test adds some."""
+
+    def __init__(self, root: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        self.root = root
+        self.capsys = capsys
+        self.tools = root / "tools"  # all that PATH has
+        self.image = root / "image.bin"
+        self.tools.mkdir()
+        (root / "usb").mkdir()
+        (root / "mounts").touch()
+        self.image.write_bytes(CODE)
+
+    def add_program(self, name: str, script: str) -> None:
+        (self.tools / name).write_text(f"#!/bin/sh\n{script}\n")
+        (self.tools / name).chmod(0o755)
+
+    def add_tool(self, name: str, end: str = "exit 0") -> None:
+        """A tool that notes its words, one a line."""
+        self.add_program(name, f'printf "%s\\n" {name} "$@" >"{self.root}/called"\n{end}')
+
+    def add_pyocd(self, read_back: str = "flashed") -> None:
+        """A pyOCD that notes its words of ``flash``, and reads back what it wrote, or a file."""
+        self.add_program(
+            "pyocd",
+            'for word; do case "$word" in "savemem "*)'
+            f' exec /bin/cp "{self.root}/{read_back}" "${{word##* }}";; esac; done\n'
+            f'/bin/cp "$word" "{self.root}/flashed"\n'
+            f'printf "%s\\n" pyocd "$@" >"{self.root}/called"',
+        )
+
+    def add_probe(self, vendor: str = "0d28", product: str = "DAPLink CMSIS-DAP") -> None:
+        device = self.root / "usb" / "1-2"
+        device.mkdir()
+        (device / "idVendor").write_text(f"{vendor}\n")
+        (device / "product").write_text(f"{product}\n")
+
+    def add_drive(self, name: str = "DAPLINK", mode: str = "Interface") -> Path:
+        """A mounted drive as that of the board."""
+        drive = self.root / name
+        drive.mkdir()
+        (drive / "DETAILS.TXT").write_text(f"# DAPLink Firmware\nDaplink Mode: {mode}\n")
+        place = str(drive).replace(" ", r"\040")
+        with (self.root / "mounts").open("a") as mounts:
+            mounts.write(f"/dev/sdb {place} vfat rw,relatime 0 0\n")
+        return drive
+
+    def run(self, *options: str) -> int:
+        return cli.main(["flash", "--image", str(self.image), *options])
+
+    def called(self) -> list[str]:
+        file = self.root / "called"
+        return file.read_text().splitlines() if file.exists() else []
+
+    def said(self) -> str:
+        captured = self.capsys.readouterr()
+        return captured.out + captured.err
+
+
 @pytest.fixture
-def tools(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A machine without tools, probes or drives: all that PATH holds is this folder."""
-    folder = tmp_path / "tools"
-    folder.mkdir()
-    (tmp_path / "usb").mkdir()
-    (tmp_path / "mounts").touch()
-    (tmp_path / "image.bin").write_bytes(CODE)
-    monkeypatch.setenv("PATH", str(folder))
+def desk(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> Desk:
+    found = Desk(tmp_path, capsys)
+    monkeypatch.setenv("PATH", str(found.tools))
     monkeypatch.setattr(flash, "USB", tmp_path / "usb")
     monkeypatch.setattr(usb_drive, "MOUNTS", tmp_path / "mounts")
     monkeypatch.setattr(usb_drive, "GOES_WITHIN", 0.3)
     monkeypatch.setattr(usb_drive, "COMES_WITHIN", 0.3)
     monkeypatch.setattr(usb_drive, "LOOK", 0.01)
     monkeypatch.setattr(cli, "ROOT", tmp_path)
-    return folder
-
-
-def add_tool(tools: Path, name: str, end: str = "exit 0") -> None:
-    """A tool that notes its words, one a line."""
-    program = tools / name
-    program.write_text(f'#!/bin/sh\nprintf "%s\\n" {name} "$@" >"{tools.parent}/called"\n{end}\n')
-    program.chmod(0o755)
-
-
-def add_pyocd(tools: Path, read_back: str = "flashed") -> None:
-    """A pyOCD that notes its words of ``flash``; what it reads back is what it wrote, or a file."""
-    folder = tools.parent
-    program = tools / "pyocd"
-    program.write_text(
-        "#!/bin/sh\n"
-        'for word; do case "$word" in "savemem "*)'
-        f' exec /bin/cp "{folder}/{read_back}" "${{word##* }}";; esac; done\n'
-        f'/bin/cp "$word" "{folder}/flashed"\n'
-        f'printf "%s\\n" pyocd "$@" >"{folder}/called"\n'
-    )
-    program.chmod(0o755)
-
-
-def add_probe(tools: Path, vendor: str = "0d28", product: str = "DAPLink CMSIS-DAP") -> None:
-    device = tools.parent / "usb" / "1-2"
-    device.mkdir()
-    (device / "idVendor").write_text(f"{vendor}\n")
-    (device / "product").write_text(f"{product}\n")
-
-
-def add_drive(tools: Path, name: str = "DAPLINK", mode: str = "Interface") -> Path:
-    """A mounted drive as that of the board."""
-    drive = tools.parent / name
-    drive.mkdir()
-    (drive / "DETAILS.TXT").write_text(f"# DAPLink Firmware\nDaplink Mode: {mode}\n")
-    place = str(drive).replace(" ", r"\040")
-    with (tools.parent / "mounts").open("a") as mounts:
-        mounts.write(f"/dev/sdb {place} vfat rw,relatime 0 0\n")
-    return drive
+    return found
 
 
 @contextlib.contextmanager
@@ -101,217 +118,178 @@ def board(drive: Path, failure: str = "", comes: bool = True) -> Iterator[None]:
         thread.join()
 
 
-def run(tools: Path, *options: str) -> int:
-    return cli.main(["flash", "--image", str(tools.parent / "image.bin"), *options])
+def test_pyocd_is_the_first_way(desk: Desk) -> None:
+    desk.add_pyocd()
+    desk.add_tool("openocd")
+    desk.add_probe()
+    desk.add_drive()
+    assert desk.run() == 0
+    assert desk.called()[:4] == ["pyocd", "flash", "-t", "k64f"]
+    assert desk.called()[-1] == str(desk.image)
 
 
-def called(tools: Path) -> list[str]:
-    file = tools.parent / "called"
-    return file.read_text().splitlines() if file.exists() else []
+def test_openocd_is_the_second_way(desk: Desk) -> None:
+    desk.add_tool("openocd")
+    desk.add_probe(vendor="1fc9", product="LPC-LINK2 CMSIS-DAP")
+    desk.add_drive()
+    assert desk.run() == 0
+    assert desk.called()[:4] == ["openocd", "-f", "board/nxp_frdm-k64f.cfg", "-c"]
+    script = f"init; kinetis fcf_source write; program {{{desk.root}/image.bin}}"
+    assert desk.called()[4] == f"{script} verify reset exit 0x0"
 
 
-def test_pyocd_is_the_first_way(tools: Path) -> None:
-    add_pyocd(tools)
-    add_tool(tools, "openocd")
-    add_probe(tools)
-    add_drive(tools)
-    assert run(tools) == 0
-    assert called(tools)[:4] == ["pyocd", "flash", "-t", "k64f"]
-    assert called(tools)[-1] == str(tools.parent / "image.bin")
-
-
-def test_pyocd_reads_the_flash_back(tools: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """pyOCD itself does not compare what it wrote."""
-    add_pyocd(tools, "other.bin")
-    add_probe(tools)
-    (tools.parent / "other.bin").write_bytes(CODE[:0x420] + b"\1" + CODE[0x421:])
-    assert run(tools) == 1
-    assert "flash at 0x420 holds 0x01, not 0x00" in capsys.readouterr().out
-
-
-def test_a_flash_that_cannot_be_read_back_is_a_failure(
-    tools: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    add_tool(tools, "pyocd")
-    add_probe(tools)
-    assert run(tools) == 1
-    assert "could not be read back" in capsys.readouterr().out
-
-
-def test_a_flash_that_is_read_back_in_part_is_a_failure(
-    tools: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    add_pyocd(tools, "short.bin")
-    add_probe(tools)
-    (tools.parent / "short.bin").write_bytes(CODE[:-4])
-    assert run(tools) == 1
-    assert f"only {len(CODE) - 4} of {len(CODE)} bytes" in capsys.readouterr().out
-
-
-def test_openocd_is_the_second_way(tools: Path) -> None:
-    add_tool(tools, "openocd")
-    add_probe(tools, vendor="1fc9", product="LPC-LINK2 CMSIS-DAP")
-    add_drive(tools)
-    assert run(tools) == 0
-    assert called(tools)[:4] == ["openocd", "-f", "board/nxp_frdm-k64f.cfg", "-c"]
-    script = f"init; kinetis fcf_source write; program {{{tools.parent}/image.bin}}"
-    assert called(tools)[4] == f"{script} verify reset exit 0x0"
-
-
-def test_the_drive_of_the_board_is_the_third_way(
-    tools: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    drive = add_drive(tools, "FRDM K64F")
+def test_the_drive_of_the_board_is_the_third_way(desk: Desk) -> None:
+    drive = desk.add_drive("FRDM K64F")
+    (drive / "FAIL.TXT").write_text("error: of an earlier copy")
     with board(drive):
-        assert run(tools) == 0
-    assert (tools.parent / "written").read_bytes() == CODE
-    assert "flash (drive) ... the board took the image" in capsys.readouterr().out
+        assert desk.run() == 0
+    assert (desk.root / "written").read_bytes() == CODE
+    assert "flash (drive) ... the board took the image" in desk.said()
 
 
 @pytest.mark.parametrize("way", ["pyocd", "openocd"])
-def test_the_way_can_be_chosen(tools: Path, way: str) -> None:
-    add_pyocd(tools)
-    add_tool(tools, "openocd")
-    assert run(tools, "--with", way) == 0
-    assert called(tools)[0] == way
-
-
-@pytest.mark.parametrize("way", ["pyocd", "openocd"])
-def test_a_tool_that_fails_fails_the_command_and_is_shown(
-    tools: Path, capsys: pytest.CaptureFixture[str], way: str
-) -> None:
-    add_tool(tools, way, "echo no answer from the chip >&2; exit 9")
-    assert run(tools, "--with", way) == 1
-    said = capsys.readouterr().out
-    assert f"{way} ended with exit code 9" in said
-    assert "no answer from the chip" in said
+def test_the_way_can_be_chosen(desk: Desk, way: str) -> None:
+    desk.add_pyocd()
+    desk.add_tool("openocd")
+    assert desk.run("--with", way) == 0
+    assert desk.called()[0] == way
 
 
 @pytest.mark.parametrize(
-    ("way", "text"),
+    ("content", "words"),
     [
-        ("pyocd", "No connected debug probes"),
-        ("openocd", "Error: unable to find a matching CMSIS-DAP device"),
+        (CODE[:0x420] + b"\1" + CODE[0x421:], "flash at 0x420 holds 0x01, not 0x00"),
+        (CODE[:-4], f"only {len(CODE) - 4} of {len(CODE)} bytes"),
+        (None, "could not be read back"),
     ],
 )
-def test_a_chosen_tool_that_finds_no_probe_leaves_out_the_board(
-    tools: Path, capsys: pytest.CaptureFixture[str], way: str, text: str
+def test_pyocd_reads_the_flash_back(desk: Desk, content: bytes | None, words: str) -> None:
+    """pyOCD itself does not compare what it wrote."""
+    desk.add_probe()
+    if content is None:
+        desk.add_tool("pyocd")
+    else:
+        desk.add_pyocd("other.bin")
+        (desk.root / "other.bin").write_bytes(content)
+    assert desk.run() == 1
+    assert words in desk.said()
+
+
+@pytest.mark.parametrize(
+    ("way", "text", "code", "words"),
+    [
+        ("pyocd", "no answer", 1, "pyocd ended with exit code 9"),
+        ("openocd", "no answer", 1, "openocd ended with exit code 9"),
+        ("pyocd", "No connected debug probes", 3, "pyocd found no debug probe"),
+        (
+            "openocd",
+            "Error: unable to find a matching CMSIS-DAP device",
+            3,
+            "openocd found no debug probe",
+        ),
+    ],
+)
+def test_a_tool_that_fails_fails_the_command(
+    desk: Desk, way: str, text: str, code: int, words: str
 ) -> None:
-    add_tool(tools, way, f"echo '{text}' >&2; exit 1")
-    assert run(tools, "--with", way) == 3
-    said = capsys.readouterr().err
-    assert f"{way} found no debug probe" in said
-    assert "Connect a USB cable" in said
+    desk.add_tool(way, f"echo '{text}' >&2; exit 9")
+    assert desk.run("--with", way) == code
+    printed = desk.said()
+    assert words in printed
+    assert ("Connect a USB cable" if code == 3 else text) in printed
 
 
+@pytest.mark.parametrize(
+    ("installed", "probe", "options", "words"),
+    [
+        ([], False, [], ["pyocd: not installed\n", "openocd: not installed\n"]),
+        ([], False, [], ["drive: none is mounted\n", "debug probe on USB: none\n"]),
+        (["pyocd"], False, [], ["pyocd: installed\n"]),
+        (["pyocd"], True, ["--with", "openocd"], ["openocd: not installed"]),
+    ],
+)
 def test_without_a_way_it_says_what_was_looked_for(
-    tools: Path, capsys: pytest.CaptureFixture[str]
+    desk: Desk,
+    installed: list[str],
+    probe: bool,
+    options: list[str],
+    words: list[str],
 ) -> None:
-    assert run(tools) == 3
-    said = capsys.readouterr().err
-    assert "pyocd: not installed\n" in said
-    assert "openocd: not installed\n" in said
-    assert "drive: none is mounted\n" in said
-    assert "debug probe on USB: none\n" in said
-    assert "Connect a USB cable" in said
+    for name in installed:
+        desk.add_tool(name)
+    if probe:
+        desk.add_probe()
+    assert desk.run(*options) == 3
+    printed = desk.said()
+    assert [one for one in (*words, "Connect a USB cable") if one not in printed] == []
+    assert desk.called() == []
 
 
-def test_a_tool_without_a_probe_is_no_way(tools: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    add_tool(tools, "pyocd")
-    assert run(tools) == 3
-    assert "pyocd: installed\n" in capsys.readouterr().err
-    assert called(tools) == []
-
-
-def test_a_chosen_tool_that_is_missing_is_named(
-    tools: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    add_probe(tools)
-    add_tool(tools, "pyocd")
-    assert run(tools, "--with", "openocd") == 3
-    assert "openocd: not installed" in capsys.readouterr().err
-    assert called(tools) == []
-
-
-def test_two_drives_need_a_choice(tools: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    first = add_drive(tools, "DAPLINK")
-    add_drive(tools, "DAPLINK1")
-    assert run(tools) == 3
-    assert "choose with --drive" in capsys.readouterr().err
+def test_two_drives_need_a_choice(desk: Desk) -> None:
+    first = desk.add_drive("DAPLINK")
+    desk.add_drive("DAPLINK1")
+    assert desk.run() == 3
+    assert "choose with --drive" in desk.said()
     with board(first):
-        assert run(tools, "--drive", str(first)) == 0
+        assert desk.run("--drive", str(first)) == 0
 
 
-def test_other_drives_are_not_written(tools: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    stick = tools.parent / "STICK"
+def test_other_drives_are_not_written(desk: Desk) -> None:
+    stick = desk.root / "STICK"
     stick.mkdir()
-    (tools.parent / "mounts").write_text(f"/dev/sdc {stick} vfat rw 0 0\n")
-    assert run(tools) == 3
-    assert run(tools, "--drive", str(stick)) == 3
-    assert "neither DETAILS.TXT nor MBED.HTM" in capsys.readouterr().err
+    (desk.root / "mounts").write_text(f"/dev/sdc {stick} vfat rw 0 0\n")
+    assert desk.run() == 3
+    assert desk.run("--drive", str(stick)) == 3
+    assert "neither DETAILS.TXT nor MBED.HTM" in desk.said()
     assert list(stick.iterdir()) == []
 
 
 @pytest.mark.parametrize(("name", "mode"), [("MAINTENANCE", "Interface"), ("DISK", "Bootloader")])
 def test_a_probe_that_waits_for_its_own_software_gets_no_image(
-    tools: Path, capsys: pytest.CaptureFixture[str], name: str, mode: str
+    desk: Desk, name: str, mode: str
 ) -> None:
-    drive = add_drive(tools, name, mode)
-    assert run(tools, "--with", "drive") == 3
-    assert "without its reset button" in capsys.readouterr().err
+    drive = desk.add_drive(name, mode)
+    assert desk.run("--with", "drive") == 3
+    assert "without its reset button" in desk.said()
     assert not (drive / "image.bin").exists()
 
 
-def test_the_reason_of_the_board_for_a_failure_is_shown(
-    tools: Path, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize(
+    ("failure", "comes", "code", "words"),
+    [
+        ("error: FAILED to reset/halt the target MCU", True, 1, "FAILED to reset/halt"),
+        ("", False, 0, "not mounted again"),
+    ],
+)
+def test_the_outcome_of_a_copy_is_shown(
+    desk: Desk,
+    failure: str,
+    comes: bool,
+    code: int,
+    words: str,
 ) -> None:
-    drive = add_drive(tools)
-    with board(drive, failure="error: FAILED to reset/halt the target MCU"):
-        assert run(tools) == 1
-    assert "FAILED to reset/halt" in capsys.readouterr().out
+    with board(desk.add_drive(), failure, comes):
+        assert desk.run() == code
+    assert words in desk.said()
 
 
-def test_the_failure_of_an_earlier_copy_is_not_that_of_this_one(tools: Path) -> None:
-    drive = add_drive(tools)
-    (drive / "FAIL.TXT").write_text("error: old")
-    with board(drive):
-        assert run(tools) == 0
+@pytest.mark.parametrize(("writable", "words"), [(True, "did not react"), (False, "cannot write")])
+def test_a_drive_that_takes_no_image_is_a_failure(desk: Desk, writable: bool, words: str) -> None:
+    drive = desk.add_drive()
+    if not writable:
+        (drive / "image.bin").mkdir()
+    assert desk.run() == 1
+    assert words in desk.said()
 
 
-def test_a_drive_that_is_not_mounted_again_is_said(
-    tools: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    drive = add_drive(tools)
-    with board(drive, comes=False):
-        assert run(tools) == 0
-    assert "not mounted again" in capsys.readouterr().out
-
-
-def test_a_board_that_does_not_react_is_a_failure(
-    tools: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    add_drive(tools)
-    assert run(tools) == 1
-    assert "did not react" in capsys.readouterr().out
-
-
-def test_a_drive_that_cannot_be_written_is_a_failure(
-    tools: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    drive = add_drive(tools)
-    (drive / "image.bin").mkdir()
-    assert run(tools) == 1
-    assert f"cannot write to {drive}" in capsys.readouterr().out
-
-
-def test_a_dry_run_writes_nothing(tools: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    drive = add_drive(tools)
-    add_tool(tools, "openocd")
-    assert run(tools, "--dry-run", "--with", "openocd") == 0
-    assert "would run openocd -f board/nxp_frdm-k64f.cfg" in capsys.readouterr().out
-    assert run(tools, "--dry-run") == 0
-    assert f"image.bin to {drive}" in capsys.readouterr().out
-    assert called(tools) == []
+def test_a_dry_run_writes_nothing(desk: Desk) -> None:
+    drive = desk.add_drive()
+    desk.add_tool("openocd")
+    assert desk.run("--dry-run", "--with", "openocd") == 0
+    assert "would run openocd -f board/nxp_frdm-k64f.cfg" in desk.said()
+    assert desk.run("--dry-run") == 0
+    assert f"image.bin to {drive}" in desk.said()
+    assert desk.called() == []
     assert not (drive / "image.bin").exists()
 
 
@@ -328,18 +306,18 @@ def test_a_dry_run_writes_nothing(tools: Path, capsys: pytest.CaptureFixture[str
     ],
 )
 def test_an_image_that_could_lock_the_chip_is_not_written(
-    tools: Path, capsys: pytest.CaptureFixture[str], address: int, value: int, why: str
+    desk: Desk, address: int, value: int, why: str
 ) -> None:
     image = bytearray(CODE)
     image[address] = value
-    (tools.parent / "image.bin").write_bytes(image)
-    add_tool(tools, "pyocd")
-    add_probe(tools)
-    assert run(tools) == 1
-    said = capsys.readouterr().out
-    assert f"byte 0x{address:X} is 0x{value:02X}" in said
-    assert why in said
-    assert called(tools) == []
+    (desk.image).write_bytes(image)
+    desk.add_tool("pyocd")
+    desk.add_probe()
+    assert desk.run() == 1
+    printed = desk.said()
+    assert f"byte 0x{address:X} is 0x{value:02X}" in printed
+    assert why in printed
+    assert desk.called() == []
 
 
 @pytest.mark.parametrize("image", [b"", bytes(0x40F), bytes(0x100001)])
@@ -348,34 +326,30 @@ def test_an_image_must_hold_the_field_and_fit_the_chip(image: bytes) -> None:
     assert f"{len(image)} bytes" in problem
 
 
-def test_an_image_that_is_not_there_is_said(
-    tools: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    (tools.parent / "image.bin").unlink()
-    assert run(tools) == 1
-    assert "No such file" in capsys.readouterr().out
+def test_an_image_that_is_not_there_is_said(desk: Desk) -> None:
+    (desk.image).unlink()
+    assert desk.run() == 1
+    assert "No such file" in desk.said()
 
 
-def test_a_drive_and_another_way_contradict_each_other(
-    tools: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_drive_and_another_way_contradict_each_other(desk: Desk) -> None:
     with pytest.raises(SystemExit) as ended:
-        run(tools, "--with", "pyocd", "--drive", str(tools))
+        desk.run("--with", "pyocd", "--drive", str(desk.root))
     assert ended.value.code == 2
-    assert "--with pyocd" in capsys.readouterr().err
+    assert "--with pyocd" in desk.said()
 
 
 def test_the_image_of_a_product_is_built_and_written(
-    tools: Path, monkeypatch: pytest.MonkeyPatch
+    desk: Desk, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def build(_log: TextIO) -> None:
-        image = tools.parent / "build/k64/weeding_robot_warning.bin"
+        image = desk.root / "build/k64/weeding_robot_warning.bin"
         image.parent.mkdir(parents=True)
         image.write_bytes(CODE)
 
     built = Task(K64_FIRMWARE, build, always=True)
     monkeypatch.setattr(flash, "graph", lambda root: Graph(root, [built]))
-    add_pyocd(tools)
-    add_probe(tools)
+    desk.add_pyocd()
+    desk.add_probe()
     assert cli.main(["flash", "--product", "weeding_robot_warning"]) == 0
-    assert called(tools)[-1] == str(tools.parent / "build/k64/weeding_robot_warning.bin")
+    assert desk.called()[-1] == str(desk.root / "build/k64/weeding_robot_warning.bin")

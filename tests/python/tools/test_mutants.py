@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import itertools
 import os
 import subprocess
 from pathlib import Path
 
 import pytest
 
-from tools.cmake_build import copy_sources
 from tools.mutation.points import Mutant, Point, find_points
 from tools.mutation.runs import Outcome, note, run_tests
-from tools.mutation.score import Plan, Tried, order, record, try_all, try_mutant
-from tools.mutation.switched import SWITCH, compiling, switched
+from tools.mutation.score import Plan, order, try_mutant
+from tools.mutation.switched import SWITCH, compiling
 from traceability.reading.translation_units import prepare_standard
 
 HEADER = """\
@@ -93,10 +91,6 @@ def test_each_kind_of_mutant_is_found_in_the_wanted_method(tree: Path) -> None:
     assert points(tree, "Limiter::limited")[0].mutants[0].line == 3
 
 
-def test_what_is_computed_by_the_compiler_has_no_mutants(tree: Path) -> None:
-    assert changes(tree, "Limiter::twice") == []
-
-
 def test_a_mutant_that_does_not_compile_is_left_out(tree: Path, tmp_path: Path) -> None:
     found = find_points(tree, FILES[0], FILES, {"Limiter::limited"})
     with (tmp_path / "log").open("w") as log:
@@ -145,29 +139,6 @@ def test_each_number_switches_its_own_mutant_on(tree: Path) -> None:
     assert printed[">= for < in value < kMost"] == "9 9 10"
     assert printed["- for + in value + 1"] == "1 9 9"
     assert printed["1 + 1"] == "4 9 9"
-
-
-def test_wrapped_points_nest(tmp_path: Path) -> None:
-    path = tmp_path / "a.cpp"
-    path.write_text("f(a + b);", encoding="utf-8")
-    one = Mutant("a.cpp", 1, "A::f", "kind", "change")
-    held = [
-        Point(0, 8, "out(#, ", ")", (one, one)),
-        Point(2, 7, "sum(#, ", ")", (one,), (4, 5), ","),
-        Point(6, 7, "in(#, ", ")", (one,)),
-    ]
-    assert switched(path, held, itertools.count(7)) == "out(7, f(sum(9, a , in(10, b))));"
-
-
-def test_the_copy_is_written_only_where_it_changed(tree: Path) -> None:
-    copy_sources(tree, tree / "build/mutation/source", {"src/Limiter.cpp": "changed"})
-    there = tree / "build/mutation/source/src"
-    assert (there / "Limiter.cpp").read_text(encoding="utf-8") == "changed"
-    before = (there / "Limiter.hpp").stat().st_mtime_ns
-    (there / "old.hpp").write_text("", encoding="utf-8")
-    copy_sources(tree, tree / "build/mutation/source", {"src/Limiter.cpp": "changed"})
-    assert (there / "Limiter.hpp").stat().st_mtime_ns == before
-    assert not (there / "old.hpp").exists()
 
 
 def test_results_are_read_from_what_the_program_prints() -> None:
@@ -255,17 +226,3 @@ def test_the_order_depends_on_the_seed_and_gives_each_requirement_its_turn() -> 
     assert sorted(chosen) == list(range(1, 41))
     assert chosen == order(mutants, plan(), 7) != order(mutants, plan(), 8)
     assert any(number <= 20 for number in chosen[:2])
-
-
-def test_mutants_are_tried_until_the_caller_says_no(program: Path) -> None:
-    mutants = [mutant_of("M::a")] * 9
-    tried = try_all(program, mutants, iter(range(1, 10)), plan(), lambda done: len(done) < 2)
-    assert 2 <= len(tried) <= 1 + (os.cpu_count() or 1)
-
-
-def test_the_record_tells_all_that_a_score_needs() -> None:
-    tried = [Tried(mutant_of("M::a"), ["A.One"], {"FR-1": True})]
-    written = record(tried, "hash", 7, 40, 1.25)
-    assert (written["seed"], written["total"]) == (7, 40)
-    assert written["tried"][0]["own"] == {"FR-1": True}
-    assert written["tried"][0]["killed_by"] == ["A.One"]

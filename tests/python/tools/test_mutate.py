@@ -104,14 +104,6 @@ def test_without_tests_that_pass_nothing_is_measured(
     assert not (root / "build/results/mutation.json").exists()
 
 
-def test_a_failed_step_leaves_out_those_that_need_it(
-    root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    replace_tests(monkeypatch, root, lambda _log: Outcome("1 failed", failed=True))
-    assert run(root) == 1
-    assert capsys.readouterr().out.count("not run") == 4
-
-
 @pytest.mark.parametrize("minutes", ["0", "46", "-1", "x"])
 def test_it_never_runs_longer_than_45_minutes(root: Path, minutes: str) -> None:
     with pytest.raises(SystemExit) as ended:

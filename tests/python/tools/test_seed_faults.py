@@ -9,12 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from tests.python.reading.task_records import record_task
 from tools.seed_faults import copy_part
 from traceability.checks.registry import KNOWN
-from traceability.reading.seeded_fault_record import SOURCES, Outcome, read_record, write_record
+from traceability.reading.seeded_fault_record import SOURCES
 from traceability.reading.seeded_faults import COMPILER, STAGES, Edit, Fault, read_faults
-from traceability.reading.task_record import SEEDED_FAULTS
 
 ROOT = Path(__file__).parents[3]
 FAULTS = read_faults(ROOT)
@@ -60,15 +58,3 @@ def test_edit_that_matches_nothing_is_an_error(tmp_path: Path) -> None:
         Edit("file", "three", "").apply(tmp_path)
     assert Edit("file", "^two", "2").apply(tmp_path) == 2
     assert (tmp_path / "file").read_text(encoding="utf-8") == "one\n2\n"
-
-
-def test_record_counts_for_the_state_it_was_made_in_only(tmp_path: Path) -> None:
-    source = tmp_path / "src" / "a.hpp"
-    source.parent.mkdir()
-    source.write_text("one", encoding="utf-8")
-    outcome = Outcome("a-1", "module-secret", "Says.", "src/a.hpp", 1, True, True, ["found"])
-    write_record(tmp_path, [outcome], 0)
-    record_task(tmp_path, SEEDED_FAULTS, "src")
-    assert read_record(tmp_path) == [outcome]
-    source.write_text("two", encoding="utf-8")
-    assert read_record(tmp_path) is None

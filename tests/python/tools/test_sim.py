@@ -55,45 +55,49 @@ def called(root: Path) -> list[str]:
     return (root / "called").read_text().splitlines()
 
 
-def test_without_board_the_firmware_runs_on_this_machine(root: Path) -> None:
-    assert cli.main(["sim", "--cycles", "3"]) == 0
-    link, control = str(root / "build/pc-link"), str(root / "build/sim-control")
-    assert called(root) == [
-        *("weeding_robot_host", "--link", link, "--control", control, "--cycles", "3")
-    ]
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (
+            "--cycles 3",
+            "weeding_robot_host --link {root}/build/pc-link --control {root}/build/sim-control"
+            " --cycles 3",
+        ),
+        (
+            "--scenario a.scenario --reports r.csv",
+            "weeding_robot_host --scenario a.scenario --reports r.csv",
+        ),
+        (
+            "--board --link here --control there --trace events",
+            "weeding_robot_board --image {image}.bin --elf {image}.elf"
+            " --robot --link here --control there --trace events",
+        ),
+        (
+            "--board --cycles 9 --fast --resets",
+            "weeding_robot_board --image {image}.bin --elf {image}.elf"
+            " --robot --cycles 9 --fast --resets",
+        ),
+        (
+            "--board --product weeding_robot_pc --cycles 9 --fast",
+            "weeding_robot_board --image {image}_pc.bin --elf {image}_pc.elf"
+            " --robot --cycles 9 --fast",
+        ),
+    ],
+)
+def test_options_choose_the_program_and_its_words(root: Path, options: str, words: str) -> None:
+    assert cli.main(["sim", *options.split()]) == 0
+    image = root / "build/k64/weeding_robot"
+    assert called(root) == words.format(root=root, image=image).split()
 
 
-def test_with_board_the_image_runs_on_the_virtual_k64(root: Path) -> None:
-    assert (
-        cli.main(["sim", "--board", "--link", "here", "--control", "there", "--trace", "events"])
-        == 0
-    )
-    image = str(root / "build/k64/weeding_robot")
-    assert called(root) == [
-        *("weeding_robot_board", "--image", f"{image}.bin", "--elf", f"{image}.elf"),
-        *("--robot", "--link", "here", "--control", "there", "--trace", "events"),
-    ]
-
-
-def test_a_scenario_takes_the_place_of_the_link(root: Path) -> None:
-    assert cli.main(["sim", "--scenario", "a.scenario", "--reports", "r.csv"]) == 0
-    assert called(root)[1:] == ["--scenario", "a.scenario", "--reports", "r.csv"]
-
-
-def test_a_fast_run_has_no_link(root: Path) -> None:
-    assert cli.main(["sim", "--board", "--cycles", "9", "--fast"]) == 0
-    assert called(root)[6:] == ["--cycles", "9", "--fast"]
-
-
-def test_resets_are_passed_to_the_virtual_board(root: Path) -> None:
-    assert cli.main(["sim", "--board", "--cycles", "9", "--fast", "--resets"]) == 0
-    assert called(root)[6:] == ["--cycles", "9", "--fast", "--resets"]
-
-
-@pytest.mark.usefixtures("root")
-def test_resets_need_the_virtual_board() -> None:
-    with pytest.raises(SystemExit):
-        cli.main(["sim", "--resets"])
+@pytest.mark.parametrize(
+    "options", ["--resets", "--product weeding_robot_pc", "--board --product x"]
+)
+def test_options_that_do_not_fit_are_wrong_usage(root: Path, options: str) -> None:
+    with pytest.raises(SystemExit) as ended:
+        cli.main(["sim", *options.split()])
+    assert ended.value.code == 2
+    assert not (root / "called").exists()
 
 
 @pytest.mark.parametrize("code", [1, 4])
@@ -102,42 +106,19 @@ def test_the_exit_code_of_the_program_is_that_of_the_command(root: Path, code: i
     assert cli.main(["sim", "--board"]) == code
 
 
-def test_what_cannot_be_built_is_not_run(
-    root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize("broken", [VIRTUAL_BOARD, K64_FIRMWARE])
+def test_a_failed_build_runs_no_program(
+    root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], broken: str
 ) -> None:
-    replace_builds(monkeypatch, root, broken=VIRTUAL_BOARD)
+    replace_builds(monkeypatch, root, broken)
     assert cli.main(["sim", "--board"]) == 1
     assert "no library" in capsys.readouterr().out
     assert not (root / "called").exists()
 
 
-def test_a_program_that_cannot_be_run_is_said(
+def test_a_program_that_is_missing_is_an_error(
     root: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (root / "build/host/sim" / sim.PROGRAM).unlink()
     assert cli.main(["sim"]) == 1
     assert "weeding_robot_host: No such file" in capsys.readouterr().err
-
-
-def test_without_an_image_the_board_is_not_switched_on(
-    root: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    replace_builds(monkeypatch, root, broken=K64_FIRMWARE)
-    assert cli.main(["sim", "--board"]) == 1
-    assert not (root / "called").exists()
-
-
-def test_the_image_of_a_product_can_be_run(root: Path) -> None:
-    assert cli.main(["sim", "--board", "--product", "weeding_robot_pc"]) == 0
-    image = str(root / "build/k64/weeding_robot_pc")
-    assert called(root)[1:5] == ["--image", f"{image}.bin", "--elf", f"{image}.elf"]
-
-
-@pytest.mark.parametrize(
-    "options", [["--product", "weeding_robot_pc"], ["--board", "--product", "x"]]
-)
-def test_a_product_is_one_of_those_on_the_board(root: Path, options: list[str]) -> None:
-    with pytest.raises(SystemExit) as ended:
-        cli.main(["sim", *options])
-    assert ended.value.code == 2
-    assert not (root / "called").exists()

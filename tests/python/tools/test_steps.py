@@ -60,23 +60,12 @@ def test_an_error_in_the_tools_fails_the_step_and_its_place_is_in_the_log(steps:
     assert "test_steps.py" in (steps.root / "build/logs/model.log").read_text()
 
 
-def test_what_python_prints_goes_to_the_log(steps: Steps) -> None:
-    assert steps.run("model", lambda _log: print("chatter"))
-    assert "chatter" not in said(steps)
-    assert "chatter" in (steps.root / "build/logs/model.log").read_text()
-
-
 def test_an_interrupt_is_not_swallowed(steps: Steps) -> None:
     def interrupted(_log: TextIO) -> None:
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
         steps.run("model", interrupted)
-
-
-def test_a_step_that_cannot_run_says_why(steps: Steps) -> None:
-    steps.skip("tests (pages)", "no browser was found")
-    assert said(steps) == "[1/2] tests (pages) ... not run: no browser was found\n"
 
 
 def test_an_interrupt_ends_a_program_with_those_that_it_started() -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import json
 import os
 import signal
 import subprocess
@@ -16,7 +15,7 @@ from typing import TextIO
 import pytest
 
 from tools.steps import FailureError
-from tools.task_graph import Graph, Outcome, Progress, Reporter, Task
+from tools.task_graph import Graph, Outcome, Reporter, Task
 from traceability.reading.task_record import is_fresh
 
 RESULT = "build/results/tests.json"
@@ -179,20 +178,6 @@ def test_a_record_of_results_is_fresh_until_a_source_changes(project: Project) -
     project.write("src/constants.hpp", "second")
     assert not is_fresh(project.root, "tests")
     assert not is_fresh(project.root, "another task")
-
-
-def test_the_progress_has_what_runs_and_how_long_it_took_last(tmp_path: Path) -> None:
-    seen: list[Progress] = []
-    tasks = [Task("a", lambda _log: None, always=True), Task("b", lambda _log: "note", ("src",))]
-    for _ in range(2):
-        Graph(tmp_path, tasks, io.StringIO()).run(
-            ["a", "b"], lambda _task, progress: seen.append(progress)
-        )
-    last = seen[-1]
-    assert (last.running, last.waiting) == ({}, {})
-    assert last.done["b"].note == "note"
-    times = json.loads((tmp_path / "build/tasks.json").read_text())["seconds of tasks"]["all"]
-    assert set(times) == {"a", "b"}
 
 
 LONG = """
