@@ -116,26 +116,26 @@ def write(path: Path, text: str) -> None:
     path.write_text(text)
 
 
-def test_the_same_content_at_another_time_is_no_change(project: Project) -> None:
-    (project.root / "src/main.cpp").touch()
-    assert project.run() == []
-
-
 def test_the_same_results_do_not_run_what_counts_them(project: Project) -> None:
     project.write("src/main.cpp", "second")
     assert project.run("coverage") == ["tests"]
 
 
-def test_a_new_and_a_removed_file_are_changes(project: Project) -> None:
-    project.write("site/new.html", "new")
-    assert project.run() == ["pages"]
-    (project.root / "site/new.html").unlink()
-    assert project.run() == ["pages"]
-
-
-def test_a_removed_result_is_made_again(project: Project) -> None:
-    (project.root / RESULT).unlink()
-    assert project.run() == ["tests"]
+@pytest.mark.parametrize(
+    ("change", "expected"),
+    [
+        (lambda root: (root / "src/main.cpp").touch(), []),
+        (lambda root: (root / "site/new.html").write_text("new"), ["pages"]),
+        (lambda root: (root / "site/page.html").unlink(), ["pages"]),
+        (lambda root: (root / RESULT).unlink(), ["tests"]),
+    ],
+    ids=["same content", "new file", "removed file", "removed result"],
+)
+def test_content_and_files_decide(
+    project: Project, change: Callable[[Path], object], expected: list[str]
+) -> None:
+    change(project.root)
+    assert project.run() == expected
 
 
 def test_a_file_that_changes_during_the_run_counts_as_changed(project: Project) -> None:
