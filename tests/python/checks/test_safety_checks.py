@@ -50,6 +50,14 @@ def test_a_change_of_the_case_is_found(tmp_path: Path, change: tuple[str, str], 
     assert found == ([text] if text else [])
 
 
+def test_a_requirement_names_a_goal_that_exists(tmp_path: Path) -> None:
+    write_case(tmp_path)
+    model = make_model(tmp_path)
+    model.requirements["FR-1"] = replace(model.requirements["FR-1"], goals=["SG-1", "SG-7"])
+    texts = [one.text for one in check(tmp_path, model)]
+    assert texts == ["FR-1 names SG-7, and there is no such goal"]
+
+
 def test_a_project_without_a_case_has_no_findings(tmp_path: Path) -> None:
     assert check(tmp_path, make_model(tmp_path)) == []
 

@@ -11,7 +11,7 @@ import pytest
 from traceability.model.design_model import Model
 from traceability.model.stack import Declared, Prover
 from traceability.reading.ast_facts import BodyFact, CallFact, Syntax
-from traceability.reading.call_graph import Function, _read_listing, _read_unit, short_name
+from traceability.reading.call_graph import Function, _read_listing, _read_unit
 from traceability.reading.source_facts import Facts
 from traceability.schema import ExecutionContext, Place
 
@@ -88,22 +88,6 @@ def test_an_indirect_call_reaches_what_the_model_says() -> None:
     assert proof.proven
 
 
-def test_a_chain_passes_once_through_each_concrete_decorator() -> None:
-    functions = graph(
-        Loop_run=(8, ["Frame_put"]),
-        Frame_put=(4, []),
-        Red_put=(16, ["Frame_put"]),
-        Blue_put=(32, ["Frame_put"]),
-    )
-    functions["Frame_put"].indirect = [CALLED]
-    call = CallFact("Lamp::put", True, CALLED, on=["Red::put", "Blue::put"])
-    one = prover(functions, [context("main", "Loop::run", None)], call)
-    one.most = {"Frame::put": 2, "Red::put": 1, "Blue::put": 1}
-    proof = one.prove(36)
-    assert proof.cycles == []
-    assert proof.total == 8 + 4 + 16 + 4 + 32
-
-
 @pytest.mark.parametrize("written", ["{root}/a.cpp", "../../a.cpp"])
 def test_the_graph_of_the_compiler_is_read(tmp_path: Path, written: str) -> None:
     told: dict[str, Function] = {}
@@ -139,11 +123,3 @@ def test_a_function_of_a_library_is_read_from_its_instructions() -> None:
     found = _read_listing(listing)
     assert (found["memset"].frame, found["memset"].calls) == (20, ["helper"])
     assert found["helper"].frame == 24
-
-
-def test_names_are_those_of_the_model() -> None:
-    assert short_name("wr::Wheel::CutOff::execute()") == "Wheel::CutOff::execute"
-    assert short_name("memset") == "memset"
-    assert short_name("wr::MainController::read(wr::Instant) [clone .isra.0]") == (
-        "MainController::read"
-    )

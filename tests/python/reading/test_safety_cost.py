@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from traceability.reading.safety_cost import correction_of, read_cost
-from traceability.schema import Correction, Place, SafetyCase
+from traceability.schema import Correction, Place, SafetyCase, TouchedFile
 
 WHERE = Place("design/safety_case.toml", 1)
 
@@ -45,56 +45,39 @@ def project(tmp_path: Path) -> tuple[Path, str]:
     return tmp_path, base
 
 
+FILTER = Correction(["src/sensing/"], "A bug.", WHERE)
+PARTLY = Correction(["src/sensing/"], "A bug.", WHERE, for_safety=1)
+ELSEWHERE = Correction(["src/none/"], "Nothing was edited there.", WHERE, for_safety=100)
+
+
+@pytest.mark.parametrize(
+    ("corrections", "reason", "for_safety"),
+    [([], "", 4), ([FILTER], "A bug.", 3), ([PARTLY, ELSEWHERE], "A bug.", 4)],
+)
 def test_edits_of_existing_modules_are_counted_and_new_files_listed(
-    project: tuple[Path, str],
+    project: tuple[Path, str], corrections: list[Correction], reason: str, for_safety: int
 ) -> None:
     root, base = project
-    cost = read_cost(root, SafetyCase(base=base))
-    assert cost is not None
-    assert cost.files_added == ["extensions/safety/Stop"]
-    assert cost.lines_added == 3
-    assert [(one.file, one.added, one.removed) for one in cost.touched] == [
-        ("src/Mode", 2, 1),
-        ("src/sensing/Hall", 1, 0),
-    ]
-    assert cost.for_safety == 4
-
-
-def test_corrections_are_listed_apart(project: tuple[Path, str]) -> None:
-    root, base = project
-    case = SafetyCase(base=base, corrections=[Correction(["src/sensing/"], "A bug.", WHERE)])
-    cost = read_cost(root, case)
-    assert cost is not None
-    assert [one.corrections for one in cost.touched] == ["", "A bug."]
-    assert cost.for_safety == 3
-
-
-def test_lines_for_safety_among_corrections_count(project: tuple[Path, str]) -> None:
-    root, base = project
-    corrections = [
-        Correction(["src/sensing/"], "A bug.", WHERE, for_safety=1),
-        Correction(["src/none/"], "Nothing was edited there.", WHERE, for_safety=100),
-    ]
     cost = read_cost(root, SafetyCase(base=base, corrections=corrections))
     assert cost is not None
-    assert cost.for_safety == 4
+    assert (cost.files_added, cost.lines_added) == (["extensions/safety/Stop"], 3)
+    assert cost.touched == [
+        TouchedFile("src/Mode", 2, 1, ""),
+        TouchedFile("src/sensing/Hall", 1, 0, reason),
+    ]
+    assert cost.for_safety == for_safety
 
 
-def test_a_history_without_the_base_tells_nothing(project: tuple[Path, str]) -> None:
-    root, _ = project
+def test_without_the_whole_history_there_is_no_cost(
+    project: tuple[Path, str], tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    root, base = project
     assert read_cost(root, SafetyCase(base="0" * 40)) is None
     assert read_cost(root, SafetyCase()) is None
-
-
-def test_a_shallow_clone_tells_nothing(project: tuple[Path, str], tmp_path: Path) -> None:
-    root, base = project
-    clone = tmp_path / "clone"
-    git(root, "clone", "-q", "--depth", "1", f"file://{root}", str(clone))
-    assert read_cost(clone, SafetyCase(base=base)) is None
-
-
-def test_a_copy_without_history_tells_nothing(tmp_path: Path) -> None:
-    assert read_cost(tmp_path, SafetyCase(base="HEAD")) is None
+    folder = tmp_path_factory.mktemp("other")
+    assert read_cost(folder, SafetyCase(base="HEAD")) is None
+    git(root, "clone", "-q", "--depth", "1", f"file://{root}", str(folder / "shallow"))
+    assert read_cost(folder / "shallow", SafetyCase(base=base)) is None
 
 
 def test_the_longest_path_decides() -> None:

@@ -72,6 +72,17 @@ def test_a_file_that_is_no_toml_hides_the_other_checks(tmp_path: Path) -> None:
     assert {finding.check for finding in run_checks(*build(root)).findings} == {"design-entry"}
 
 
+def test_a_file_that_a_whole_design_lacks_is_found(tmp_path: Path) -> None:
+    root = write_tree(tmp_path)
+    (root / "design" / "modules.toml").write_text("total = 133\n", encoding="utf-8")
+    found = {
+        (one.place.file, one.text)
+        for one in run_checks(*build(root)).findings
+        if one.check == "design-entry"
+    }
+    assert ("design/concordance.toml", "there is no such file") in found
+
+
 def test_a_text_of_blanks_says_nothing(tmp_path: Path) -> None:
     text = SOUND.replace("It shows that all is well.", " ")
     assert problems(tmp_path, text) == [(11, "why says nothing")]

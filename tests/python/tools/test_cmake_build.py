@@ -70,16 +70,18 @@ def test_failed_tests_have_results(root: Path) -> None:
     assert run_tests(root) == Counts(2, 2, 0)
 
 
-def test_a_program_that_fails_after_passing_tests_is_a_failure(root: Path) -> None:
-    write_program(root / "build/trace/tests/firmware_tests", "exit 9")
-    with pytest.raises(FailureError, match="exit code 9"):
+@pytest.mark.parametrize(("end", "code"), [("exit 9", 9), ("kill -SEGV $$", -11)])
+def test_a_program_that_ends_badly_with_passing_tests_is_a_failure(
+    root: Path, end: str, code: int
+) -> None:
+    write_program(root / "build/trace/tests/firmware_tests", end)
+    with pytest.raises(FailureError, match=f"exit code {code}"):
         run_tests(root)
 
 
 def test_a_crash_before_the_results_is_a_failure(root: Path) -> None:
     run_tests(root)
-    program = root / "build/trace/tests/firmware_tests"
-    program.write_text("#!/bin/sh\nkill -SEGV $$\n")
+    (root / "build/trace/tests/firmware_tests").write_text("#!/bin/sh\nkill -SEGV $$\n")
     with pytest.raises(FailureError, match="exit code -11"):
         run_tests(root)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import socket
 import subprocess
@@ -147,7 +148,7 @@ def test_what_was_interrupted_continues_and_the_rest_is_unchanged(
         assert again.stdout is not None
         printed = again.stdout.read()
     assert "tests (trace) ... unchanged" in printed
-    assert "tests (virtual K64) ... 0." in printed
+    assert re.search(r"tests \(virtual K64\) \.\.\. [\d.]+ s", printed)
 
 
 def test_a_port_in_use_is_said_before_anything_is_measured(project: Project) -> None:
