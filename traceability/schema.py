@@ -1003,6 +1003,7 @@ class BenchRun:
     times_us: Sequence[int]  # of each cycle, to the report
     cycles: int
     instructions: Spread | None = None
+    report_instructions: Spread | None = None  # up to the report
     latency: Mapping[str, Latency] = field(default_factory=dict)  # priority -> the longest
     exceptions: Sequence[ExceptionCost] = field(default_factory=list)
     speed: float | None = None  # times real time

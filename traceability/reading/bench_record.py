@@ -138,6 +138,7 @@ def bench_run(raw: dict[str, Any], speed: float | None = None) -> BenchRun:
         times_us=[round(1000 * time) for time in times],
         cycles=CYCLES,
         instructions=spread(raw["instructions"], 0),
+        report_instructions=spread(raw["report_instructions"], 0),
         latency=latencies(raw["exceptions"], per_ms),
         exceptions=exceptions(raw["exceptions"], per_ms),
         speed=speed,

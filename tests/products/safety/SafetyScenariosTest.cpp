@@ -62,6 +62,19 @@ INSTANTIATE_TEST_SUITE_P(States, StopOfTheRemoteControl,
                                          "rc_stops_while_handshaking", "rc_receiver_silent"),
                          [](const auto& scenario) { return std::string(scenario.param); });
 
+class SwappedLeads : public SafetyScenario {};
+
+/// @brief Leads that are swapped while the robot drives stop it within 0.3 m, fast or slow.
+/// @verifies FR-307
+TEST_P(SwappedLeads, FR307_StopTheRobotThatDrives) {
+  EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
+}
+
+INSTANTIATE_TEST_SUITE_P(Drives, SwappedLeads,
+                         testing::Values("swapped_leads_while_driving",
+                                         "swapped_leads_while_creeping"),
+                         [](const auto& scenario) { return std::string(scenario.param); });
+
 class FaultOfAPart : public SafetyScenario {};
 
 /// @brief A fault of one wheel, of its leads or of its sensors brakes the whole robot, and it stays at rest.
