@@ -28,6 +28,9 @@ constexpr float kPerCycle = 6.0F;      // two cycles are needed
 constexpr float kBackPerCycle = 3.0F;  // as much a cycle takes back
 constexpr float kDoubtful = 3.0F;      // from here on nothing is learned
 
+// Up to this voltage the bring-up turns a wheel whose leads may be swapped.
+constexpr Tension kBringUp(1000);
+
 constexpr float kMilli = 1e-3F;
 constexpr std::size_t kInduced = 1;  // input: induced voltage
 
@@ -72,7 +75,7 @@ bool LeadsWatch::swapped(const WheelMeasurements& measured, std::optional<Tensio
     return false;
   }
   const Cycle cycle = examine(measured, *tension);
-  if (cycle.moved) {
+  if (cycle.moved && (*tension > kBringUp || *tension < -kBringUp)) {
     weigh(cycle);
   }
   // Without edges the measured velocity is only the greatest possible one.
