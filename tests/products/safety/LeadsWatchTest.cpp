@@ -140,6 +140,14 @@ TEST_F(WatchedLeads, FR307_OnlyCompleteCyclesCount) {
   EXPECT_TRUE(cycle(100, pulling(100, 1)));
 }
 
+/// @brief Up to 1 V, with which the bring-up turns a wheel, swapped leads are no cause.
+/// @verifies FR-307
+TEST_F(WatchedLeads, FR307_UpToOneVoltNothingCounts) {
+  EXPECT_FALSE(drive(10, 1, 40));
+  EXPECT_EQ(found(10, 1.0), 0);
+  EXPECT_GT(found(10, 1.1), 0);
+}
+
 /// @brief A watch that begins again has no evidence.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_ANewBeginHasNoEvidence) {
