@@ -71,7 +71,8 @@ TEST_P(SwappedLeads, FR307_StopTheRobotThatDrives) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Drives, SwappedLeads,
-                         testing::Values("swapped_leads_while_driving",
+                         testing::Values("swapped_leads_at_full_speed",
+                                         "swapped_leads_while_driving",
                                          "swapped_leads_while_creeping"),
                          [](const auto& scenario) { return std::string(scenario.param); });
 
