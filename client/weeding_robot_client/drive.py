@@ -162,9 +162,20 @@ def by_keyboard(link: Link, recording: Recording, wheels: tuple[int, ...] | None
     finally:
         if not quits:
             orders.stop()
+            drop_output()
     if quits:
         print()
     return 0 if quits else 1
+
+
+def drop_output() -> None:
+    """Drops the output to a terminal that is gone: Python could not write it, and exits with 120."""
+    if os.isatty(sys.stdin.fileno()):
+        return
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for stream in (sys.stdout, sys.stderr):
+        os.dup2(nowhere, stream.fileno())
+    os.close(nowhere)
 
 
 class _Driver:

@@ -471,7 +471,7 @@ def start_drive(mcu: Any, *words: str, stdin: int) -> subprocess.Popen[bytes]:
     return subprocess.Popen(
         [sys.executable, "-m", "tools", "drive", "--link", mcu.path, *words],
         cwd=ROOT, stdin=stdin, stdout=output, stderr=output,
-        env={**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'client'}"},
+        env={**os.environ, "PYTHONUNBUFFERED": "", "PYTHONPATH": f"{ROOT}:{ROOT / 'client'}"},
     )  # fmt: skip
 
 
