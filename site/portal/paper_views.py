@@ -180,7 +180,7 @@ def concordance_page(portal: Portal) -> Page:
 def target_link(portal: Portal, target: str) -> Markup:
     """What an entry of the concordance names, as a link."""
     kind, _, name = target.partition(":")
-    makers = {
+    makers: dict[str, Callable[[str], Markup]] = {
         "module": portal.names.mod,
         "method": portal.names.meth,
         "pattern": portal.names.pat,
