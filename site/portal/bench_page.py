@@ -5,21 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from typing import Any
 
-from portal import plots
-from portal.plots import HEIGHT, WIDTH, Drawing, Line, Tick, axis
-from portal.portal import Page, Portal
-from traceability.reading.bench_record import (
-    CYCLES,
-    MANUAL,
-    PERIOD_MS,
-    SCENARIOS,
-    SHARE,
-    SLOW,
-    SPEED_GOAL,
-    SPEED_LEAST,
-    TIMINGS,
-    Paper,
-)
+from portal.plots import HEIGHT, WIDTH, Axis, Drawing, Line, Tick, axis
+from portal.portal import Portal
+from traceability.reading import bench_record
+from traceability.reading.bench_record import MANUAL, SCENARIOS, SHARE, SLOW, TIMINGS, Paper
 
 BIN_US = 20
 TOP = 12  # modules and functions shown of each scenario
@@ -27,31 +16,17 @@ CLASSES = {MANUAL: "measured host", SLOW: "measured board", "board": "truth host
 WORDS = {**TIMINGS, "board": "a board"}
 
 
-def bench_page(portal: Portal) -> Page:
-    record = portal.model.bench
-    runs: dict[str, Any] = record["scenarios"] if record else {}
-    return portal.page(
-        "bench",
-        "Bench",
-        "bench",
-        "bench",
-        papers=SCENARIOS,
-        runs=runs,
-        timings=TIMINGS,
-        manual=MANUAL,
-        slow=SLOW,
-        cycles=CYCLES,
-        period=PERIOD_MS,
-        share=SHARE,
-        speeds=(SPEED_LEAST, SPEED_GOAL),
-        target=target,
-        top=TOP,
-        comparison=comparison(runs) if runs else None,
-        distributions={name: distribution(run) for name, run in runs.items()},
-        board=any("board" in run for run in runs.values()),
-        width=plots.WIDTH,
-        height=plots.HEIGHT,
-    )
+def bench(portal: Portal) -> dict[str, Any]:
+    runs: dict[str, Any] = (portal.model.bench or {}).get("scenarios", {})
+    return {
+        "record": bench_record,
+        "runs": runs,
+        "target": target,
+        "top": TOP,
+        "comparison": comparison(runs) if runs else None,
+        "distributions": {name: distribution(run) for name, run in runs.items()},
+        "board": any("board" in run for run in runs.values()),
+    }
 
 
 def target(paper: Paper, run: dict[str, Any], kind: str) -> tuple[float, float]:
@@ -103,7 +78,7 @@ def distribution(run: dict[str, Any]) -> Drawing:
     return Drawing("Cycles by their time", "cycles in 20 us", x.ticks, y.ticks, lines, words)
 
 
-def outline(found: Counter[int], x: plots.Axis, y: plots.Axis) -> str:
+def outline(found: Counter[int], x: Axis, y: Axis) -> str:
     """The steps of a histogram."""
     parts: list[str] = []
     for number in range(min(found), max(found) + 1):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -145,18 +145,16 @@ class Portal:
         )
         return environment
 
-    def page(
-        self,
-        name: str,
-        title: str,
-        nav: str,
-        template: str,
-        *,
-        wide: bool = False,
-        **values: Any,
-    ) -> Page:
+    def page(self, name: str, title: str, nav: str, template: str, **values: Any) -> Page:
+        wide = values.pop("wide", False)
         body = self.templates.get_template(f"{template}.html").render(**values)
         return Page(name, title, body, nav, wide)
+
+    def view(self, name: str, values: Callable[[Portal], dict[str, Any]]) -> Page:
+        """The page of an entry of the navigation, with what its template needs."""
+        entry = self.navigation.entries[name]
+        page = entry.address.removesuffix(".html")
+        return self.page(page, entry.title, name, name, **values(self))
 
     def _row_of(self, test: str) -> Markup:
         """The row of a test in a table; many pages show the same."""
