@@ -4,22 +4,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
+from typing import Any
 
-from portal import plots
-from portal.plots import HEIGHT, WIDTH, Drawing, Line, Tick, axis
-from portal.portal import Page, Portal
-from traceability.reading.bench_record import (
-    CYCLES,
-    MANUAL,
-    PERIOD_MS,
-    SCENARIOS,
-    SHARE,
-    SLOW,
-    SPEED_GOAL,
-    SPEED_LEAST,
-    TIMINGS,
-    Paper,
-)
+from portal.plots import HEIGHT, WIDTH, Axis, Drawing, Line, Tick, axis
+from portal.portal import Portal
+from traceability.reading import bench_record
+from traceability.reading.bench_record import MANUAL, SCENARIOS, SHARE, SLOW, TIMINGS, Paper
 from traceability.schema import BenchRun
 
 Runs = Mapping[str, BenchRun]  # by the model of time
@@ -30,32 +20,19 @@ CLASSES = {MANUAL: "measured host", SLOW: "measured board", "board": "truth host
 WORDS = {**TIMINGS, "board": "a board"}
 
 
-def bench_page(portal: Portal) -> Page:
+def bench(portal: Portal) -> dict[str, Any]:
     measured = portal.model.bench or {}
     runs = {name: scenario.runs for name, scenario in measured.items()}
-    return portal.page(
-        "bench",
-        "Bench",
-        "bench",
-        "bench",
-        papers=SCENARIOS,
-        runs=runs,
-        profiles={name: scenario.profile for name, scenario in measured.items()},
-        timings=TIMINGS,
-        manual=MANUAL,
-        slow=SLOW,
-        cycles=CYCLES,
-        period=PERIOD_MS,
-        share=SHARE,
-        speeds=(SPEED_LEAST, SPEED_GOAL),
-        target=target,
-        top=TOP,
-        comparison=comparison(runs) if runs else None,
-        distributions={name: distribution(run) for name, run in runs.items()},
-        board=any("board" in run for run in runs.values()),
-        width=plots.WIDTH,
-        height=plots.HEIGHT,
-    )
+    return {
+        "record": bench_record,
+        "runs": runs,
+        "profiles": {name: scenario.profile for name, scenario in measured.items()},
+        "target": target,
+        "top": TOP,
+        "comparison": comparison(runs) if runs else None,
+        "distributions": {name: distribution(run) for name, run in runs.items()},
+        "board": any("board" in run for run in runs.values()),
+    }
 
 
 def target(paper: Paper, run: Runs, kind: str) -> tuple[float, float]:
@@ -107,7 +84,7 @@ def distribution(run: Runs) -> Drawing:
     return Drawing("Cycles by their time", "cycles in 20 us", x.ticks, y.ticks, lines, words)
 
 
-def outline(found: Counter[int], x: plots.Axis, y: plots.Axis) -> str:
+def outline(found: Counter[int], x: Axis, y: Axis) -> str:
     """The steps of a histogram."""
     parts: list[str] = []
     for number in range(min(found), max(found) + 1):

@@ -5,60 +5,42 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Iterator
-from html import escape
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+from pygments import highlight
+from pygments.filter import Filter
+from pygments.formatters import HtmlFormatter
 from pygments.lexer import Lexer
-from pygments.lexers import get_lexer_by_name
-from pygments.token import STANDARD_TYPES, _TokenType
-
-PLAIN = {"", "w", "n", "p"}  # names, punctuation and space keep the colour of the text
-CLASSES = dict(STANDARD_TYPES.items())
-LEXERS = {
-    ".hpp": "cpp",
-    ".cpp": "cpp",
-    ".h": "cpp",
-    ".c": "c",
-    ".py": "python",
-    ".toml": "toml",
-    ".txt": "text",
-    ".json": "json",
-    ".dox": "text",
-    ".tree": "text",
-    ".S": "gas",
-    ".ld": "text",
-}
+from pygments.lexers import TextLexer, get_lexer_for_filename
+from pygments.token import Name, Punctuation, Text, Whitespace, _TokenType
+from pygments.util import ClassNotFound
 
 
-def css_class(token: _TokenType) -> str | None:
-    """The short class of a token; a token without one takes its parent's."""
-    short = CLASSES.get(token)
-    return short if short is not None or token.parent is None else css_class(token.parent)
+class Plain(Filter):
+    """Names, punctuation and space keep the colour of the text."""
+
+    def filter(
+        self,
+        lexer: Lexer | None,  # noqa: ARG002 - Pygments names it
+        stream: Iterable[tuple[_TokenType, str]],
+    ) -> Iterator[tuple[_TokenType, str]]:
+        for token, value in stream:
+            yield Text if token in (Whitespace, Name, Punctuation) else token, value
 
 
 def lexer_for(path: str) -> Lexer:
-    name = "cmake" if path.endswith("CMakeLists.txt") else LEXERS.get(Path(path).suffix, "text")
-    return get_lexer_by_name(name, stripnl=False, ensurenl=True)
-
-
-def coloured_pieces(path: str, text: str) -> Iterator[tuple[str | None, str]]:
-    for token, value in lexer_for(path).get_tokens(text):
-        name = css_class(token)
-        yield None if name in PLAIN else name, value
+    try:
+        lexer: Lexer = get_lexer_for_filename(path, stripnl=False)
+    except ClassNotFound:
+        lexer = TextLexer(stripnl=False)
+    lexer.add_filter(Plain())
+    return lexer
 
 
 def highlighted_lines(path: str, text: str) -> list[str]:
     """One HTML fragment for each line; tags never cross the end of a line."""
-    lines = [""]
-    for name, value in coloured_pieces(path, text):
-        for number, part in enumerate(value.split("\n")):
-            if number:
-                lines.append("")
-            if part:
-                safe = escape(part, quote=False)
-                lines[-1] += f'<span class="{name}">{safe}</span>' if name else safe
-    return lines[:-1] if lines[-1] == "" else lines
+    return highlight(text, lexer_for(path), HtmlFormatter(nowrap=True)).split("\n")[:-1]
 
 
 class Highlighter:

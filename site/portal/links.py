@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Container
+from functools import partial
 from pathlib import PurePosixPath
 
 from traceability.model.design_model import Model
-from traceability.schema import Method, Module, Place
+from traceability.schema import Method, Place
 
 ROOT = "@/"
 TWO_HUMPS = re.compile(r"\b[A-Z][a-z0-9]+(?:[A-Z][a-z0-9]*)+\b")
@@ -28,6 +30,11 @@ def depth_prefix(page: str) -> str:
     return "../" * (len(PurePosixPath(page).parts) - 1)
 
 
+def address_in(known: Container[str], address: str, identifier: str) -> str | None:
+    """The address of an element that is known."""
+    return ROOT + address.format(slug(identifier)) if identifier in known else None
+
+
 class Links:
     """Addresses of elements; ``None`` for what has no page."""
 
@@ -36,12 +43,19 @@ class Links:
         self.checks = checks
         self.files = set(model.files)
         self.methods = {m.id: m for module in model.modules.values() for m in module.methods}
+        self.requirement = partial(address_in, model.requirements, "requirements/{}.html")
+        self.pattern = partial(address_in, model.patterns, "patterns/{}.html")
+        self.change = partial(address_in, model.changes, "changes/{}.html")
+        self.machine = partial(address_in, model.machines, "machines.html#{}")
+        self.test = partial(address_in, model.tests, "tests.html#{}")
+        self.check = partial(address_in, checks, "checks/{}.html")
 
     def module(self, name: str) -> str | None:
         module = self.model.modules.get(name)
         if module is None:
             return None
-        return f"{ROOT}{module_page(module)}"
+        page = f"datatypes.html#{name}" if module.datatype else f"modules/{name}.html"
+        return f"{ROOT}{page}"
 
     def method(self, identifier: str) -> str | None:
         method = self.find_method(identifier)
@@ -73,39 +87,18 @@ class Links:
         scope = f"{method.module}-" if module.datatype else "m-"
         return scope + slug(method.name)
 
-    def requirement(self, identifier: str) -> str | None:
-        known = identifier in self.model.requirements
-        return f"{ROOT}requirements/{identifier}.html" if known else None
-
     def safety(self, identifier: str) -> str | None:
         """A safety goal has a page, a hazard and an assumption of use a place on one."""
         case = self.model.safety
-        if identifier in case.goals:
-            return f"{ROOT}safety/{identifier}.html"
-        if identifier in case.hazards:
-            return f"{ROOT}safety/hazards.html#{identifier}"
-        return f"{ROOT}safety/index.html#{identifier}" if identifier in case.assumptions else None
-
-    def pattern(self, identifier: str) -> str | None:
-        return f"{ROOT}patterns/{identifier}.html" if identifier in self.model.patterns else None
-
-    def change(self, identifier: str) -> str | None:
-        return f"{ROOT}changes/{identifier}.html" if identifier in self.model.changes else None
-
-    def machine(self, identifier: str) -> str | None:
-        known = identifier in self.model.machines
-        return f"{ROOT}machines.html#{slug(identifier)}" if known else None
+        return (
+            address_in(case.goals, "safety/{}.html", identifier)
+            or address_in(case.hazards, "safety/hazards.html#{}", identifier)
+            or address_in(case.assumptions, "safety/index.html#{}", identifier)
+        )
 
     def logic(self, identifier: str) -> str | None:
         known = identifier in self.model.logic_modules
         return f"{ROOT}structure.html#{logic_anchor(identifier)}" if known else None
-
-    def test(self, identifier: str) -> str | None:
-        known = identifier in self.model.tests
-        return f"{ROOT}tests.html#{slug(identifier)}" if known else None
-
-    def check(self, identifier: str) -> str | None:
-        return f"{ROOT}checks/{identifier}.html" if identifier in self.checks else None
 
     def source(self, place: Place) -> str | None:
         if place.file not in self.files:
@@ -115,10 +108,6 @@ class Links:
 
     def file(self, path: str) -> str | None:
         return self.source(Place(path, 0))
-
-
-def module_page(module: Module) -> str:
-    return f"datatypes.html#{module.name}" if module.datatype else f"modules/{module.name}.html"
 
 
 def logic_anchor(identifier: str) -> str:

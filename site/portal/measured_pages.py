@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass
+from typing import Any
 
 from portal import plots
-from portal.portal import Page, Portal
+from portal.portal import Portal
 from traceability.reading import baseline_record
 from traceability.schema import Place
 
@@ -24,19 +25,11 @@ class DriverFile:
     missed: list[Place]  # runs of lines
 
 
-def virtual_k64_page(portal: Portal) -> Page:
-    return portal.page(
-        "virtual_k64",
-        "Findings of the virtual K64",
-        "virtual_k64",
-        "virtual_k64",
-        drivers=driver_coverage(portal),
-        torture=[t for t in portal.model.tests.values() if t.place.file.startswith(TORTURE)],
-    )
-
-
-def beliefs_page(portal: Portal) -> Page:
-    return portal.page("beliefs", "Beliefs of the virtual board", "beliefs", "beliefs")
+def virtual_k64(portal: Portal) -> dict[str, Any]:
+    return {
+        "drivers": driver_coverage(portal),
+        "torture": [t for t in portal.model.tests.values() if t.place.file.startswith(TORTURE)],
+    }
 
 
 def driver_coverage(portal: Portal) -> list[DriverFile] | None:
@@ -60,7 +53,7 @@ def missed_runs(path: str, lines: dict[int, bool]) -> list[Place]:
     return runs
 
 
-def closed_loop_page(portal: Portal) -> Page:
+def closed_loop(portal: Portal) -> dict[str, Any]:
     scenarios = portal.model.closed_loop
 
     def within(binding: str) -> tuple[int | None, int]:
@@ -69,69 +62,40 @@ def closed_loop_page(portal: Portal) -> Page:
         ran = [figure for figure in every if binding in figure.values]
         return sum(figure.holds(binding) for figure in ran) if ran else None, len(every)
 
-    return portal.page(
-        "closed_loop",
-        "Closed loop",
-        "closed_loop",
-        "closed_loop",
-        scenarios=scenarios,
-        drawings={
+    return {
+        "scenarios": scenarios,
+        "drawings": {
             scenario.name: [drawing for plot in scenario.plots if (drawing := plots.draw(plot))]
             for scenario in scenarios
         },
-        within=within,
-        number=lambda value: f"{value:.3g}" if abs(value) < 100 else f"{value:.0f}",
-        width=plots.WIDTH,
-        height=plots.HEIGHT,
-    )
+        "within": within,
+        "number": lambda value: f"{value:.3g}" if abs(value) < 100 else f"{value:.0f}",
+    }
 
 
-def mutation_page(portal: Portal) -> Page:
-    mutation = portal.model.mutation
-    tried = mutation.tried if mutation else []
-    return portal.page(
-        "mutation",
-        "Mutants",
-        "mutation",
-        "mutation",
-        rows=[(r, portal.model.mutants_of(r.id)) for r in portal.model.requirements.values()],
-        kinds=Counter(mutant.kind for mutant in tried),
-        survivors=[mutant for mutant in tried if not mutant.killed_by],
-    )
+def mutation(portal: Portal) -> dict[str, Any]:
+    tried = portal.model.mutation.tried if portal.model.mutation else []
+    return {
+        "rows": [(r, portal.model.mutants_of(r.id)) for r in portal.model.requirements.values()],
+        "kinds": Counter(mutant.kind for mutant in tried),
+        "survivors": [mutant for mutant in tried if not mutant.killed_by],
+    }
 
 
-def usual_design_page(portal: Portal) -> Page:
+def usual_design(portal: Portal) -> dict[str, Any]:
     found = baseline_record.read_comparison(portal.root)
-    changes = baseline_record.changes_of(portal.root)
     patches = {
         change: {
             design: (portal.root / baseline_record.patch_of(change, design)).read_text("utf-8")
             for design in baseline_record.DESIGNS
         }
-        for change in changes
+        for change in baseline_record.changes_of(portal.root)
     }
-    return portal.page(
-        "usual_design",
-        "Patterns and the usual design",
-        "usual_design",
-        "usual_design",
-        found=found,
-        folder=str(baseline_record.FOLDER),
-        rows=baseline_record.ROWS,
-        designs=baseline_record.DESIGNS,
-        targets=baseline_record.TARGETS,
-        more=baseline_record.more,
-        verdict=baseline_record.verdict,
-        changes=changes,
-        titles=baseline_record.TITLES,
-        patches=patches,
-        counts={
-            change: {
-                design: baseline_record.count_patch(text).as_json()
-                for design, text in texts.items()
-            }
-            for change, texts in patches.items()
-        },
-        functions=baseline_record.beside(found["functions"], LEAST_DIFFERENCE) if found else [],
-        least=LEAST_DIFFERENCE,
-    )
+    functions = baseline_record.beside(found["functions"], LEAST_DIFFERENCE) if found else []
+    return {
+        "found": found,
+        "record": baseline_record,
+        "patches": patches,
+        "functions": functions,
+        "least": LEAST_DIFFERENCE,
+    }

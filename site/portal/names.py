@@ -6,14 +6,14 @@ import functools
 import re
 from collections import Counter
 from collections.abc import Callable
+from functools import partial
 from html import unescape
 
 from markupsafe import Markup, escape
 
-from portal.diagrams import role_family
 from portal.links import ID_OR_CODE, Links
 from traceability.model.design_model import Model
-from traceability.schema import Module, Place, RoleBinding, Test
+from traceability.schema import Module, Place, Test
 
 VIEWS = [
     ("F", "diagram", "Diagram"),
@@ -38,6 +38,9 @@ RESULTS = {
     "skipped": ("warn", "skipped"),
     None: ("none", "not run"),
 }
+
+# A name is the same link wherever it is: it is made once.
+KEPT = ("mod", "meth", "logic", "req", "safety", "pat", "change", "test", "check", "keys")
 
 
 def anchor(address: str | None, text: Markup | str, kind: str = "", **data: str) -> Markup:
@@ -69,26 +72,16 @@ def views_of(module: Module, called: set[str]) -> set[str]:
     return letters
 
 
-def kept(make: Callable[[Names, str], Markup]) -> Callable[[Names, str], Markup]:
-    """A name is the same link wherever it stands: it is made once."""
-
-    @functools.wraps(make)
-    def found(self: Names, name: str) -> Markup:
-        key = make.__name__, name
-        if key not in self.made:
-            self.made[key] = make(self, name)
-        return self.made[key]
-
-    return found
-
-
 class Names:
     """Makes names of elements into links. The templates call these."""
 
     def __init__(self, model: Model, links: Links) -> None:
         self.model = model
         self.links = links
-        self.made: dict[tuple[str, str], Markup] = {}
+        self.req = partial(self._id, links.requirement)
+        self.safety = partial(self._id, links.safety)
+        self.pat = partial(self._id, links.pattern)
+        self.change = partial(self._id, links.change)
         self.logic_names = Counter(module.name for module in model.logic_modules.values())
         self.called = {
             target.partition("::")[0]
@@ -97,8 +90,12 @@ class Names:
             for call in method.calls
             for target in [call.target, *call.targets]
         }
+        for kind in KEPT:
+            setattr(self, kind, functools.cache(getattr(self, kind)))
 
-    @kept
+    def _id(self, address: Callable[[str], str | None], identifier: str) -> Markup:
+        return anchor(address(identifier), identifier, "id")
+
     def mod(self, name: str) -> Markup:
         module = self.model.modules.get(name)
         if module is None:  # what a module holds leads to that module
@@ -106,7 +103,6 @@ class Names:
         kind = "mod d" if module.datatype else f"mod {'a' if module.abstract else 'c'}"
         return anchor(self.links.module(name), name, kind, m=name)
 
-    @kept
     def meth(self, identifier: str) -> Markup:
         name, _, method = identifier.partition("::")
         if not method:
@@ -130,7 +126,6 @@ class Names:
         known = self.model.functions.get(name)
         return anchor(self.links.source(known.place) if known else None, breakable(name), "meth")
 
-    @kept
     def logic(self, identifier: str) -> Markup:
         """A logic module; below its parent when another one has the same name."""
         module = self.model.logic_modules.get(identifier)
@@ -140,29 +135,10 @@ class Names:
             text = Markup("{}<wbr>/{}").format(parent.name, module.name)
         return anchor(self.links.logic(identifier), text, "logic")
 
-    @kept
-    def req(self, identifier: str) -> Markup:
-        return anchor(self.links.requirement(identifier), identifier, "id")
-
-    @kept
-    def safety(self, identifier: str) -> Markup:
-        """A safety goal, a hazard or an assumption of use."""
-        return anchor(self.links.safety(identifier), identifier, "id")
-
-    @kept
-    def pat(self, identifier: str) -> Markup:
-        return anchor(self.links.pattern(identifier), identifier, "id")
-
-    @kept
-    def change(self, identifier: str) -> Markup:
-        return anchor(self.links.change(identifier), identifier, "id")
-
-    @kept
     def test(self, identifier: str) -> Markup:
         text = Markup("<code>{}</code>").format(breakable(identifier))
         return anchor(self.links.test(identifier), text)
 
-    @kept
     def check(self, identifier: str) -> Markup:
         text = Markup("<code>{}</code>").format(identifier)
         return anchor(self.links.check(identifier), text, "id")
@@ -174,16 +150,6 @@ class Names:
             self.links.source(place), Markup("<code>{}</code>").format(breakable(where)), "src"
         )
 
-    def role(self, binding: RoleBinding) -> Markup:
-        family = role_family(binding.role)
-        return Markup('<span class="role {}">{}</span>').format(family, binding.role)
-
-    def swatch(self, role: str) -> Markup:
-        return Markup('<span class="swatch {}" aria-hidden="true"></span>').format(
-            role_family(role)
-        )
-
-    @kept
     def keys(self, name: str) -> Markup:
         """The seven view keys of a module; the place of a view without content stays empty."""
         module = self.model.modules.get(name)
@@ -230,17 +196,18 @@ class Names:
         def name(match: re.Match[str]) -> str:
             code, whole = match.group(1), match.group(0)
             word = unescape(code) if code is not None else whole
+            method = word.strip("()")
             if word in self.model.requirements:
-                return str(self.req(word))
+                return self.req(word)
             if word in self.model.modules:
-                return str(self.mod(word))
+                return self.mod(word)
             if word in self.links.checks:
-                return str(self.check(word))
+                return self.check(word)
             if code is not None and word in self.model.tests:
-                return str(self.test(word))
-            if code is not None and "::" in word and self.links.find_method(word.strip("()")):
-                return str(self.meth(word.strip("()")))
-            return str(self.safety(word)) if self.links.safety(word) else whole
+                return self.test(word)
+            if code is not None and "::" in word and self.links.find_method(method):
+                return self.meth(method)
+            return self.safety(word) if self.links.safety(word) else whole
 
         return Markup(ID_OR_CODE.sub(name, marked(words)))
 

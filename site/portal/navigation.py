@@ -3,41 +3,35 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass
-from itertools import pairwise
+from itertools import chain, pairwise
 from pathlib import Path
 
 from traceability.model.design_model import Model
 from traceability.reading.products import PRODUCTS
 
-FIRST = ("tour", "quick_start", "client", "emulator", "scenarios", "bring_up")
-PROVE = ("hazards",)
-EXPLAIN = (
-    "execution_model",
-    "wheel_control",
-    "steering_control",
-    "plant",
-    "host_target",
-    "add_extension",
-    "product_line",
-    "annotations",
-    "glossary",
-)
-
-
-@dataclass
-class Doc:
-    """A hand-written page."""
-
-    name: str
-    title: str
-
-    @property
-    def address(self) -> str:
-        return f"docs/{self.name}.html"
+# The hand-written pages of each group, in this order; a page that is not named is in "build".
+DOCS = {
+    "understand": ("tour",),
+    "build": ("quick_start", "client", "emulator", "scenarios", "bring_up"),
+    "verify": ("hazards",),
+    "explain": (
+        "execution_model",
+        "wheel_control",
+        "steering_control",
+        "plant",
+        "host_target",
+        "add_extension",
+        "product_line",
+        "annotations",
+        "glossary",
+    ),
+}
 
 
 @dataclass
 class Entry:
+    """A page in the navigation. The template of a generated page has the name ``id``."""
+
     id: str
     title: str
     address: str
@@ -52,15 +46,15 @@ class Group:
     entries: list[Entry]
 
 
-def hand_written(folder: Path) -> list[Doc]:
+def hand_written(folder: Path) -> list[Entry]:
     """The pages below ``docs/``, the ones to begin with first."""
+    names = {path: str(path.relative_to(folder).with_suffix("")) for path in folder.rglob("*.rst")}
     pages = [
-        Doc(str(path.relative_to(folder).with_suffix("")), first_title(path))
-        for path in sorted(folder.rglob("*.rst"))
+        Entry(f"docs/{name}", first_title(path), f"docs/{name}.html")
+        for path, name in sorted(names.items())
     ]
-    order = [*FIRST, *PROVE, *EXPLAIN]
-    place = {name: number for number, name in enumerate(order)}
-    return sorted(pages, key=lambda doc: (place.get(doc.name, len(order)), doc.title.lower()))
+    order = {f"docs/{name}": number for number, name in enumerate(chain(*DOCS.values()))}
+    return sorted(pages, key=lambda page: (order.get(page.id, len(order)), page.title.lower()))
 
 
 def first_title(path: Path) -> str:
@@ -79,27 +73,25 @@ def is_underline(line: str) -> bool:
 class Navigation:
     """Three groups, as there are three reasons to come here, and the pages that explain."""
 
-    def __init__(self, model: Model, docs: list[Doc], checks: int, faults: int) -> None:
-        tour = [entry(doc) for doc in docs if doc.name == "tour"]
-        explain = [entry(doc) for doc in docs if doc.name in EXPLAIN]
-        prove = [entry(doc) for doc in docs if doc.name in PROVE]
-        use = [entry(doc) for doc in docs if doc.name not in ("tour", *PROVE, *EXPLAIN)]
+    def __init__(self, model: Model, docs: list[Entry], checks: int, faults: int) -> None:
+        written: dict[str, list[Entry]] = {group: [] for group in DOCS}
+        for doc in docs:
+            name = doc.id.removeprefix("docs/")
+            group = next((group for group, names in DOCS.items() if name in names), "build")
+            written[group].append(doc)
         source = Entry("source", "Source", "source/index.html", "S")
         exports = Entry("exports", "Exports", "exports.html")
         self.groups = [
-            Group("understand", "Understand", [*tour, *understand(model)]),
-            Group("verify", "Verify", [*verify(model, checks, faults), *prove]),
-            Group("build", "Build and use", [*use, source, exports]),
+            Group("understand", "Understand", [*written["understand"], *understand(model)]),
+            Group("verify", "Verify", [*verify(model, checks, faults), *written["verify"]]),
+            Group("build", "Build and use", [*written["build"], source, exports]),
         ]
-        if explain:
+        if explain := written["explain"]:
             self.groups.append(Group("explain", "Explanations", explain))
+        self.entries = {entry.id: entry for group in self.groups for entry in group.entries}
 
     def data(self) -> list[dict[str, object]]:
         return [asdict(group) for group in self.groups]
-
-
-def entry(doc: Doc) -> Entry:
-    return Entry(f"docs/{doc.name}", doc.title, doc.address)
 
 
 def understand(model: Model) -> list[Entry]:
@@ -144,13 +136,7 @@ def verify(model: Model, checks: int, faults: int) -> list[Entry]:
         Entry("closed_loop", "Closed loop", "closed_loop.html", "", len(model.closed_loop)),
         Entry("bench", "Bench", "bench.html"),
         Entry("virtual_k64", "Findings of the virtual K64", "virtual_k64.html"),
-        Entry(
-            "beliefs",
-            "Beliefs of the virtual board",
-            "beliefs.html",
-            "",
-            len(model.beliefs),
-        ),
+        Entry("beliefs", "Beliefs of the virtual board", "beliefs.html", "", len(model.beliefs)),
         Entry("checks", "Checks", "checks/index.html", "", checks),
         Entry("drift", "Drift test", "checks/drift.html", "", faults),
     ]

@@ -6,23 +6,18 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
 from itertools import islice
+from typing import Any
 
-from portal.bench_page import bench_page
+from portal.bench_page import bench
 from portal.diagrams import DIAGRAMS
 from portal.links import logic_anchor
-from portal.measured_pages import (
-    beliefs_page,
-    closed_loop_page,
-    mutation_page,
-    usual_design_page,
-    virtual_k64_page,
-)
+from portal.measured_pages import closed_loop, mutation, usual_design, virtual_k64
 from portal.module_page import module_page
-from portal.paper_views import paper_views
+from portal.paper_views import change_page, concordance, families, hidden_names
 from portal.portal import Page, Portal
-from portal.requirement_pages import aligned, first_run, requirement_page, requirements_page
-from portal.safety_pages import safety_pages
-from portal.source_pages import source_page, sources_page
+from portal.requirement_pages import aligned, first_run, requirement_page, requirements
+from portal.safety_pages import cost, goal_page, hazards_page, safety
+from portal.source_pages import folders, source_page
 from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.reading.products import PRODUCTS
 from traceability.schema import Method, PatternApplication, Place, Requirement, TreeNode
@@ -42,9 +37,16 @@ def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
     model = portal.model
     for path in model.files:
         yield partial(source_page, portal, path)
-    yield from overviews(portal)
-    yield from paper_views(portal)
-    yield from safety_pages(portal)
+    yield partial(home_page, portal)
+    for name, values in VIEWS.items():
+        if name in portal.navigation.entries:
+            yield partial(portal.view, name, values)
+    for change in model.changes.values():
+        yield partial(change_page, portal, change)
+    if model.safety.goals:
+        yield partial(hazards_page, portal)
+    for goal in model.safety.goals.values():
+        yield partial(goal_page, portal, goal)
     for module in portal.designs:
         yield partial(module_page, portal, module)
     for application in model.patterns.values():
@@ -53,60 +55,6 @@ def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
         yield partial(requirement_page, portal, requirement)
     for check in portal.checks.values():
         yield partial(portal.page, f"checks/{check.id}", check.id, "checks", "check", check=check)
-
-
-def overviews(portal: Portal) -> Iterator[Callable[[], Page]]:
-    page = partial(partial, portal.page)
-    by_logic = [m for m in portal.model.logic_modules.values() if m.modules]
-    yield partial(home_page, portal)
-    yield partial(structure_page, portal)
-    yield page("guide", "Module guide", "guide", "guide", groups=by_logic)
-    yield page("interfaces", "Interfaces", "interfaces", "interfaces", groups=by_logic)
-    yield page("datatypes", "Data dictionary", "datatypes", "datatypes")
-    yield page("patterns/index", "Pattern applications", "patterns", "patterns")
-    yield partial(products_page, portal)
-    yield page("machines", "State machines", "machines", "machines")
-    yield partial(uses_page, portal)
-    yield partial(execution_page, portal)
-    yield partial(exports_page, portal)
-    yield page("architecture", "Architecture", "architecture", "architecture", wide=True)
-    yield partial(requirements_page, portal)
-    yield page("trees", "Invocation trees", "trees", "trees")
-    yield partial(tests_page, portal)
-    yield partial(virtual_k64_page, portal)
-    yield partial(beliefs_page, portal)
-    yield partial(mutation_page, portal)
-    yield partial(reverse_page, portal)
-    yield partial(closed_loop_page, portal)
-    yield partial(usual_design_page, portal)
-    yield partial(bench_page, portal)
-    yield page("checks/index", "Checks", "checks", "checks")
-    yield page("checks/drift", "Drift test", "drift", "drift")
-    yield partial(sources_page, portal)
-
-
-def structure_page(portal: Portal) -> Page:
-    tops = [m for m in portal.model.logic_modules.values() if m.parent is None]
-    return portal.page(
-        "structure", "Module structure", "structure", "structure", tops=tops, anchor=logic_anchor
-    )
-
-
-def uses_page(portal: Portal) -> Page:
-    return portal.page("uses", "Uses", "uses", "uses", rows=use_rows(portal))
-
-
-def exports_page(portal: Portal) -> Page:
-    return portal.page("exports", "Exports", "exports", "exports", sources=diagram_sources(portal))
-
-
-def tests_page(portal: Portal) -> Page:
-    return portal.page("tests", "Tests", "tests", "tests", suites=suites(portal))
-
-
-def reverse_page(portal: Portal) -> Page:
-    rows = reverse_rows(portal)
-    return portal.page("reverse", "From code to requirements", "reverse", "reverse", rows=rows)
 
 
 def home_page(portal: Portal) -> Page:
@@ -136,20 +84,16 @@ def real_method(portal: Portal, node: TreeNode) -> Method | None:
     return method if method and method.body else None
 
 
-def products_page(portal: Portal) -> Page:
-    products = portal.model.products
-    held = [set(product.modules) for product in (products or {}).values()]
+def products(portal: Portal) -> dict[str, Any]:
+    measured = portal.model.products
+    held = [set(product.modules) for product in (measured or {}).values()]
     common = set.intersection(*held) if held else set()
-    return portal.page(
-        "products",
-        "Product line",
-        "products",
-        "products",
-        listed=PRODUCTS,
-        products=products,
-        rows=sorted(set().union(*held) - common),
-        common=sorted(common),
-    )
+    return {
+        "listed": PRODUCTS,
+        "products": measured,
+        "rows": sorted(set().union(*held) - common),
+        "common": sorted(common),
+    }
 
 
 def reverse_rows(portal: Portal) -> list[tuple[str, int, int]]:
@@ -192,14 +136,11 @@ def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
     return found
 
 
-def execution_page(portal: Portal) -> Page:
+def execution(portal: Portal) -> dict[str, Any]:
     """The contexts, the highest priority first; what has none comes last."""
-    contexts = sorted(
-        portal.model.contexts.values(), key=lambda one: (one.priority is None, one.priority or 0)
-    )
-    return portal.page(
-        "execution", "Execution", "execution", "execution", wide=True, contexts=contexts
-    )
+    contexts = portal.model.contexts.values()
+    ordered = sorted(contexts, key=lambda one: (one.priority is None, one.priority or 0))
+    return {"contexts": ordered, "wide": True}
 
 
 def suites(portal: Portal) -> dict[str, list[str]]:
@@ -232,3 +173,43 @@ def use_rows(portal: Portal) -> list[UseRow]:
         )
         for pair in sorted(pairs)
     ]
+
+
+def groups(portal: Portal) -> dict[str, Any]:
+    return {"groups": [m for m in portal.model.logic_modules.values() if m.modules]}
+
+
+def structure(portal: Portal) -> dict[str, Any]:
+    tops = [m for m in portal.model.logic_modules.values() if m.parent is None]
+    return {"tops": tops, "anchor": logic_anchor}
+
+
+# The pages of the navigation, each with what its template needs besides the model.
+VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
+    **dict.fromkeys(
+        ("patterns", "machines", "changes", "datatypes", "trees", "beliefs", "checks", "drift"),
+        lambda _: {},
+    ),
+    "architecture": lambda _: {"wide": True},
+    "structure": structure,
+    "secrets": lambda portal: {**groups(portal), "hidden_names": hidden_names},
+    "guide": groups,
+    "interfaces": groups,
+    "inheritances": lambda portal: {"families": families(portal)},
+    "products": products,
+    "uses": lambda portal: {"rows": use_rows(portal)},
+    "concordance": concordance,
+    "usual_design": usual_design,
+    "execution": execution,
+    "safety": safety,
+    "safety_cost": cost,
+    "requirements": requirements,
+    "tests": lambda portal: {"suites": suites(portal)},
+    "mutation": mutation,
+    "reverse": lambda portal: {"rows": reverse_rows(portal)},
+    "closed_loop": closed_loop,
+    "bench": bench,
+    "virtual_k64": virtual_k64,
+    "source": lambda portal: {"folders": folders(portal)},
+    "exports": lambda portal: {"sources": diagram_sources(portal)},
+}

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 from markupsafe import Markup
 
@@ -16,22 +17,6 @@ from traceability.schema import LikelyChange, LogicModule, Method, Module, Paper
 
 CONSTANT = re.compile(r"k[A-Z]\w*")
 COMMON_CHECKS = ("module-secret", "module-spec", "uses-allowed", "req-verified", "tree-static")
-
-
-def paper_views(portal: Portal) -> Iterator[Callable[[], Page]]:
-    yield partial(portal.page, "changes", "Likely changes", "changes", "changes")
-    for change in portal.model.changes.values():
-        yield partial(change_page, portal, change)
-    yield partial(secrets_page, portal)
-    yield partial(inheritances_page, portal)
-    yield partial(concordance_page, portal)
-
-
-def inheritances_page(portal: Portal) -> Page:
-    return portal.page(
-        "inheritances", "Interface inheritances", "inheritances", "inheritances",
-        families=families(portal),
-    )  # fmt: skip
 
 
 # ---- likely changes ----------------------------------------------------------
@@ -78,17 +63,6 @@ def checks_of(portal: Portal, change: LikelyChange) -> list[str]:
 
 
 # ---- secrets -----------------------------------------------------------------
-
-
-def secrets_page(portal: Portal) -> Page:
-    return portal.page(
-        "secrets",
-        "Secrets",
-        "secrets",
-        "secrets",
-        groups=[logic for logic in portal.model.logic_modules.values() if logic.modules],
-        hidden_names=hidden_names,
-    )
 
 
 def hidden_names(owner: Module | LogicModule) -> dict[str, list[str]]:
@@ -152,7 +126,7 @@ def unique(methods: Iterable[Method]) -> list[Method]:
 # ---- concordance -------------------------------------------------------------
 
 
-def concordance_page(portal: Portal) -> Page:
+def concordance(portal: Portal) -> dict[str, Any]:
     model = portal.model
     by_key = {(element.kind, element.name): element for element in model.paper}
     places = [(place, by_key.get((place.kind, place.id))) for place in model.paper_places]
@@ -162,25 +136,20 @@ def concordance_page(portal: Portal) -> Page:
         if id(element) not in own:
             kinds.setdefault(element.kind, []).append(element)
     back = {m.name: found for m in portal.designs if (found := portal.in_paper(m.name))}
-    return portal.page(
-        "concordance",
-        "Concordance with the paper",
-        "concordance",
-        "concordance",
-        places=places,
-        kinds=sorted(kinds.items()),
-        back=back,
-        designs=len(portal.designs),
-        rows=len(model.paper) + len(back),
-        target=lambda target: target_link(portal, target),
-        slug=paper_anchor,
-    )
+    return {
+        "places": places,
+        "kinds": sorted(kinds.items()),
+        "back": back,
+        "rows": len(model.paper) + len(back),
+        "target": partial(target_link, portal),
+        "slug": paper_anchor,
+    }
 
 
 def target_link(portal: Portal, target: str) -> Markup:
     """What an entry of the concordance names, as a link."""
     kind, _, name = target.partition(":")
-    makers = {
+    makers: dict[str, Callable[[str], Markup]] = {
         "module": portal.names.mod,
         "method": portal.names.meth,
         "pattern": portal.names.pat,
@@ -208,7 +177,7 @@ def page_of(portal: Portal, kind: str, name: str) -> tuple[str | None, str]:
         return (f"{ROOT}architecture.html#{name}", found.name) if found else (None, name)
     page, _, part = (f"docs/{name}" if kind == "docs" else name).partition("#")
     address = f"{page}.html"
-    entries = [entry for group in portal.navigation.groups for entry in group.entries]
+    entries = portal.navigation.entries.values()
     titles = {entry.address: entry.title for entry in entries} | {"index.html": "First page"}
     title = titles.get(address, page)
     return f"{ROOT}{address}{'#' + part if part else ''}", f"{title}, {part}" if part else title

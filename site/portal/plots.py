@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import ClassVar
 
 from traceability.schema import HOST, Curve, LoopPlot
 
@@ -53,6 +54,8 @@ class Drawing:
     y: list[Tick]
     lines: list[Line]
     words: str  # for those who do not see it
+    width: ClassVar[int] = WIDTH
+    height: ClassVar[int] = HEIGHT
 
 
 def draw(plot: LoopPlot) -> Drawing | None:

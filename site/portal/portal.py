@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -20,7 +20,7 @@ from portal.navigation import Navigation, hand_written
 from portal.package_diagram import package_diagrams
 from traceability.model.design_model import Model
 from traceability.model.execution import INTERRUPT, START
-from traceability.model.impact import Impact, Impacts
+from traceability.model.impact import Impacts
 from traceability.model.metrics import metrics
 from traceability.model.report import Report
 from traceability.reading.seeded_fault_record import Outcome
@@ -93,7 +93,6 @@ class Portal:
         self.navigation = Navigation(model, self.docs, len(self.checks), len(model.faults))
         self.metrics = metrics(model, report)
         self.designs = [m for m in model.modules.values() if not m.datatype]
-        self.datatypes = [m for m in model.modules.values() if m.datatype]
         self.diagrams = self._diagrams()
         finished = diagrams.draw(self.diagrams, root / "build" / "diagrams")
         self.drawn = {name: Markup(svg) for name, svg in finished.items()}
@@ -145,18 +144,16 @@ class Portal:
         )
         return environment
 
-    def page(
-        self,
-        name: str,
-        title: str,
-        nav: str,
-        template: str,
-        *,
-        wide: bool = False,
-        **values: Any,
-    ) -> Page:
+    def page(self, name: str, title: str, nav: str, template: str, **values: Any) -> Page:
+        wide = values.pop("wide", False)
         body = self.templates.get_template(f"{template}.html").render(**values)
         return Page(name, title, body, nav, wide)
+
+    def view(self, name: str, values: Callable[[Portal], dict[str, Any]]) -> Page:
+        """The page of an entry of the navigation, with what its template needs."""
+        entry = self.navigation.entries[name]
+        page = entry.address.removesuffix(".html")
+        return self.page(page, entry.title, name, name, **values(self))
 
     def _row_of(self, test: str) -> Markup:
         """The row of a test in a table; many pages show the same."""
@@ -173,10 +170,6 @@ class Portal:
     def early(self) -> int:
         """How many checks are decided before the pages are written."""
         return sum(not self.is_later(check) for check in self.checks)
-
-    @property
-    def trees(self) -> list[Requirement]:
-        return [r for r in self.model.requirements.values() if r.tree]
 
     def flat(self, node: TreeNode, depth: int = 0) -> list[tuple[int, TreeNode]]:
         """The nodes of a tree with their depth, from the root."""
@@ -206,9 +199,6 @@ class Portal:
         measured = self.report.measured
         return sum(one.holds(measured[one.figure]) for one in requirement.evidence)
 
-    def executed_on(self, requirement: Requirement) -> str:
-        return ", ".join(requirement.runs)
-
     def showing(self, step: Transition) -> list[str]:
         """The tests that made a transition: those that verify a requirement of it come first."""
         tests = self.model.tests
@@ -216,9 +206,6 @@ class Portal:
             (name for name in step.tests if name in tests),
             key=lambda name: set(tests[name].verifies).isdisjoint(step.requirements),
         )
-
-    def impact(self, subject: str) -> Impact:
-        return self.impacts.of(subject)
 
     def modules_of(self, context: ExecutionContext) -> list[str]:
         """The design modules that a context may reach."""
@@ -358,9 +345,6 @@ class Portal:
         """A test counts once on each binding that it is built for."""
         return sum(len(test.results) for test in tests)
 
-    def applications_of(self, module: Module) -> list[str]:
-        return list(dict.fromkeys(role.application for role in module.roles))
-
     def callers(self, method: Method) -> list[str]:
         """The methods that call it, in the modules of the robot and of the extensions."""
         return [name for name in method.called_by if name in self.links.methods]
@@ -395,9 +379,6 @@ class Portal:
         if check in DYNAMIC and self.model.results_stale:
             return names.glyph("none", "no fresh results")
         return names.glyph("ok", "holds")
-
-    def faults_of(self, check: str) -> list[Fault]:
-        return [fault for fault in self.model.faults if fault.check == check]
 
     def outcome_of(self, fault: Fault) -> Outcome | None:
         """What became of a fault; ``None`` when it was not seeded in the present state."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 from portal import verification_views
 from portal.module_page import line_kind
@@ -10,35 +11,19 @@ from portal.portal import Page, Portal
 from traceability.schema import HOST, MethodCoverage, Requirement, StateMachine, TreeNode, TreeRun
 
 
-def requirements_page(portal: Portal) -> Page:
-    model = portal.model
+def requirements(portal: Portal) -> dict[str, Any]:
     found = {
-        item.id: verification_views.facets(model, portal.report, item)
-        for item in model.requirements.values()
+        item.id: verification_views.facets(portal.model, portal.report, item)
+        for item in portal.model.requirements.values()
     }
-    picks = {
-        "state": lambda one: [one.state],
-        "logic": lambda one: one.logic,
-        "pattern": lambda one: one.pattern,
-        "method": lambda one: one.method,
-        "level": lambda one: one.level,
-        "goal": lambda one: one.goal,
-        "binding": lambda one: one.binding,
+    return {
+        "sections": sections(portal),
+        "facets": found,
+        "options": verification_views.options(found.values()),
+        "bars": verification_views.chart(sections(portal)),
+        "lines_of": verification_views.lines_of,
+        "host": HOST,
     }
-    return portal.page(
-        "requirements/index",
-        "Requirements",
-        "requirements",
-        "requirements",
-        sections=sections(portal),
-        facets=found,
-        options={
-            name: verification_views.options(found.values(), pick) for name, pick in picks.items()
-        },
-        bars=verification_views.chart(sections(portal)),
-        lines_of=verification_views.lines_of,
-        host=HOST,
-    )
 
 
 def requirement_page(portal: Portal, requirement: Requirement) -> Page:

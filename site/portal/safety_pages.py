@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import partial
+from typing import Any
 
 from portal.portal import Page, Portal
 from traceability.model.safety_case import requirements_of, scenarios_of
@@ -15,27 +15,13 @@ PAPER_PRODUCT = "weeding_robot_paper"
 TIMING = "no-wait-states"
 
 
-def safety_pages(portal: Portal) -> Iterator[Callable[[], Page]]:
-    if not portal.model.safety.goals:
-        return
-    yield partial(overview_page, portal)
-    yield partial(hazards_page, portal)
-    yield partial(cost_page, portal)
-    for goal in portal.model.safety.goals.values():
-        yield partial(goal_page, portal, goal)
-
-
-def overview_page(portal: Portal) -> Page:
+def safety(portal: Portal) -> dict[str, Any]:
     case = portal.model.safety
-    return portal.page(
-        "safety/index",
-        "Safety case",
-        "safety",
-        "safety_case",
-        case=case,
-        figures=portal.metrics,
-        by_level=[(level, count(portal, level)) for level in reversed(case.levels)],
-    )
+    return {
+        "case": case,
+        "figures": portal.metrics,
+        "by_level": [(level, count(portal, level)) for level in reversed(case.levels)],
+    }
 
 
 def count(portal: Portal, level: str) -> int:
@@ -75,17 +61,13 @@ class Compared:
         return None if self.safe is None or self.paper is None else self.safe - self.paper
 
 
-def cost_page(portal: Portal) -> Page:
-    return portal.page(
-        "safety/cost",
-        "What it cost to add safety",
-        "safety_cost",
-        "safety_cost",
-        case=portal.model.safety,
-        cost=portal.model.safety.cost,
-        compared=[*sizes(portal), *cycles(portal)],
-        products=(DEFAULT, PAPER_PRODUCT),
-    )
+def cost(portal: Portal) -> dict[str, Any]:
+    return {
+        "case": portal.model.safety,
+        "cost": portal.model.safety.cost,
+        "compared": [*sizes(portal), *cycles(portal)],
+        "products": (DEFAULT, PAPER_PRODUCT),
+    }
 
 
 def sizes(portal: Portal) -> Iterator[Compared]:

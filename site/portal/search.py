@@ -159,8 +159,8 @@ def paper_entries(portal: Portal) -> Iterator[Entry]:
 def written_entries(portal: Portal) -> Iterator[Entry]:
     """The sections of the hand-written pages, with all their words, and the terms they define."""
     for doc in portal.docs:
-        source = (portal.root / "docs" / f"{doc.name}.rst").read_text(encoding="utf-8")
-        name = doc.name.replace("_", " ")
+        source = (portal.root / f"{doc.id}.rst").read_text(encoding="utf-8")
+        name = doc.id.removeprefix("docs/").replace("_", " ")
         for section in sections_of(doc, expanded(source, portal.root)):
             text = f"{section.text} {name}" if section.title == doc.title else section.text
             yield "Explanations", "", section.title, doc.title, section.address, text
@@ -202,7 +202,6 @@ def targets(portal: Portal) -> dict[str, dict[str, str]]:
         },
         "view": {
             entry.id: f'<a href="{ROOT}{entry.address}">{html.escape(entry.title)}</a>'
-            for group in portal.navigation.groups
-            for entry in group.entries
+            for entry in portal.navigation.entries.values()
         },
     }

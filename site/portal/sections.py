@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from docutils.nodes import make_id
 
-from portal.navigation import Doc, is_underline
+from portal.navigation import Entry, is_underline
 
 NAMED = re.compile(r"(?::[\w-]+:)?`([^`<]*?)\s*(?:<[^`]*>)?`_{0,2}")
 # Directives, their options, labels, and the marks of tables and lists.
@@ -28,7 +28,7 @@ class Section:
     text: str
 
 
-def sections_of(doc: Doc, source: str) -> Iterator[Section]:
+def sections_of(doc: Entry, source: str) -> Iterator[Section]:
     """Each section of a page; what stands above the first one has the title of the page."""
     lines = [*source.splitlines(), ""]
     heads = [
@@ -43,7 +43,7 @@ def sections_of(doc: Doc, source: str) -> Iterator[Section]:
         yield Section(title, f"{doc.address}{anchor}", text)
 
 
-def terms_of(doc: Doc, source: str) -> Iterator[Section]:
+def terms_of(doc: Entry, source: str) -> Iterator[Section]:
     """The terms of a page that has a glossary."""
     for part in source.split(".. glossary::")[1:]:
         for title, text in TERM.findall(part):

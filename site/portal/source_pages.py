@@ -8,10 +8,6 @@ from portal.module_page import line_kind
 from portal.portal import Page, Portal
 
 
-def sources_page(portal: Portal) -> Page:
-    return portal.page("source/index", "Source", "source", "sources", folders=folders(portal))
-
-
 def folders(portal: Portal) -> dict[str, list[str]]:
     found: dict[str, list[str]] = {}
     for path in portal.model.files:
@@ -35,7 +31,7 @@ def source_page(portal: Portal, path: str) -> Page:
     ]
     modules = [m.name for m in portal.model.modules.values() if path in (m.header, m.source)]
     return portal.page(
-        f"source/{path}", path, "source", "source", path=path, lines=lines, modules=modules,
+        f"source/{path}", path, "source", "source_file", path=path, lines=lines, modules=modules,
         measured=bool(hits), on_board=path in (portal.model.board_lines or {}),
         line_kind=line_kind,
     )  # fmt: skip

@@ -173,7 +173,7 @@ def run_sphinx(
                 "html_context": {"groups": portal.navigation.data()},
                 "html_static_path": [str(pages / "_static")],
                 "breathe_projects": {"firmware": str(pages / "_doxygen")},
-                "root_doc": f"docs/{portal.docs[0].name}",
+                "root_doc": portal.docs[0].id,
                 "read_all_docs": not sound.exists() or sound.read_text() != docs,
             },
         )

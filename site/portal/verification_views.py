@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from traceability.model.design_model import Model
@@ -66,17 +67,8 @@ def chart(sections: dict[str, list[Requirement]]) -> list[Bar]:
     ]
 
 
-@dataclass
-class Facets:
-    """What a requirement is filtered by."""
-
-    state: str
-    logic: list[str]
-    pattern: list[str]
-    method: list[str]
-    binding: list[str]
-    level: list[str]
-    goal: Sequence[str]
+# What requirements are filtered by -> the values of one requirement.
+Facets = dict[str, Sequence[str]]
 
 
 def facets(model: Model, report: Report, requirement: Requirement) -> Facets:
@@ -87,16 +79,21 @@ def facets(model: Model, report: Report, requirement: Requirement) -> Facets:
     passed = {
         binding for test in requirement.verified_by for binding in model.tests[test].gave("passed")
     }
-    return Facets(
-        report.requirements[requirement.id].state,
-        sorted({module.logic for module in modules}),
-        sorted({role.application for module in modules for role in module.roles}),
-        [requirement.method] if requirement.method else [],
-        [binding for binding in model.results_hashes if binding in passed],
-        [requirement.level] if requirement.level else [],
-        requirement.goals,
-    )
+    return {
+        "state": [report.requirements[requirement.id].state],
+        "logic": sorted({module.logic for module in modules}),
+        "pattern": sorted({role.application for module in modules for role in module.roles}),
+        "method": [requirement.method] if requirement.method else [],
+        "level": [requirement.level] if requirement.level else [],
+        "goal": requirement.goals,
+        "binding": [binding for binding in model.results_hashes if binding in passed],
+    }
 
 
-def options(found: Iterable[Facets], pick: Callable[[Facets], Sequence[str]]) -> list[str]:
-    return sorted({value for one in found for value in pick(one)})
+def options(found: Iterable[Facets]) -> dict[str, list[str]]:
+    """Each facet with the values that a requirement has."""
+    values: dict[str, set[str]] = defaultdict(set)
+    for one in found:
+        for name, own in one.items():
+            values[name].update(own)
+    return {name: sorted(own) for name, own in values.items()}

@@ -6,7 +6,7 @@ import hashlib
 import re
 from pathlib import Path
 
-from portal.navigation import Doc
+from portal.navigation import Entry
 from portal.search import synonyms
 from portal.sections import terms_of
 
@@ -23,7 +23,7 @@ def test_a_vendored_file_is_the_published_one() -> None:
 
 def test_a_term_of_the_glossary_is_found() -> None:
     source = ".. glossary::\n\n   cut off\n      Of a wheel: its driver is off\n      for now.\n"
-    (term,) = terms_of(Doc("glossary", "Glossary"), source)
+    (term,) = terms_of(Entry("docs/glossary", "Glossary", "docs/glossary.html"), source)
     assert (term.title, term.address) == ("cut off", "docs/glossary.html#term-cut-off")
     assert term.text == "Of a wheel: its driver is off for now."
 

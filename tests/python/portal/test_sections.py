@@ -1,6 +1,6 @@
 """The sections of the hand-written pages, for the search."""
 
-from portal.navigation import Doc
+from portal.navigation import Entry
 from portal.sections import sections_of
 
 PAGE = """\
@@ -24,7 +24,10 @@ It begins here. See :ref:`the way <way>` and
 
 
 def test_each_section_has_its_address_and_its_words() -> None:
-    found = [(s.title, s.address, s.text) for s in sections_of(Doc("tour", "Tour"), PAGE)]
+    found = [
+        (s.title, s.address, s.text)
+        for s in sections_of(Entry("docs/tour", "Tour", "docs/tour.html"), PAGE)
+    ]
     assert found == [
         ("Tour", "docs/tour.html", "It begins here. See the way and RC."),
         ("2. The way", "docs/tour.html#the-way", "name Secrets and src/a.hpp"),
