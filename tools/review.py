@@ -1,4 +1,4 @@
-"""./wr review: a person looks at one requirement with its links, and says so."""
+"""./wr review: a person reviews one requirement; or the baseline takes the present texts."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import datetime
 import difflib
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,111 +15,168 @@ from tools.steps import FailureError
 
 if TYPE_CHECKING:
     from traceability.model.reviews import LinkText
-    from traceability.schema import Review
+    from traceability.schema import Baseline, Requirement
 
-MOST_VERSIONS = 200  # of a file that are searched for the text that was reviewed
+MOST_VERSIONS = 200  # of a file that are searched for the text in the baseline
+MOST_TRIES = 3  # of an answer
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "review",
-        description="Shows what changed since the last review of one requirement: its text, the "
-        "specifications of the methods that satisfy it, the bodies of the tests that verify it. "
-        "Asks whether they still fit each other, and writes your answer with name, date and "
-        "hashes into requirements/reviews.toml.",
+        description="Shows the texts that carry the verdict of one requirement: its text, tree, "
+        "safety goals, methods, tests, fixtures and scenarios, with what changed since its "
+        "baseline. Then asks the questions of the checklist, and records your answers in "
+        "requirements/reviews.toml. A reviewer is a person who wrote none of these texts, by git. "
+        "With --baseline it asks nothing: it records the hashes of the present texts in "
+        "requirements/baseline.toml. A baseline shows later changes; it is no review.",
     )
-    parser.add_argument("id", help="one requirement, such as FR-15")
-    parser.add_argument("--name", help="who reviews; without it the name that git knows")
+    parser.add_argument("ids", nargs="*", metavar="ID", help="a requirement, such as FR-15")
     parser.add_argument(
-        "--yes",
+        "--baseline",
         action="store_true",
-        help="do not ask; only with --name",
+        help="record the present texts of the requirements, or of all that changed",
     )
+    parser.add_argument("--name", help="first and last name of the reviewer; default: git's")
+    parser.add_argument("--email", help="address of the reviewer; default: git's")
     parser.set_defaults(run=review)
 
 
 def review(root: Path, options: argparse.Namespace) -> int:
     from traceability.model.build import build
-    from traceability.model.reviews import Sources, hashes, link_texts, write_review
-    from traceability.schema import Review
+    from traceability.model.reviews import LinkTexts
 
-    if options.yes and not options.name:
-        raise FailureError("--yes is for use with --name")
-    model = build(root).model
-    requirement = model.requirements.get(options.id)
-    if requirement is None:
-        raise FailureError(f"there is no requirement {options.id}")
-    texts = link_texts(model, requirement, Sources(root))
-    known = requirement.review
-    if known and not requirement.suspicions:
-        print(f"Nothing changed since {known.reviewer} reviewed {options.id} on {known.date}.")
-        return 0
-    print("\n".join(shown(root, known, texts)))
-    if not (options.yes or confirmed(options.id)):
-        print("Nothing was recorded.")
-        return 1
-    name = options.name or git_name(root)
-    today = datetime.date.today().isoformat()
-    write_review(root, options.id, Review(name, today, hashes(texts)))
-    print(f"Recorded: {options.id}, {name}, {today}.")
+    built = build(root)
+    unknown = [name for name in options.ids if name not in built.model.requirements]
+    if unknown:
+        raise FailureError(f"there is no requirement {', '.join(unknown)}")
+    texts = LinkTexts(built.model, built.facts)
+    if options.baseline:
+        return record_baseline(root, built.model.requirements, texts.of, options.ids)
+    if len(options.ids) != 1:
+        raise FailureError("name one requirement to review, such as ./wr review FR-15")
+    requirement = built.model.requirements[options.ids[0]]
+    return review_one(root, requirement, texts.of(requirement), options)
+
+
+def record_baseline(
+    root: Path,
+    requirements: Mapping[str, Requirement],
+    texts_of: Callable[[Requirement], list[LinkText]],
+    ids: list[str],
+) -> int:
+    """Prints what changed, and takes it into the baseline."""
+    from traceability.model.reviews import NAMES_OF_TEXTS, write_baseline
+
+    changed = [requirements[name] for name in ids or requirements if requirements[name].suspicions]
+    for requirement in changed:
+        for suspicion in requirement.suspicions:
+            name = NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)
+            print(f"{requirement.id}: {name} {suspicion.text}")
+    write_baseline(root, {item.id: texts_of(item) for item in changed}, requirements)
+    print(f"Recorded the baseline of {len(changed)} requirements. It is no review.")
     return 0
 
 
-def shown(root: Path, known: Review | None, texts: list[LinkText]) -> Iterator[str]:
-    """What a reviewer has to look at."""
-    for one in texts:
-        yield f"== {one.kind} {one.name} ({one.place.file}:{one.place.line})"
-        reviewed = known.hashes[one.kind].get(one.name) if known else None
-        if reviewed is None:
-            yield from ["new", one.text] if known else [one.text]
-        elif reviewed == one.hash:
-            yield "unchanged"
-        else:
-            yield from difference(root, one, reviewed)
-    now = {(one.kind, one.name) for one in texts}
-    for kind, names in (known.hashes if known else {}).items():
-        for name in names:
-            if (kind, name) not in now:
-                yield f"== {kind} {name}\nremoved"
+def review_one(
+    root: Path, requirement: Requirement, texts: list[LinkText], options: argparse.Namespace
+) -> int:
+    """Shows the texts, asks, and records the answers."""
+    from traceability.model.reviews import REVIEWS, add_review, objections, read_baseline, state_of
+    from traceability.schema import Place, Review
+
+    if not sys.stdin.isatty():
+        raise FailureError("a person answers the questions of a review: run it in a terminal")
+    reviewer = options.name or git_setting(root, "user.name", "--name")
+    email = options.email or git_setting(root, "user.email", "--email")
+    files = sorted({text.place.file for text in texts})
+    if git(root, "status", "--porcelain", "--", *files):
+        raise FailureError("some of these texts are not committed: commit them, then review")
+    print("\n".join(shown(root, read_baseline(root), requirement, texts)))
+    answers, remark = asked()
+    today = datetime.date.today().isoformat()
+    commit = git(root, "rev-parse", "--short=10", "HEAD").strip()
+    state = state_of(texts)
+    words = (requirement.id, reviewer, email, today, commit, state, remark, answers)
+    record = Review(*words, Place(str(REVIEWS), 1))
+    refused = list(objections(root, record, texts))
+    if refused:
+        raise FailureError("nothing was recorded: " + "; ".join(refused))
+    add_review(root, record)
+    print(f"Recorded in {REVIEWS}: {requirement.id}, {reviewer}, {today}. Commit it.")
+    return 0
 
 
-def difference(root: Path, now: LinkText, reviewed: str) -> Iterator[str]:
-    before = text_reviewed(root, now, reviewed)
+def asked() -> tuple[dict[str, str], str]:
+    """The answer to each question of the checklist, and the remark."""
+    from traceability.model.reviews import ANSWERS, LEAST_REMARK, QUESTIONS
+
+    choice = ", ".join(ANSWERS)
+    answers = {
+        key: answer_to(
+            f"{question} [{choice}] ", f"Answer with one of: {choice}.", ANSWERS.__contains__
+        )
+        for key, question in QUESTIONS.items()
+    }
+    remark = answer_to(
+        "Your remark: what did you read, and what did you find? ",
+        f"Write at least {LEAST_REMARK} characters.",
+        lambda text: len(text) >= LEAST_REMARK,
+    )
+    return answers, remark
+
+
+def answer_to(question: str, advice: str, accepted: Callable[[str], bool]) -> str:
+    for _ in range(MOST_TRIES):
+        answer = input(question).strip()
+        if accepted(answer):
+            return answer
+        print(advice)
+    raise FailureError("nothing was recorded: a question has no answer")
+
+
+def shown(
+    root: Path, baseline: Baseline, requirement: Requirement, texts: list[LinkText]
+) -> Iterator[str]:
+    """The texts that a reviewer reads, and what changed in each; of a file of support its path."""
+    for text in texts:
+        yield f"== {text.kind} {text.name} ({text.place.file}:{text.place.line})"
+        if text.kind != "support":
+            yield text.text
+        recorded = baseline.hashes.get(text.key)
+        if recorded and recorded != text.hash:
+            yield from difference(root, text, recorded)
+    removed = set(baseline.links.get(requirement.id, [])) - {text.key for text in texts}
+    yield from (f"== {key}\nremoved since the baseline" for key in sorted(removed))
+
+
+def difference(root: Path, now: LinkText, recorded: str) -> Iterator[str]:
+    before = text_recorded(root, now, recorded)
     if before is None:
-        yield "changed; git here does not hold what was reviewed"
-        yield now.text
+        yield "changed since the baseline; git here does not have the text of the baseline"
         return
     yield from difflib.unified_diff(
-        before.splitlines(), now.text.splitlines(), "reviewed", "now", lineterm=""
+        before.splitlines(), now.text.splitlines(), "baseline", "now", lineterm=""
     )
 
 
-def text_reviewed(root: Path, now: LinkText, reviewed: str) -> str | None:
-    """The text with this hash, out of the versions of the file that git holds."""
-    from traceability.reading.link_texts import (
-        hash_of_text,
-        texts_of_method,
-        texts_of_requirement,
-        texts_of_test,
-    )
+def text_recorded(root: Path, now: LinkText, recorded: str) -> str | None:
+    """The text with this hash, out of the versions of the file that git has."""
+    from traceability.reading.link_texts import FINDERS, hash_of_text
 
-    finders = {
-        "requirement": texts_of_requirement,
-        "method": texts_of_method,
-        "test": texts_of_test,
-    }
-    name = now.name.rsplit("::", 1)[-1]
+    if now.kind not in FINDERS:
+        return None
     for version in versions(root, now.place.file):
-        for text in finders[now.kind](version, name):
-            if hash_of_text(text) == reviewed:
+        for text in FINDERS[now.kind](version, now.name):
+            if hash_of_text(text) == recorded:
                 return text
     return None
 
 
 def versions(root: Path, file: str) -> Iterator[str]:
     """The content of a file in each commit that changed it, the newest first."""
-    found = git(root, "log", f"--max-count={MOST_VERSIONS}", "--format=%H", "--", file)
-    for commit in found.split():
+    commits = git(root, "log", f"--max-count={MOST_VERSIONS}", "--format=%H", "--", file)
+    for commit in commits.split():
         yield git(root, "show", f"{commit}:{file}")
 
 
@@ -130,15 +187,8 @@ def git(root: Path, *words: str) -> str:
     return run.stdout if run.returncode == 0 else ""
 
 
-def git_name(root: Path) -> str:
-    name = git(root, "config", "user.name").strip()
-    if not name:
-        raise FailureError("git knows no name: set user.name, or give --name")
-    return name
-
-
-def confirmed(identifier: str) -> bool:
-    if not sys.stdin.isatty():
-        raise FailureError("no one can answer here: use a terminal, or --name NAME --yes")
-    answer = input(f"Do text, specifications and tests of {identifier} fit each other? [y/N] ")
-    return answer.strip().lower() in ("y", "yes")
+def git_setting(root: Path, name: str, option: str) -> str:
+    value = git(root, "config", name).strip()
+    if not value:
+        raise FailureError(f"git has no {name}: set it, or give {option}")
+    return value

@@ -347,17 +347,43 @@ class Evidence:
 
 
 @dataclass(frozen=True)
-class Review:
-    """Who looked at the links of a requirement, and at what: kind -> name -> hash of the text."""
+class Baseline:
+    """The texts of each requirement, and the hash of each text. A text has the key "kind name"."""
 
+    links: Mapping[str, Sequence[str]]
+    hashes: Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class Review:
+    """The judgement of a person on one requirement; ``state`` is the hash of all texts."""
+
+    requirement: str
     reviewer: str
+    email: str
     date: str
-    hashes: Mapping[str, dict[str, str]]
+    commit: str
+    state: str
+    remark: str
+    answers: Mapping[str, str]  # question -> "yes", "no", "not applicable"
+    place: Place
+    current: bool = False  # no text changed since
+    objections: Sequence[str] = field(default_factory=list)  # why the record is no review
+
+    @property
+    def holds(self) -> bool:
+        """Whether it is a review of the present texts."""
+        return self.current and not self.objections
+
+    @property
+    def open_points(self) -> list[str]:
+        """The questions that the reviewer answered with no."""
+        return [question for question, answer in self.answers.items() if answer == "no"]
 
 
 @dataclass(frozen=True)
 class Suspicion:
-    """What a link depends on is not as it was reviewed. Kind: requirement, method or test."""
+    """A text that a link depends on is not as in the baseline. Kind: see ``KINDS`` of reviews."""
 
     kind: str
     name: str
@@ -400,8 +426,13 @@ class Requirement:
     runs: Mapping[str, TreeRun] = field(default_factory=dict)  # binding -> run that holds the tree
     coverage: Mapping[str, list[MethodCoverage]] = field(default_factory=dict)  # binding -> methods
     evidence: Sequence[Evidence] = field(default_factory=list)  # instead of calls
-    review: Review | None = None
+    reviews: Sequence[Review] = field(default_factory=list)
     suspicions: Sequence[Suspicion] = field(default_factory=list)
+
+    @property
+    def reviewed(self) -> bool:
+        """Whether a person reviewed it as it is, and found no open point."""
+        return any(review.holds and not review.open_points for review in self.reviews)
 
     @property
     def by_calls(self) -> bool:

@@ -8,6 +8,7 @@ from typing import Any
 from portal import verification_views
 from portal.module_page import line_kind
 from portal.portal import Page, Portal
+from traceability.model.reviews import NAMES_OF_TEXTS, QUESTIONS
 from traceability.schema import HOST, MethodCoverage, Requirement, StateMachine, TreeNode, TreeRun
 
 
@@ -49,6 +50,11 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
         branches_of=verification_views.branches_of,
         mutants=portal.model.mutants_of(requirement.id),
         machines=machines_of(portal, requirement.id),
+        changes=[
+            f"{NAMES_OF_TEXTS[one.kind].format(one.name)} {one.text}"
+            for one in requirement.suspicions
+        ],
+        questions=QUESTIONS,
         line_kind=line_kind,
     )
 

@@ -52,7 +52,8 @@ WHY = {
     "stack": "The threads and interrupts share one stack: it must hold the worst moment, which no "
     "test may ever meet.",
     "req": "A requirement counts as fulfilled only when code, tests and results say so.",
-    "suspect": "A link that a person has reviewed holds for the texts that were reviewed.",
+    "suspect": "A verdict holds for the texts that it was given for: the baseline shows which of "
+    "them changed.",
     "hazard": "The safety case argues from each hazard to tests that ran: a link that is missing "
     "breaks the argument without anybody noticing.",
     "paper": "The paper is the reference of the design: what it names must be found here, or the "
@@ -94,7 +95,7 @@ _FIXED = [
         "The files of the design can be read",
         "Every file of design/ is there and is TOML; each entry has the keys that it needs and no "
         "others, and no needed text is empty; what has a name of its own has one entry; each "
-        "review has a date.",
+        "baseline and each review has a date.",
         "whether what an entry says is true; the other checks compare it with the code. As long as "
         "a file cannot be read, they wait.",
         "correct the line, or the name of the key.",
@@ -519,9 +520,10 @@ _FIXED = [
     Check(
         "req-test",
         "Each test verifies a requirement",
-        "Every test in C++ is tagged with @verifies, or justified in design/justified.toml.",
+        "Every test in C++ is tagged with @verifies, or justified in design/justified.toml. The "
+        "tools read the macro that begins it.",
         "whether the test is about the requirement; mutants show that.",
-        "tag the test, remove it, or justify it.",
+        "tag the test, remove it, or justify it; use a macro of tests that the tools read.",
     ),
     Check(
         "req-justified",
@@ -644,26 +646,36 @@ _FIXED = [
     ),
     Check(
         "suspect-requirement",
-        "The text of a requirement was reviewed",
-        "A person reviewed each requirement with its links, and its text is as it was then.",
-        "how well the person looked; how the text is laid out in lines.",
-        "run ./wr review with the id of the requirement.",
+        "A requirement is as in its baseline",
+        "The text of each requirement, its invocation tree, its safety goals and their hazards are "
+        "as they were when its baseline was recorded.",
+        "whether the texts are right: a review says that; how a text is laid out in lines.",
+        "run ./wr review with the id of the requirement, or with --baseline and the id.",
     ),
     Check(
         "suspect-method",
-        "Satisfying methods were reviewed",
-        "The methods that satisfy a requirement, and the specification of each, are as they were "
-        "when the requirement was reviewed.",
-        "the bodies of the methods: the tests look at them; formatting.",
-        "run ./wr review with the id of the requirement.",
+        "Satisfying methods are as in the baseline",
+        "The methods that satisfy a requirement, the specification and the body of each, are as "
+        "they were when the baseline was recorded.",
+        "the functions that a body calls; comments in a body, and formatting.",
+        "run ./wr review with the id of the requirement, or with --baseline and the id.",
     ),
     Check(
         "suspect-test",
-        "Verifying tests were reviewed",
-        "The tests that verify a requirement, and the body of each, are as they were when the "
-        "requirement was reviewed.",
-        "fixtures and what a body calls; comments and formatting.",
-        "run ./wr review with the id of the requirement.",
+        "Verifying tests are as in the baseline",
+        "The tests that verify a requirement, their fixtures, parameters and helpers, and the "
+        "scenarios that they play are as they were when the baseline was recorded.",
+        "the simulator, and tests in Python; comments and formatting.",
+        "run ./wr review with the id of the requirement, or with --baseline and the id.",
+    ),
+    Check(
+        "req-review",
+        "A record of a review is a review",
+        "Each record in requirements/reviews.toml names a person with an address who, by git, "
+        "wrote no line of the texts; it has a remark, and an answer to each question.",
+        "how well the person looked. A requirement without a review is no finding: its page "
+        "says so.",
+        "remove the record, and let another person run ./wr review with the id.",
     ),
     Check(
         "paper-complete",

@@ -1,6 +1,6 @@
 """req-*, suspect-*: each requirement is satisfied by code, verified by tests that passed.
 
-What its links depend on is as a person reviewed it.
+What its links depend on is as in its baseline, and a review is one.
 """
 
 from __future__ import annotations
@@ -14,16 +14,24 @@ from traceability.model.design_model import Model
 from traceability.model.evidence import reasons
 from traceability.model.metrics import METHODS
 from traceability.model.orphan_methods import methods_without, tests_without
-from traceability.model.reviews import REVIEWS
+from traceability.model.reviews import BASELINE, NAMES_OF_TEXTS
+from traceability.reading.gtest_cases import unknown_macros
 from traceability.reading.products import PRODUCTS
 from traceability.reading.results import RESULTS, RUNS
 from traceability.reading.source_facts import Facts
 from traceability.schema import HOST, SOURCE_KINDS, Finding, Justified, Place, Requirement
+from traceability.sources import files_below
 
 TAGGED = ("src", "extensions", "tests")
 PRIORITIES = ("high", "medium", "low")
 LEVELS = ("system", "software", "driver")
 _VERBS = {"method": "satisfies", "test": "verifies"}
+# The kinds of texts, by the link that they belong to.
+_LINKS = {
+    **dict.fromkeys(("requirement", "tree", "goal"), "requirement"),
+    **dict.fromkeys(("method", "body"), "method"),
+    **dict.fromkeys(("test", "support"), "test"),
+}
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
@@ -37,11 +45,13 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         _unneeded,
         _lines,
         _suspects,
+        _reviews,
     )
     return [finding for part in parts for finding in part(model)] + [
         *_unknown(model, facts),
         *_tagged(model, facts),
         *_twice(facts),
+        *_macros(facts),
         *_attributes(model, facts),
         *_sources(model, facts),
     ]
@@ -335,21 +345,39 @@ def _suspects(model: Model) -> list[Finding]:
     found = [
         Finding(
             one.place,
-            f"suspect-{one.kind}",
-            f"{one.name} {one.text}"
-            if one.kind == "requirement"
-            else f"{one.name}, which {_VERBS[one.kind]} {requirement.id}, {one.text}",
-            f"look at it: ./wr review {requirement.id}",
+            f"suspect-{_LINKS[one.kind]}",
+            f"{requirement.id}: {NAMES_OF_TEXTS[one.kind].format(one.name)} {one.text}",
+            f"look at it: ./wr review {requirement.id}; or accept the change, without a review: "
+            f"./wr review --baseline {requirement.id}",
         )
         for requirement in model.requirements.values()
         for one in requirement.suspicions
     ]
     return found + [
         Finding(
-            Place(str(REVIEWS), 1),
+            Place(str(BASELINE), 1),
             "suspect-requirement",
-            f"{name} was reviewed and is no more",
+            f"{name} has a baseline or a review, and there is no such requirement",
             "remove its entry",
         )
         for name in model.reviews_of_nothing
     ]
+
+
+def _reviews(model: Model) -> Iterator[Finding]:
+    """A record of a review is one: of a person who wrote none of the texts, with all answers."""
+    for requirement in model.requirements.values():
+        for review in requirement.reviews:
+            for objection in review.objections:
+                text = f"the record for {requirement.id} is no review: {objection}"
+                yield Finding(review.place, "req-review", text, "remove it, and review again")
+
+
+def _macros(facts: Facts) -> Iterator[Finding]:
+    """Each macro of a test is one that the reader of tests finds."""
+    for path in files_below(facts.root, ["tests"], (".cpp", ".hpp")):
+        file = str(path.relative_to(facts.root))
+        for line, name in unknown_macros(path.read_text(encoding="utf-8")):
+            text = f"the reader of tests does not find tests of the macro {name}"
+            fix = "use TEST, TEST_F, TEST_P or TYPED_TEST, or add the macro to gtest_cases.py"
+            yield Finding(Place(file, line), "req-test", text, fix)

@@ -52,8 +52,10 @@ def row(model: Model, report: Report, requirement: Requirement) -> dict[str, Any
         "goals": requirement.goals,
         "reasons": verdict.reasons,
         "suspect": [f"{one.kind} {one.name} {one.text}" for one in requirement.suspicions],
-        "review": requirement.review
-        and {"reviewer": requirement.review.reviewer, "date": requirement.review.date},
+        "reviews": [
+            {"reviewer": one.reviewer, "date": one.date, "holds": one.holds, "remark": one.remark}
+            for one in requirement.reviews
+        ],
         "satisfied_by": requirement.satisfied_by,
         "tests": {
             name: {binding: one.result for binding, one in model.tests[name].results.items()}

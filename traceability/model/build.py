@@ -130,8 +130,8 @@ def _assemble(
     model = _with_measures(with_dictionary(model, facts), root, coverage)
     model = with_trees(model, facts, traces, build_folder / "cache")
     model = justify(with_verification(model, facts, coverage), declared.justified)
-    model = with_reviews(model, root, declared.entries)
     model = replace(model, safety=safety_of(model, facts))
+    model = with_reviews(model, facts)
     changes, measured = changes_of(model, declared.changes), read_measured(root, model)
     return replace(model, changes=changes, measured=measured)
 

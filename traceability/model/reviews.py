@@ -1,134 +1,235 @@
-"""Who reviewed the links of a requirement, and what has changed since.
+"""What changed since the baseline of a requirement, and who reviewed it.
 
-The file of reviews holds hashes of what was reviewed, and git the texts themselves.
+The baseline holds a hash of each text that carries the verdict of a requirement: it shows change.
+A review is the judgement of a person who wrote none of these texts. Git keeps the texts themselves.
 """
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
+import subprocess
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from traceability.model.design_model import Model
+from traceability.reading.comments import code_of
 from traceability.reading.link_texts import (
+    FINDERS,
+    TREE,
     hash_of_text,
     specifications,
-    texts_of_requirement,
-    texts_of_test,
 )
+from traceability.reading.source_facts import Facts
+from traceability.reading.support_files import SupportFiles
 from traceability.reading.toml_reader import Entries, Keys, Problem
-from traceability.schema import Method, Place, Requirement, Review, Suspicion
+from traceability.schema import Baseline, Method, Place, Requirement, Review, Suspicion
 
+BASELINE = Path("requirements/baseline.toml")
 REVIEWS = Path("requirements/reviews.toml")
-HEADING = """\
-# Who reviewed the links of each requirement, and the hashes of what was reviewed: the text of the
-# requirement, the specifications of the methods that satisfy it, the bodies of the tests that
-# verify it. Written by ./wr review.
+BASELINE_HEADING = """\
+# The texts that carry the verdict of each requirement, and the hash of each text. It shows change,
+# and is no review. Written by ./wr review --baseline.
 """
-NEEDS: Keys = {"reviewer": str, "date": str, "text": str}
-MAY: Keys = {"methods": dict, "tests": dict}
-KINDS = ("requirement", "method", "test")
+REVIEWS_HEADING = """\
+# The reviews of requirements by persons who wrote none of the texts. Written by ./wr review ID.
+"""
+# How messages name a text of each kind.
+NAMES_OF_TEXTS = {
+    "requirement": "its text",
+    "tree": "its tree",
+    "goal": "goal {}",
+    "method": "the specification of {}",
+    "body": "the body of {}",
+    "test": "test {}",
+    "support": "file {}",
+}
+KINDS = tuple(NAMES_OF_TEXTS)
+LINKS = "links"  # requirement -> its texts
+NEEDS: Keys = {
+    "requirement": str,
+    "reviewer": str,
+    "email": str,
+    "date": str,
+    "commit": str,
+    "state": str,
+    "remark": str,
+    "answers": dict,
+}
+DATE = r"\d{4}-[01]\d-[0-3]\d"
+QUESTIONS = {
+    "text": "Is the requirement clear, complete, and free of contradiction with the others?",
+    "reasons": "Are its rationale, source, safety goals and hazards right?",
+    "methods": "Do the specifications and the bodies of its methods do what it demands?",
+    "tree": "Does the tree show the calls that matter, in the right order?",
+    "tests": "Would the tests fail if the requirement were not met, on each side of each limit?",
+    "oracles": "Are fixtures, expected values and scenarios right, by a source outside the code?",
+}
+ANSWERS = ("yes", "no", "not applicable")
+LEAST_REMARK = 20  # characters
 
 
 @dataclass(frozen=True)
 class LinkText:
-    """A text that a link of a requirement depends on."""
+    """A text that a link of a requirement depends on. Its place has its last line, where known."""
 
-    kind: str  # one of KINDS
+    kind: str  # see NAMES_OF_TEXTS
     name: str
     place: Place
     text: str
+
+    @property
+    def key(self) -> str:
+        return f"{self.kind} {self.name}"
 
     @property
     def hash(self) -> str:
         return hash_of_text(self.text)
 
 
-@dataclass
-class Sources:
-    """Files, each read once."""
+class LinkTexts:
+    """Finds the texts of requirements. Each file is read once."""
 
-    root: Path
-    texts: dict[str, str] = field(default_factory=dict)
+    def __init__(self, model: Model, facts: Facts) -> None:
+        self.model = model
+        self.facts = facts
+        self.support = SupportFiles(facts.root)
 
-    def text(self, file: str) -> str:
-        if file not in self.texts:
-            self.texts[file] = (self.root / file).read_text(encoding="utf-8")
-        return self.texts[file]
+    def of(self, requirement: Requirement) -> list[LinkText]:
+        """All texts of a requirement, as they are now."""
+        return [
+            *self._own(requirement),
+            *(text for name in requirement.goals for text in self._goal(name)),
+            *(
+                text
+                for name in requirement.satisfied_by
+                for text in self._method(requirement, name)
+            ),
+            *self._tests(requirement),
+        ]
+
+    def _own(self, requirement: Requirement) -> Iterator[LinkText]:
+        name, place = requirement.id, requirement.place
+        text = self.support.text(place.file)
+        end = text.find("@requirement", _offset(text, place.line + 1))
+        last = text.count("\n", 0, end) if end >= 0 else len(text.splitlines())
+        for source in list(FINDERS["requirement"](text, name))[:1]:
+            yield LinkText("requirement", name, replace(place, end=last), source)
+        declared = self.facts.declared.trees.get(name)
+        if declared is None:
+            return
+        trees = self.support.text(declared[0].file)
+        match = next(match for match in TREE.finditer(trees) if match[1] == name)
+        last = declared[0].line + match[0].rstrip().count("\n")
+        for source in FINDERS["tree"](trees, name):
+            yield LinkText("tree", name, replace(declared[0], end=last), source)
+
+    def _goal(self, name: str) -> Iterator[LinkText]:
+        case = self.model.safety
+        if name in case.goals:
+            goal = case.goals[name]
+            hazards = (case.hazards[one] for one in goal.hazards)
+            rows = (f"{h.id} {h.title} {h.situation} {h.harm} {h.answer}" for h in hazards)
+            text = "\n".join((goal.title, goal.text, goal.because, *goal.exceptions, *rows))
+            yield LinkText("goal", name, goal.place, text)
+
+    def _method(self, requirement: Requirement, name: str) -> Iterator[LinkText]:
+        methods = [
+            method
+            for method in self.model.modules[name.split("::", maxsplit=1)[0]].methods
+            if method.id == name and requirement.id in method.satisfies
+        ]
+        found = [self._specification(method) for method in methods]
+        text = "\n".join(text for _, text in found)
+        yield LinkText("method", name, found[0][0], text)
+        bodies = self.facts.bodies.get(name, [])
+        if bodies:
+            slices = [self._slice(body.place, body.end) for body in bodies]
+            place = replace(bodies[0].place, end=bodies[0].end)
+            yield LinkText("body", name, place, "\n".join(slices))
+
+    def _specification(self, method: Method) -> tuple[Place, str]:
+        for lines, _, whole in specifications(self.support.text(method.place.file)):
+            if method.place.line in lines:
+                return Place(method.place.file, lines.start, lines.stop - 1), whole
+        return method.place, ""
+
+    def _slice(self, place: Place, end: int) -> str:
+        lines = self.support.text(place.file).splitlines()
+        return code_of("\n".join(lines[place.line - 1 : end]))
+
+    def _tests(self, requirement: Requirement) -> Iterator[LinkText]:
+        files: dict[str, None] = {}
+        for name in requirement.verified_by:
+            place = self.model.tests[name].place
+            text = self.support.text(place.file)
+            for body in list(FINDERS["test"](text, name))[:1]:
+                end = place.line + body.count("\n")
+                yield LinkText("test", name, replace(place, end=end), body)
+            files |= dict.fromkeys(self.support.of(place.file, name))
+        for file in sorted(files):
+            text = next(FINDERS["support"](self.support.text(file), file))
+            yield LinkText("support", file, Place(file, 1), text)
 
 
-def link_texts(model: Model, requirement: Requirement, sources: Sources) -> list[LinkText]:
-    """What there is to review of a requirement, as it is now."""
-    name, place = requirement.id, requirement.place
-    found = [
-        LinkText("requirement", name, place, text)
-        for text in list(texts_of_requirement(sources.text(place.file), name))[:1]
-    ]
-    for method_id in requirement.satisfied_by:
-        methods = _methods(model, method_id, name)
-        specifications = [_specification(method, sources) for method in methods]
-        found.append(LinkText("method", method_id, methods[0].place, "\n".join(specifications)))
-    for test_id in requirement.verified_by:
-        place = model.tests[test_id].place
-        bodies = list(texts_of_test(sources.text(place.file), test_id))
-        found += [LinkText("test", test_id, place, text) for text in bodies[:1]]
-    return found
+def _offset(text: str, line: int) -> int:
+    at = 0
+    for _ in range(line - 1):
+        at = text.find("\n", at) + 1
+    return at
 
 
-def _methods(model: Model, method_id: str, requirement: str) -> list[Method]:
-    return [
-        method
-        for method in model.modules[method_id.split("::", maxsplit=1)[0]].methods
-        if method.id == method_id and requirement in method.satisfies
-    ]
+def state_of(texts: Iterable[LinkText]) -> str:
+    """One hash of all texts: a review holds for as long as it is the same."""
+    return hash_of_text(" ".join(sorted(f"{text.kind} {text.name} {text.hash}" for text in texts)))
 
 
-def _specification(method: Method, sources: Sources) -> str:
-    found = specifications(sources.text(method.place.file))
-    return next((whole for lines, _, whole in found if method.place.line in lines), "")
+def read_baseline(root: Path, entries: Entries | None = None) -> Baseline:
+    entries = entries or Entries(root)
+    tables = {kind: entries.value(root / BASELINE, kind, {}) for kind in (LINKS, *KINDS)}
+    links = tables.pop(LINKS)
+    hashes = {f"{kind} {name}": tables[kind][name] for kind in KINDS for name in tables[kind]}
+    return Baseline(links, hashes)
 
 
-def read_reviews(root: Path, entries: Entries | None = None) -> dict[str, Review]:
+def write_baseline(root: Path, texts: Mapping[str, list[LinkText]], ids: Iterable[str]) -> None:
+    """Takes in the texts of some requirements, and keeps those of the other ids."""
+    before = read_baseline(root)
+    links = {name: before.links[name] for name in ids if name in before.links}
+    links |= {name: [text.key for text in listed] for name, listed in texts.items()}
+    hashes = {**before.hashes, **{text.key: text.hash for one in texts.values() for text in one}}
+    parts = [BASELINE_HEADING, f"\n[{LINKS}]\n"]
+    parts += [f"{name} = {json.dumps(sorted(links[name]))}\n" for name in sorted(links, key=_order)]
+    used = sorted({key for keys in links.values() for key in keys})
+    for kind in KINDS:
+        names = [key.removeprefix(f"{kind} ") for key in used if key.startswith(f"{kind} ")]
+        parts += [f"\n[{kind}]\n"] if names else []
+        parts += [f'"{name}" = "{hashes[f"{kind} {name}"]}"\n' for name in names]
+    (root / BASELINE).write_text("".join(parts), encoding="utf-8")
+
+
+def read_reviews(root: Path, entries: Entries | None = None) -> list[Review]:
     """The reviews that have all that a review needs."""
     entries = entries or Entries(root)
-    begin = Place(str(REVIEWS), 1)
-    for name, entry in entries.whole(root / REVIEWS).items():
-        if not re.fullmatch(r"\d{4}-[01]\d-[0-3]\d", str(entry.get("date", ""))):
-            place = entries.line_in(begin, f"[{name}]")
-            text = f"the review of {name} has no date of the form 2026-01-31"
+    reviews = []
+    for entry, place in entries.tables(root / REVIEWS, "review", NEEDS):
+        if not re.fullmatch(DATE, entry["date"]):
+            text = "the date of the review has not the form 2026-01-31"
             entries.problems.append(Problem(place, text, "review it again"))
-    return {
-        name: Review(
-            entry["reviewer"],
-            str(entry["date"]),
-            {
-                "requirement": {name: entry["text"]},
-                "method": entry.get("methods", {}),
-                "test": entry.get("tests", {}),
-            },
-        )
-        for name, entry in entries.whole(root / REVIEWS).items()
-        if entries.fits(entry, entries.line_in(begin, f"[{name}]"), NEEDS, MAY)
-    }
+        reviews.append(Review(**entry, place=place))
+    return reviews
 
 
-def write_review(root: Path, name: str, review: Review) -> None:
-    """Adds the review of one requirement, or puts it in the place of the one before."""
-    reviews = {**read_reviews(root), name: review}
-    parts = [HEADING]
-    for key in sorted(reviews, key=_order):
-        one = reviews[key]
-        parts.append(f"\n[{key}]\nreviewer = {json.dumps(one.reviewer, ensure_ascii=False)}\n")
-        parts.append(f'date = "{one.date}"\ntext = "{one.hashes["requirement"][key]}"\n')
-        for kind in ("method", "test"):
-            lines = [
-                f'{kind}s."{item}" = "{value}"\n'
-                for item, value in sorted(one.hashes[kind].items())
-            ]
-            parts += lines
-    (root / REVIEWS).write_text("".join(parts), encoding="utf-8")
+def add_review(root: Path, review: Review) -> None:
+    """Writes a review below those before."""
+    path = root / REVIEWS
+    before = path.read_text(encoding="utf-8") if path.exists() else REVIEWS_HEADING
+    keys = [name for name in NEEDS if name != "answers"]
+    lines = [f"{key} = {json.dumps(getattr(review, key), ensure_ascii=False)}\n" for key in keys]
+    answers = ", ".join(f'{key} = "{answer}"' for key, answer in review.answers.items())
+    entry = f"\n[[review]]\n{''.join(lines)}answers = {{ {answers} }}\n"
+    path.write_text(before + entry, encoding="utf-8")
 
 
 def _order(name: str) -> tuple[str, int]:
@@ -136,42 +237,70 @@ def _order(name: str) -> tuple[str, int]:
     return kind, int(number)
 
 
-def hashes(texts: Iterable[LinkText]) -> dict[str, dict[str, str]]:
-    found: dict[str, dict[str, str]] = {kind: {} for kind in KINDS}
-    for one in texts:
-        found[one.kind][one.name] = one.hash
-    return found
+def objections(root: Path, review: Review, texts: Iterable[LinkText]) -> Iterator[str]:
+    """Why a record is no review of these texts."""
+    if len(review.reviewer.split()) < 2 or "@" not in review.email:
+        yield "a review needs the first and the last name of a person, and an address"
+    if len(review.remark.strip()) < LEAST_REMARK:
+        yield f"a review needs a remark of at least {LEAST_REMARK} characters"
+    for question in QUESTIONS:
+        if review.answers.get(question) not in ANSWERS:
+            yield f"the question {question} needs an answer: {', '.join(ANSWERS)}"
+    who = {review.reviewer.casefold(), review.email.casefold()}
+    for text in texts:
+        if who & authors(root, text.place):
+            place = f"{text.place.file}:{text.place.line}"
+            yield f"{review.reviewer} wrote lines of {text.kind} {text.name} ({place})"
+            break
 
 
-def with_reviews(model: Model, root: Path, entries: Entries) -> Model:
-    reviews = read_reviews(root, entries)
-    sources = Sources(root)
+def authors(root: Path, place: Place) -> set[str]:
+    """Names and addresses of those who wrote the lines, by git, in lower case."""
+    lines = ["-L", f"{place.line},{place.end}"] if place.end else []
+    command = ["git", "-C", str(root), "blame", "-w", "--line-porcelain", *lines, "--", place.file]
+    run = subprocess.run(command, capture_output=True, text=True, check=False)
+    words = re.findall(r"^author(?:-mail)? (.*)$", run.stdout, re.MULTILINE)
+    return {word.strip("<>").casefold() for word in words}
+
+
+def with_reviews(model: Model, facts: Facts) -> Model:
+    root, entries = facts.root, facts.declared.entries
+    baseline = read_baseline(root, entries)
+    finder = LinkTexts(model, facts)
+    reviews: dict[str, list[Review]] = {}
+    for review in read_reviews(root, entries):
+        reviews.setdefault(review.requirement, []).append(review)
     requirements: dict[str, Requirement] = {}
     for name, requirement in model.requirements.items():
-        review = reviews.get(name)
-        found = suspicions(requirement, review, link_texts(model, requirement, sources))
-        requirements[name] = replace(requirement, review=review, suspicions=found)
-    of_nothing = sorted(reviews.keys() - model.requirements.keys())
+        texts = finder.of(requirement)
+        requirements[name] = replace(
+            requirement,
+            suspicions=list(suspicions(requirement, baseline, texts)),
+            reviews=[judged(root, review, texts) for review in reviews.get(name, [])],
+        )
+    of_nothing = sorted((baseline.links.keys() | reviews.keys()) - model.requirements.keys())
     return replace(model, requirements=requirements, reviews_of_nothing=of_nothing)
 
 
+def judged(root: Path, review: Review, texts: list[LinkText]) -> Review:
+    """A record, with whether it is a review and still holds."""
+    current = review.state == state_of(texts)
+    return replace(review, current=current, objections=list(objections(root, review, texts)))
+
+
 def suspicions(
-    requirement: Requirement, review: Review | None, texts: list[LinkText]
-) -> list[Suspicion]:
-    """What is not as it was reviewed."""
-    if review is None:
-        return [Suspicion("requirement", requirement.id, requirement.place, "was never reviewed")]
-    found: list[Suspicion] = []
-    now = {(one.kind, one.name): one for one in texts}
-    for (kind, name), one in now.items():
-        known = review.hashes[kind].get(name)
-        if known is None:
-            found.append(Suspicion(kind, name, one.place, "was added since the review"))
-        elif known != one.hash:
-            found.append(Suspicion(kind, name, one.place, "changed since the review"))
-    for kind in KINDS:
-        for name in review.hashes[kind]:
-            if (kind, name) not in now:
-                text = "was removed since the review"
-                found.append(Suspicion(kind, name, requirement.place, text))
-    return found
+    requirement: Requirement, baseline: Baseline, texts: list[LinkText]
+) -> Iterator[Suspicion]:
+    """The texts that are not as in the baseline."""
+    linked = baseline.links.get(requirement.id)
+    if linked is None:
+        yield Suspicion("requirement", requirement.id, requirement.place, "has no baseline")
+        return
+    for text in texts:
+        if text.key not in linked:
+            yield Suspicion(text.kind, text.name, text.place, "was added since the baseline")
+        elif baseline.hashes.get(text.key) != text.hash:
+            yield Suspicion(text.kind, text.name, text.place, "changed since the baseline")
+    for key in sorted(set(linked) - {text.key for text in texts}):
+        kind, name = key.split(" ", maxsplit=1)
+        yield Suspicion(kind, name, requirement.place, "was removed since the baseline")

@@ -132,6 +132,6 @@ def _reasons(model: Model, goal: SafetyGoal, states: Mapping[str, str]) -> Itera
 STATES = {
     "failed": "failed",
     "stale": "verified by results that are older than the sources",
-    "suspect": "suspect: it or what it is linked to changed since the review",
+    "suspect": "suspect: a text of its verdict changed since the baseline",
     "unverified": "not verified in this run",
 }

@@ -8,7 +8,14 @@ from dataclasses import dataclass
 
 from traceability.reading.comments import code_of
 
-HEAD = re.compile(r"^TEST(?:_F|_P)?\(\s*(\w+)\s*,\s*(\w+)\s*\)", re.MULTILINE)
+MACROS = ("TEST", "TEST_F", "TEST_P", "TYPED_TEST", "TYPED_TEST_P")
+HEAD = re.compile(rf"^(?:{'|'.join(MACROS)})\(\s*(\w+)\s*,\s*(\w+)\s*\)", re.MULTILINE)
+# Lists of parameters and types; they hold no test.
+LISTS = (
+    *("INSTANTIATE_TEST_SUITE_P", "INSTANTIATE_TYPED_TEST_SUITE_P", "TYPED_TEST_SUITE"),
+    *("TYPED_TEST_SUITE_P", "REGISTER_TYPED_TEST_SUITE_P"),
+)
+MACRO = re.compile(r"^([A-Z][A-Z0-9_]*TEST[A-Z0-9_]*|TEST[A-Z0-9_]*)\(", re.MULTILINE)
 END = re.compile(r"^}|{}\s*$", re.MULTILINE)
 
 
@@ -35,3 +42,10 @@ def read_tests(text: str) -> Iterator[Case]:
         line, at = line + text.count("\n", at, match.start()), match.start()
         end = END.search(text, at)
         yield Case(match[1], match[2], line, text[at : end.end() if end else len(text)])
+
+
+def unknown_macros(text: str) -> Iterator[tuple[int, str]]:
+    """Line and name of each macro that looks like that of a test, and is none of the known."""
+    for match in MACRO.finditer(text):
+        if match[1] not in (*MACROS, *LISTS):
+            yield text.count("\n", 0, match.start()) + 1, match[1]

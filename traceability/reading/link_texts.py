@@ -1,7 +1,7 @@
-"""The texts that a requirement's links depend on, without what does not matter in them.
+"""The texts that a requirement's links depend on, without comments and layout.
 
 Each is found in the text of its file, so that an earlier version of the file gives the earlier
-text: git keeps what was reviewed.
+text: git keeps what was recorded.
 """
 
 from __future__ import annotations
@@ -11,12 +11,13 @@ import hashlib
 import re
 from collections.abc import Iterator
 
-from traceability.reading.comments import read_comments
+from traceability.reading.comments import code_of, read_comments
 from traceability.reading.gtest_cases import read_tests
 
 OF_LINKS = ("satisfies", "isr")  # no part of a specification
 TOKENS = re.compile(r"""\d[\w.']*|"(?:\\.|[^"\\])*"|\w+|[^\s\w]""")
 HASH_DIGITS = 16
+TREE = re.compile(r"^(N?FR-\d+)[^\n]*\n((?:[^\n]*\n)*?)(?=^N?FR-|\Z)", re.MULTILINE)
 
 
 def hash_of_text(text: str) -> str:
@@ -37,7 +38,7 @@ def requirements(text: str) -> list[tuple[str, str]]:
 
 @functools.cache
 def specifications(text: str) -> list[tuple[range, str, str]]:
-    """The lines of each declaration with a comment, the declaration, and both as a text."""
+    """The lines of each comment with its declaration, the declaration, and both as a text."""
     return list(_specifications(text))
 
 
@@ -45,6 +46,26 @@ def specifications(text: str) -> list[tuple[range, str, str]]:
 def tests(text: str) -> list[tuple[str, str]]:
     """The id of each test, and its body without comments."""
     return [(case.id, case.code) for case in read_tests(text)]
+
+
+@functools.cache
+def support(text: str) -> str:
+    """What a file holds besides its tests: fixtures, oracles, helpers, lists of parameters.
+
+    In a scenario, and in a file without tests, that is all but the comments.
+    """
+    rest = text
+    for case in read_tests(text):
+        rest = rest.replace(case.body, "", 1)
+    return code_of(rest)
+
+
+def without_remarks(text: str) -> str:
+    """The lines of a tree or of a scenario without what follows ``#``. Depth and order remain."""
+    lines = (line.split("#")[0].rstrip() for line in text.splitlines())
+    return "\n".join(
+        f"{(len(line) - len(line.lstrip())) // 2} {line.strip()}" for line in lines if line
+    )
 
 
 def _specifications(text: str) -> Iterator[tuple[range, str, str]]:
@@ -55,7 +76,7 @@ def _specifications(text: str) -> Iterator[tuple[range, str, str]]:
         declaration = " ".join(line.strip() for line in lines[first : last + 1])
         declaration = re.split(r"[;{]", declaration)[0].strip()
         whole = "\n".join(filter(None, (comment.source(without=OF_LINKS), declaration)))
-        yield range(first + 1, last + 2), declaration, whole
+        yield range(comment.place.line, last + 2), declaration, whole
 
 
 def texts_of_requirement(text: str, name: str) -> Iterator[str]:
@@ -63,12 +84,44 @@ def texts_of_requirement(text: str, name: str) -> Iterator[str]:
     return (source for known, source in requirements(text) if known == name)
 
 
+def texts_of_tree(text: str, name: str) -> Iterator[str]:
+    """The nodes of the tree of a requirement."""
+    return (without_remarks(match[2]) for match in TREE.finditer(text) if match[1] == name)
+
+
 def texts_of_method(text: str, name: str) -> Iterator[str]:
     """Comment and declaration of each method of this name that has a comment."""
-    named = re.compile(rf"(?<![\w.:>]){re.escape(name)}\(")
+    named = re.compile(rf"(?<![\w.:>]){re.escape(_last(name))}\(")
     return (whole for _, declaration, whole in specifications(text) if named.search(declaration))
+
+
+def texts_of_body(text: str, name: str) -> Iterator[str]:
+    """The code of each function of this name, from its first line to the brace that ends it."""
+    begins = re.compile(rf"^( *)[^\n/#]*?\b{re.escape(_last(name))}\(", re.MULTILINE)
+    for match in begins.finditer(text):
+        end = re.compile(rf"}}\s*$|^{match[1]}}}", re.MULTILINE).search(text, match.end())
+        yield code_of(text[match.start() : end.end() if end else len(text)])
 
 
 def texts_of_test(text: str, name: str) -> Iterator[str]:
     """The body of the test ``Suite.Name``, without comments."""
     return (code for known, code in tests(text) if known == name)
+
+
+def texts_of_support(text: str, name: str) -> Iterator[str]:
+    """What a file holds besides its tests; a scenario whole."""
+    yield without_remarks(text) if name.endswith(".scenario") else support(text)
+
+
+def _last(name: str) -> str:
+    return name.rsplit("::", 1)[-1]
+
+
+FINDERS = {
+    "requirement": texts_of_requirement,
+    "tree": texts_of_tree,
+    "method": texts_of_method,
+    "body": texts_of_body,
+    "test": texts_of_test,
+    "support": texts_of_support,
+}

@@ -19,6 +19,7 @@ RECORDS = cattrs.Converter(forbid_extra_keys=True)
 RESULTS = Path("build/results")
 RUNS = {HOST: "trace", VIRTUAL_K64: "board"}  # the run of the tests that tells for a binding
 TASKS = {HOST: task_record.TESTS_TRACE, VIRTUAL_K64: task_record.TESTS_BOARD}
+TYPE = re.compile(r"/\d+$")  # of a suite of typed tests
 PLAIN = "plain"  # the run without records
 # What gcovr counted: the totals, and the lines of each file.
 COVERAGE = RESULTS / "coverage.json"
@@ -117,7 +118,7 @@ def read_results(root: Path, binding: str) -> dict[str, Result]:
             result = _result(test)
             own = f"{suite['name']}.{test['name']}".replace("/", "_")
             result.recordings.append(own)
-            if "/" in test["name"]:
+            if "/" in test["name"] or TYPE.search(suite["name"]):
                 result.instances[own] = result.result
             found[name] = _together(found[name], result) if name in found else result
     return found
@@ -139,8 +140,9 @@ def _together(known: Result, result: Result) -> Result:
 
 
 def plain_name(suite: str, name: str) -> str:
-    """Without the prefix and the number of a parameterised test."""
-    return f"{suite.rsplit('/', maxsplit=1)[-1]}.{name.split('/', maxsplit=1)[0]}"
+    """Without the prefix and the number of a parameterised test, and the number of a type."""
+    whole = TYPE.sub("", suite)
+    return f"{whole.rsplit('/', maxsplit=1)[-1]}.{name.split('/', maxsplit=1)[0]}"
 
 
 def _result(test: dict[str, Any]) -> Result:

@@ -1,9 +1,10 @@
-"""What a review holds, and what makes it suspect."""
+"""The baseline of a requirement, what makes it suspect, and the review by a person."""
 
 from __future__ import annotations
 
 import argparse
 import subprocess
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -13,24 +14,41 @@ from tools.review import review
 from tools.steps import FailureError
 from traceability.checks import run_checks
 from traceability.model.build import build
-from traceability.model.reviews import REVIEWS, read_reviews
+from traceability.model.reviews import BASELINE, QUESTIONS, REVIEWS, read_baseline
 
 TEST = "tests/main_control/WorkingTest.cpp"
+HELPER = "tests/support/helper.hpp"
+SCENARIO = "sim/scenario/examples/waiting.scenario"
 HEADER = "src/main_control/operation_modes/Mode.hpp"
+BODY = "src/main_control/operation_states/OperationState.cpp"
 TEXT = "requirements/reading.dox"
+TREE = "design/trees/reading.tree"
+REMARK = "Read the text, the tree and the test; both limits are there."
+OTHER = {"name": "Ada Reader", "email": "ada@example.org"}
 
 
-def reviewed(root: Path) -> int:
-    return review(root, argparse.Namespace(id="FR-15", name="A. Reader", yes=True))
+def git(root: Path, *words: str) -> None:
+    who = ["-c", "user.name=Ida Author", "-c", "user.email=ida@example.org"]
+    subprocess.run(["git", "-C", root, *who, *words], check=True)
+
+
+def options(*ids: str, baseline: bool = False, **person: str) -> argparse.Namespace:
+    chosen = {"name": None, "email": None, **person}
+    return argparse.Namespace(ids=list(ids), baseline=baseline, **chosen)
 
 
 @pytest.fixture(scope="module")
 def sound(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    root = write_tree(tmp_path_factory.mktemp("reviewed"))
-    for words in (["init", "-q"], ["add", "src", "tests", "requirements"], ["commit", "-qm", "x"]):
-        who = ["-c", "user.name=x", "-c", "user.email=x@x"]
-        subprocess.run(["git", "-C", root, *who, *words], check=True)
-    assert reviewed(root) == 0
+    root = write_tree(tmp_path_factory.mktemp("baseline"))
+    (root / TEST).write_text('#include "support/helper.hpp"\n' + (root / TEST).read_text())
+    change(root, TEST, "EXPECT_TRUE(true)", 'EXPECT_TRUE(plays("waiting"))')
+    for file, text in ((HELPER, "constexpr int kLimit = 5;\n"), (SCENARIO, "at 5 order 1\n")):
+        (root / file).parent.mkdir(parents=True, exist_ok=True)
+        (root / file).write_text(text)
+    assert review(root, options(baseline=True)) == 0
+    git(root, "init", "-q")
+    git(root, "add", "src", "tests", "requirements", "design", "sim")
+    git(root, "commit", "-qm", "x")
     return root
 
 
@@ -41,9 +59,9 @@ def change(root: Path, file: str, old: str, new: str) -> None:
     path.write_text(text.replace(old, new))
 
 
-def suspect(root: Path) -> list[tuple[str, str]]:
+def findings(root: Path, check: str) -> list[tuple[str, str]]:
     found = run_checks(*build(root)).findings
-    return [(one.check, one.text) for one in found if one.check.startswith("suspect-")]
+    return [(finding.check, finding.text) for finding in found if finding.check.startswith(check)]
 
 
 @pytest.fixture
@@ -53,17 +71,34 @@ def tree(sound: Path, tmp_path: Path) -> Path:
     return root
 
 
-def test_a_reviewed_requirement_is_not_suspect(sound: Path) -> None:
-    assert suspect(sound) == []
-    known = read_reviews(sound)["FR-15"]
-    assert known.reviewer == "A. Reader"
-    assert set(known.hashes["method"]) == {"Mode::newMessage", "OperationState::read"}
-    assert set(known.hashes["test"]) == {"Working.WaitsWithoutMessage"}
+@pytest.fixture
+def answers(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """What the person types: yes to each question, and a remark."""
+    typed = [*("yes" for _ in QUESTIONS), REMARK]
+    rest: Iterator[str] = iter(typed)
+
+    def typed_next(question: str) -> str:
+        assert question
+        nonlocal rest
+        return next(rest)
+
+    monkeypatch.setattr("sys.stdin.isatty", lambda: True)
+    monkeypatch.setattr("builtins.input", typed_next)
+    return typed
 
 
-def test_one_that_nobody_reviewed_is(tree: Path) -> None:
-    (tree / REVIEWS).unlink()
-    assert suspect(tree) == [("suspect-requirement", "FR-15 was never reviewed")]
+def test_a_requirement_with_a_baseline_is_not_suspect(sound: Path) -> None:
+    assert findings(sound, "suspect") == []
+    links = read_baseline(sound).links["FR-15"]
+    assert {key.split(" ")[0] for key in links} == {
+        *("requirement", "tree", "method", "body", "test", "support")
+    }
+    assert {f"support {file}" for file in (TEST, HELPER, SCENARIO)} <= set(links)
+
+
+def test_one_without_a_baseline_is(tree: Path) -> None:
+    (tree / BASELINE).unlink()
+    assert findings(tree, "suspect") == [("suspect-requirement", "FR-15: its text has no baseline")]
 
 
 @pytest.mark.parametrize(
@@ -71,57 +106,117 @@ def test_one_that_nobody_reviewed_is(tree: Path) -> None:
     [
         (TEXT, "if no message", "whenever no message", "suspect-requirement"),
         (TEXT, "@priority high", "@priority low", "suspect-requirement"),
+        (TREE, "Working::actionNoMsg", "Working::actionWithMsg", "suspect-requirement"),
         (HEADER, "true when there is one", "false when there is one", "suspect-method"),
         (HEADER, "newMessage() const", "newMessage()", "suspect-method"),
         (HEADER, "  /// @satisfies FR-15\n", "", "suspect-method"),
-        (TEST, "EXPECT_TRUE(true)", "EXPECT_FALSE(false)", "suspect-test"),
+        (BODY, "if (md.newMessage())", "if (!md.newMessage())", "suspect-method"),
+        (TEST, "EXPECT_TRUE", "EXPECT_FALSE", "suspect-test"),
         (TEST, "/// @verifies FR-15\n", "", "suspect-test"),
         (TEST, "WaitsWithoutMessage", "Waits", "suspect-test"),
+        (HELPER, "kLimit = 5", "kLimit = 50", "suspect-test"),
+        (SCENARIO, "order 1", "order 2", "suspect-test"),
     ],
 )
-def test_what_was_reviewed_and_changed_is(
+def test_each_text_that_carries_the_verdict_counts(
     tree: Path, file: str, old: str, new: str, check: str
 ) -> None:
     change(tree, file, old, new)
-    assert {name for name, _ in suspect(tree)} == {check}
+    assert {name for name, _ in findings(tree, "suspect")} == {check}
 
 
 @pytest.mark.parametrize(
     ("file", "old", "new"),
     [
         (TEXT, "set a waiting state", "set a\n  waiting state"),
-        (
-            HEADER,
-            "an order has come.",
-            "an\n  /// order has come.",
-        ),
-        (TEST, "EXPECT_TRUE(true);", "EXPECT_TRUE( true );  // at once"),
+        (HEADER, "an order has come.", "an\n  /// order has come."),
+        (BODY, "if (md.newMessage())", "// asks\n  if ( md.newMessage() )"),
+        (TEST, "EXPECT_TRUE(", "// at once\n  EXPECT_TRUE( "),
+        (SCENARIO, "order 1", "order 1  # the only one"),
     ],
 )
-def test_formatting_does_not_matter(tree: Path, file: str, old: str, new: str) -> None:
+def test_formatting_and_remarks_do_not_matter(tree: Path, file: str, old: str, new: str) -> None:
     change(tree, file, old, new)
-    assert suspect(tree) == []
+    assert findings(tree, "suspect") == []
 
 
-def test_a_review_shows_what_changed_and_is_recorded(
+def test_a_baseline_takes_the_change_and_is_no_review(
     tree: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    change(tree, TEST, "EXPECT_TRUE(true)", "EXPECT_FALSE(false)")
-    assert reviewed(tree) == 0
-    said = capsys.readouterr().out
-    assert "-  EXPECT_TRUE(true);" in said
-    assert "+  EXPECT_FALSE(false);" in said
-    assert suspect(tree) == []
-    assert reviewed(tree) == 0
-    assert "Nothing changed since A. Reader" in capsys.readouterr().out
+    change(tree, TEST, "EXPECT_TRUE", "EXPECT_FALSE")
+    assert review(tree, options("FR-15", baseline=True)) == 0
+    printed = capsys.readouterr().out
+    assert "FR-15: test Working.WaitsWithoutMessage changed since the baseline" in printed
+    assert "It is no review" in printed
+    assert findings(tree, "suspect") == []
+    assert not build(tree).model.requirements["FR-15"].reviewed
 
 
-def test_a_review_needs_a_known_id_and_someone_who_answers(
-    tree: Path, monkeypatch: pytest.MonkeyPatch
+def test_a_person_who_wrote_nothing_reviews(
+    tree: Path, answers: list[str], capsys: pytest.CaptureFixture[str]
 ) -> None:
-    change(tree, TEST, "EXPECT_TRUE(true)", "EXPECT_FALSE(false)")
-    monkeypatch.setattr("sys.stdin.isatty", lambda: False)
-    for identifier, name, yes in (("all", "A", True), ("FR-15", None, True), ("FR-15", "A", False)):
+    change(tree, TEST, "EXPECT_TRUE", "EXPECT_FALSE")
+    git(tree, "commit", "-qam", "y")
+    assert review(tree, options("FR-15", **OTHER)) == 0
+    printed = capsys.readouterr().out
+    assert "-  EXPECT_TRUE" in printed
+    assert "+  EXPECT_FALSE" in printed
+    assert findings(tree, "req-review") == []
+    requirement = build(tree).model.requirements["FR-15"]
+    assert requirement.reviewed
+    assert [one.remark for one in requirement.reviews] == [answers[-1]]
+    change(tree, SCENARIO, "order 1", "order 2")
+    assert not build(tree).model.requirements["FR-15"].reviewed
+
+
+@pytest.mark.parametrize(
+    ("place", "answer", "says"),
+    [(0, "perhaps", "a question has no answer"), (-1, "fine", "a question has no answer")],
+)
+def test_no_question_can_be_skipped(
+    tree: Path, answers: list[str], place: int, answer: str, says: str
+) -> None:
+    answers[place : len(answers) if place < 0 else place] = [answer] * 3
+    with pytest.raises(FailureError, match=says):
+        review(tree, options("FR-15", **OTHER))
+    assert not (tree / REVIEWS).exists()
+
+
+@pytest.mark.usefixtures("answers")
+@pytest.mark.parametrize(
+    ("person", "says"),
+    [
+        ({"name": "Ida Author", "email": "other@example.org"}, "Ida Author wrote lines of"),
+        ({"name": "Someone Else", "email": "ida@example.org"}, "Someone Else wrote lines of"),
+        ({"name": "maintainers", "email": "ada@example.org"}, "first and the last name"),
+    ],
+)
+def test_an_author_does_not_review(tree: Path, person: dict[str, str], says: str) -> None:
+    with pytest.raises(FailureError, match=says):
+        review(tree, options("FR-15", **person))
+    assert not (tree / REVIEWS).exists()
+
+
+@pytest.mark.usefixtures("answers")
+def test_a_record_that_is_no_review_is_found(tree: Path) -> None:
+    assert review(tree, options("FR-15", **OTHER)) == 0
+    change(tree, str(REVIEWS), "Ada Reader", "Ida Author")
+    change(tree, str(REVIEWS), 'tests = "yes"', 'tests = "later"')
+    found = sorted(text.split("is no review: ")[1] for _, text in findings(tree, "req-review"))
+    assert len(found) == 2
+    assert found[0].startswith("Ida Author wrote lines of")
+    assert found[1].startswith("the question tests needs an answer")
+    assert not build(tree).model.requirements["FR-15"].reviewed
+
+
+@pytest.mark.usefixtures("answers")
+def test_only_what_is_committed_is_reviewed(tree: Path) -> None:
+    change(tree, TEST, "EXPECT_TRUE", "EXPECT_FALSE")
+    with pytest.raises(FailureError, match="not committed"):
+        review(tree, options("FR-15", **OTHER))
+
+
+def test_a_review_needs_one_known_requirement_and_a_terminal(tree: Path) -> None:
+    for ids in (["all"], [], ["FR-15", "FR-15"], ["FR-15"]):
         with pytest.raises(FailureError):
-            review(tree, argparse.Namespace(id=identifier, name=name, yes=yes))
-    assert len(suspect(tree)) == 1
+            review(tree, options(*ids, **OTHER))

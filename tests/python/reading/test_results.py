@@ -42,6 +42,19 @@ def test_one_failed_instance_fails_a_parameterised_test(tmp_path: Path) -> None:
     assert sorted(result.recordings) == ["All_Suite.T_0", "All_Suite.T_1"]
 
 
+def test_the_types_of_a_typed_test_are_its_instances(tmp_path: Path) -> None:
+    base = {"name": "T", "status": "RUN", "time": "0.001s"}
+    failed = {**base, "failures": [{"failure": "expected 1"}]}
+    suites = [
+        {"name": f"Levers/{number}", "testsuite": [case]}
+        for number, case in enumerate((failed, base))
+    ]
+    write(tmp_path, "trace.json", {"testsuites": suites})
+    result = read_results(tmp_path, HOST)["Levers.T"]
+    assert result.instances == {"Levers_0.T": "failed", "Levers_1.T": "passed"}
+    assert result.result == "failed"
+
+
 def test_a_test_that_fails_with_one_image_fails(tmp_path: Path) -> None:
     base = {"name": "T/0", "status": "RUN", "time": "1s"}
     failed = {**base, "image": "other", "failures": [{"failure": "expected 1"}]}

@@ -1,0 +1,86 @@
+"""The files that a test's verdict depends on, besides the code under test."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from pathlib import Path
+
+from traceability.reading.gtest_cases import read_tests
+from traceability.sources import files_below
+
+INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
+SCENARIOS = ("sim/scenario", "tests")
+LITERAL = re.compile(r'"([^"\n]+)"')
+
+
+class SupportFiles:
+    """Finds fixtures, helpers and scenarios. Each file is read once."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+        self.text = cache(self._text)
+        self.helpers = cache(self._helpers)
+        self.sources = {
+            str(path.relative_to(root)) for path in files_below(root, ["tests"], (".hpp", ".cpp"))
+        }
+        self.scenarios = {
+            path.stem: str(path.relative_to(root))
+            for path in files_below(root, SCENARIOS, (".scenario",))
+        }
+
+    def of(self, file: str, test: str) -> set[str]:
+        """The file itself, the helpers that it includes, and the scenarios that the test plays."""
+        return {file, *self.helpers(file), *self._played(file, test)}
+
+    def _text(self, file: str) -> str:
+        return (self.root / file).read_text(encoding="utf-8")
+
+    def _helpers(self, file: str) -> frozenset[str]:
+        """Headers of tests/, with what they include, and the files without tests behind them."""
+        reached: set[str] = set()
+        pending = [file]
+        while pending:
+            name = pending.pop()
+            if name in reached:
+                continue
+            reached.add(name)
+            pending += self._included(name)
+            if name.endswith(".hpp"):
+                pending += self._behind(name)
+        return frozenset(reached - {file})
+
+    def _included(self, file: str) -> set[str]:
+        named = INCLUDE.findall(self.text(file))
+        places = {f"tests/{name}" for name in named} | {f"{Path(file).parent}/{n}" for n in named}
+        return places & self.sources
+
+    def _behind(self, header: str) -> list[str]:
+        return [
+            source
+            for source in self.sources
+            if source.endswith(".cpp")
+            and not source.endswith("Test.cpp")
+            and header in self._included(source)
+        ]
+
+    def _played(self, file: str, test: str) -> set[str]:
+        """Scenarios that the test or its parameters name; all of a folder that it lists."""
+        suite = test.split(".", maxsplit=1)[0]
+        bodies = [case.body for case in read_tests(self.text(file)) if case.id == test]
+        lists = re.findall(
+            rf"^INSTANTIATE_TEST_SUITE_P\(\s*\w+,\s*{suite},.*?;$",
+            self.text(file),
+            re.MULTILINE | re.DOTALL,
+        )
+        own = "\n".join([*bodies, *lists])
+        named = {self.scenarios.get(Path(word).stem, "") for word in LITERAL.findall(own)} - {""}
+        if named or "cenario" not in self.text(file) or "ValuesIn(" not in own:
+            return named
+        files = [file, *self.helpers(file)]
+        words = {word for name in files for word in LITERAL.findall(self.text(name))}
+        return {
+            path
+            for path in self.scenarios.values()
+            if any(path.startswith(f"{word}/") for word in words)
+        }
