@@ -22,6 +22,7 @@ from tools import (
     serve,
     show_impact,
     sim,
+    verify_build,
 )
 from tools.lock import BUSY, BusyError
 from tools.steps import FailureError, MissingError
@@ -40,6 +41,7 @@ def parser() -> argparse.ArgumentParser:
         check,
         bench,
         review,
+        verify_build,
         show_impact,
         mutate,
         lint,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import secrets
 import shutil
 import subprocess
 import threading
@@ -130,10 +131,11 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
     for counters in binaries.rglob("*.gcda"):  # gcc would add those of this run
         counters.unlink()
     program = program_of(root, run_name)
-    suites, seconds, ended = run_shards(results, program, log, {})
+    seed = {"WR_SEED": os.environ.get("WR_SEED") or str(secrets.randbits(31))}
+    suites, seconds, ended = run_shards(results, program, log, seed)
     if on_board and (names := of_each_image(suites)):
         image = root / image_of(DEFAULT, ".bin")
-        again = {"WR_IMAGE": str(image), "GTEST_FILTER": ":".join(names)}
+        again = {**seed, "WR_IMAGE": str(image), "GTEST_FILTER": ":".join(names)}
         second = run_shards(results, program, log, again)
         suites, seconds, ended = suites + second[0], seconds + second[1], ended or second[2]
     merged = {"testsuites": suites}

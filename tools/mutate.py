@@ -75,7 +75,8 @@ def _mutate(root: Path, options: argparse.Namespace) -> int:
     if not ready:
         return 1
     assert run.model is not None
-    result = record(run.tried, run.model.sources_hash, seed, len(run.mutants), run.took)
+    origin = {"sources": run.model.sources_hash, "commit": run.model.commit}
+    result = record(run.tried, origin, seed, len(run.mutants), run.took)
     (root / RESULT).write_text(json.dumps(result, indent=1), encoding="utf-8")
     for one in run.tried:
         if not one.killed_by:

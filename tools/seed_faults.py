@@ -11,7 +11,7 @@ from pathlib import Path
 
 from portal.site_build import build_site
 from traceability.checks import message, run_checks, run_link_checks
-from traceability.model.build import build
+from traceability.model.build import build, commit
 from traceability.reading.seeded_fault_record import SOURCES, Outcome, write_record
 from traceability.reading.seeded_faults import COMPILER, Fault, read_faults
 from traceability.schema import Finding
@@ -32,7 +32,7 @@ def seed_all(root: Path) -> list[Outcome]:
         stages |= {"pages", "site"}
     tried = [fault for fault in faults if fault.stage in stages]
     outcomes = list(_outcomes(root, tried))
-    write_record(root, outcomes, len(faults) - len(tried))
+    write_record(root, outcomes, len(faults) - len(tried), commit(root))
     return outcomes
 
 

@@ -617,6 +617,47 @@ class Mutation:
 
 
 @dataclass(frozen=True)
+class TestRun:
+    """When the tests ran on a target, and the seeds of those that are randomised."""
+
+    date: str
+    seeds: Sequence[str]
+
+
+@dataclass(frozen=True)
+class FileHash:
+    """The SHA-256 of a file of a build. Kind: "image", "input" or "result"."""
+
+    kind: str
+    file: str
+    sha256: str
+
+
+@dataclass(frozen=True)
+class BuildEvidence:
+    """From what, with what and where these pages were built."""
+
+    commit: str  # empty without git
+    changed: Sequence[str]  # files that differ from the commit
+    system: str
+    processors: int
+    tools: Mapping[str, str]  # program -> version
+    runs: Mapping[str, TestRun]  # by target
+    hashes: Sequence[FileHash]
+
+
+@dataclass(frozen=True)
+class LastRecord:
+    """A test of the tests or of the checks that takes too long for each build, when last run."""
+
+    command: str
+    commit: str  # empty when git did not know it
+    found: int
+    tried: int
+    current: bool  # whether it was run with the present sources
+
+
+@dataclass(frozen=True)
 class Transition:
     source: str
     event: str

@@ -137,6 +137,7 @@ def verify(model: Model, checks: int, faults: int) -> list[Entry]:
         Entry("bench", "Bench", "bench.html"),
         Entry("virtual_k64", "Findings of the virtual K64", "virtual_k64.html"),
         Entry("beliefs", "Beliefs of the virtual board", "beliefs.html", "", len(model.beliefs)),
+        Entry("build_evidence", "Evidence of this build", "evidence.html"),
         Entry("checks", "Checks", "checks/index.html", "", checks),
         Entry("drift", "Drift test", "checks/drift.html", "", faults),
     ]

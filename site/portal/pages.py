@@ -18,6 +18,7 @@ from portal.portal import Page, Portal
 from portal.requirement_pages import aligned, first_run, requirement_page, requirements
 from portal.safety_pages import cost, goal_page, hazards_page, safety
 from portal.source_pages import folders, source_page
+from traceability.model.not_shown import by_method, not_shown
 from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.reading.products import PRODUCTS
 from traceability.schema import Method, PatternApplication, Place, Requirement, TreeNode
@@ -66,6 +67,8 @@ def home_page(portal: Portal) -> Page:
         "home",
         "home",
         example=example,
+        by_method=by_method(portal.model, portal.report),
+        limits=not_shown(portal.model, portal.report),
         method=method,
         rows=aligned(portal, example, first_run(example))[:14] if example else [],
     )
@@ -187,7 +190,17 @@ def structure(portal: Portal) -> dict[str, Any]:
 # The pages of the navigation, each with what its template needs besides the model.
 VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
     **dict.fromkeys(
-        ("patterns", "machines", "changes", "datatypes", "trees", "beliefs", "checks", "drift"),
+        (
+            "build_evidence",
+            "patterns",
+            "machines",
+            "changes",
+            "datatypes",
+            "trees",
+            "beliefs",
+            "checks",
+            "drift",
+        ),
         lambda _: {},
     ),
     "architecture": lambda _: {"wide": True},

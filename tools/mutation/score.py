@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -159,11 +159,11 @@ def try_all(
 
 
 def record(
-    tried: list[Tried], sources: str, seed: int, total: int, minutes: float
+    tried: list[Tried], origin: Mapping[str, str], seed: int, total: int, minutes: float
 ) -> dict[str, Any]:
     """What is written: all that the model makes its scores from."""
     return {
-        "sources": sources,
+        **origin,
         "seed": seed,
         "total": total,
         "minutes": round(minutes, 1),

