@@ -224,6 +224,9 @@ class TreeNode:
     )  # bindings that implement it out of the trace
     children: Sequence[TreeNode] = field(default_factory=list)
     otherwise: bool = False  # reached by a post instead of a call, or the other way round
+    often: str = ""  # declared: "" once, "?" under a condition, "*" several times
+    often_in_code: str | None = None
+    too_early: str = ""  # the node before it, when the code calls that one behind it
 
     @property
     def ran(self) -> bool | None:

@@ -457,6 +457,15 @@ _FIXED = [
         "restore the call in the code, or change the tree.",
     ),
     Check(
+        "tree-order",
+        "Calls are made in the order of the tree, and as often",
+        "The body of each parent makes the calls in the order of the tree. A node with no mark is "
+        "called by one statement that no condition guards; ? marks a call under a condition or "
+        "behind one that may return, * a call in a loop or by several statements.",
+        "which condition it is; the order of calls in different turns of a loop.",
+        "restore the code, or correct the order or the mark in the tree.",
+    ),
+    Check(
         "tree-dynamic",
         "Each tree was executed",
         "The tree embeds in the recorded calls of a test that passed and that verifies the "

@@ -8,6 +8,8 @@ from traceability.reading.source_facts import Facts
 from traceability.reading.traces import nodes_of
 from traceability.schema import Finding, Place, Requirement, TreeNode
 
+OFTEN = {"": "once", "?": "under a condition", "*": "several times"}
+
 
 def check(model: Model, facts: Facts) -> list[Finding]:
     found = [
@@ -73,8 +75,28 @@ def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> list[Findi
                     "restore the call, or change the tree",
                 )
             )
+        elif child.reachable:
+            found += _order(node, child, requirement, facts)
         found += _edges(child, requirement, facts)
     return found
+
+
+def _order(
+    node: TreeNode, child: TreeNode, requirement: Requirement, facts: Facts
+) -> list[Finding]:
+    """The code makes the call as often as the tree says, and behind the call before it."""
+    tree = f"tree of {requirement.id}, {child.place.file}:{child.place.line}"
+    texts = []
+    if child.often_in_code is not None and child.often_in_code != child.often:
+        code, says = OFTEN[child.often_in_code], OFTEN[child.often]
+        mark = child.often_in_code or "no mark"
+        fix = f"restore the code, or write {mark} behind the node"
+        texts.append((f"{node.label} calls {child.label} {code}, not {says} ({tree})", fix))
+    if child.too_early:
+        text = f"{node.label} calls {child.label} before {child.too_early} ({tree})"
+        texts.append((text, "restore the order of the calls, or change that of the tree"))
+    place = _body_place(node, facts)
+    return [Finding(place, "tree-order", text, fix) for text, fix in texts]
 
 
 def _body_place(node: TreeNode, facts: Facts) -> Place:

@@ -9,12 +9,14 @@ from pathlib import Path
 
 from traceability.model.design_model import Model
 from traceability.model.trace_summary import Edges, fold, starts
-from traceability.reading.ast_facts import BodyFact
+from traceability.reading.ast_facts import BodyFact, CallFact
 from traceability.reading.result_cache import code_of, kept
 from traceability.reading.source_facts import Facts
 from traceability.reading.traces import Row, Traces, embed, excerpt, nodes_of
 from traceability.reading.translation_units import is_board
 from traceability.schema import BINDINGS, HOST, Requirement, TreeNode, TreeRun
+
+POST = "ControlThread::post"
 
 
 def with_trees(model: Model, facts: Facts, recordings: dict[str, Traces], cache: Path) -> Model:
@@ -112,10 +114,11 @@ def _reached(tree: TreeNode, facts: Facts) -> TreeNode:
 
 
 def _below(node: TreeNode, facts: Facts) -> TreeNode:
-    """The node with, for each one below it, whether the code can make its call."""
+    """The node with, for each one below it, whether, how often and when the code calls it."""
+    bodies = _bodies_of(node, facts)
     targets = {
         target
-        for body in _bodies_of(node, facts)
+        for body in bodies
         for call in body.calls
         for target in facts.targets(call.target, call.virtual)
     }
@@ -123,11 +126,56 @@ def _below(node: TreeNode, facts: Facts) -> TreeNode:
     for child in node.children:
         wanted = accepted(child, facts) | {child.resolved or ""}
         called = bool(wanted & targets)
-        posted = "ControlThread::post" in targets and _is_activated(wanted, facts)
+        posted = POST in targets and _is_activated(wanted, facts)
         reachable = posted if child.kind == "post" else called
         otherwise = not reachable and (posted or called)
-        children.append(replace(_below(child, facts), reachable=reachable, otherwise=otherwise))
+        sought = {POST} if child.kind == "post" else wanted
+        calls = [found for body in bodies if (found := _calls_of(body, sought, facts))]
+        before = children[-1] if children else None
+        children.append(
+            replace(
+                _below(child, facts),
+                reachable=reachable,
+                otherwise=otherwise,
+                often_in_code=_often(calls) if calls else None,
+                too_early=_too_early(before, child, bodies, facts) if before else "",
+            )
+        )
     return replace(node, children=children)
+
+
+def _calls_of(body: BodyFact, wanted: set[str], facts: Facts) -> list[CallFact]:
+    return [
+        call for call in body.calls if wanted.intersection(facts.targets(call.target, call.virtual))
+    ]
+
+
+def _often(calls: list[list[CallFact]]) -> str:
+    """How often each of some bodies makes its calls: see ``TreeNode.often``."""
+    sure = [sum(not call.sometimes for call in own) for own in calls]
+    if max(sure) > 1 or any(call.repeated for own in calls for call in own):
+        return "*"
+    return "" if min(sure) else "?"
+
+
+def _too_early(before: TreeNode, node: TreeNode, bodies: list[BodyFact], facts: Facts) -> str:
+    """The node before, when a body makes all its calls behind all calls of this one.
+
+    A loop over objects of different classes may call a method of each in turn.
+    """
+    for body in bodies:
+        first, second = (
+            _calls_of(body, accepted(one, facts) | {one.resolved or ""}, facts)
+            for one in (before, node)
+        )
+        in_turn = before.module != node.module and any(call.repeated for call in second)
+        if first and second and not in_turn and _last(second) < min(call.end for call in first):
+            return before.label
+    return ""
+
+
+def _last(calls: list[CallFact]) -> int:
+    return max(call.end for call in calls)
 
 
 def _is_activated(wanted: set[str], facts: Facts) -> bool:

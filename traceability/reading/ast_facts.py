@@ -82,6 +82,8 @@ class CallFact:
     on: list[str] = field(default_factory=list)  # what a method is called on, see flow
     args: list[list[str]] = field(default_factory=list)  # what each argument names
     sometimes: bool = False  # below a condition, or after one that may have left the function
+    repeated: bool = False  # below a loop
+    end: int = 0  # offset in the file: a call ends behind those in its arguments
 
 
 @dataclass

@@ -93,6 +93,7 @@ class Reader:
         self.facts.flows = self.flow.flows
         self.function = ""  # the last one that was entered
         self.chances = 0  # conditions around the statement
+        self.loops = 0
         self.left = False  # whether a condition before it may have left the function
 
     def relative(self, name: str) -> str | None:
@@ -103,9 +104,12 @@ class Reader:
         relative = self.relative(file.name) if file else None
         return Place(relative, cursor.location.line) if relative else None
 
-    def walk(self, cursor: Cursor, body: BodyFact | None, owner: str) -> None:
+    def walk(
+        self, cursor: Cursor, body: BodyFact | None, owner: str, sure: int | None = None
+    ) -> None:
+        """Visits the children; those behind the first ``sure`` ones are below a condition."""
         before: Cursor | None = None
-        for child in cursor.get_children():
+        for number, child in enumerate(cursor.get_children()):
             if before is not None and before.kind == CursorKind.MEMBER_REF:
                 self.flow.given(before, child, self.place(before) or Place("", 1))
             before = child
@@ -113,7 +117,10 @@ class Reader:
                 place = self.place(child)
                 if place is None or place.file not in self.files:
                     continue
+            chance = sure is not None and number >= sure
+            self.chances += chance
             self.visit(child, body, owner)
+            self.chances -= chance
 
     def visit(self, cursor: Cursor, body: BodyFact | None, owner: str) -> None:
         kind = cursor.kind
@@ -137,7 +144,7 @@ class Reader:
                 body = self.body_fact(cursor, place, owner)
                 self.facts.bodies.append(body)
                 self.function = self.flow.function(cursor)
-                self.chances, self.left = 0, False
+                self.chances, self.loops, self.left = 0, 0, False
         elif kind == CursorKind.CXX_BASE_SPECIFIER:
             self.name(owner, cursor.referenced, "base", place)
             return
@@ -153,9 +160,9 @@ class Reader:
             self.assignment(cursor, body, place)
             self.touch(cursor, body)
             self.left = self.left or (kind == CursorKind.RETURN_STMT and self.chances > 0)
-        self.chances += kind in flow.CHANCES
-        self.walk(cursor, body, owner)
-        self.chances -= kind in flow.CHANCES
+        self.loops += kind in flow.LOOPS
+        self.walk(cursor, body, owner, flow.sure_parts(cursor) if body else None)
+        self.loops -= kind in flow.LOOPS
 
     def values(self, cursor: Cursor, place: Place) -> None:
         """Notes the constants of a declaration under all names that a text can use."""
@@ -258,6 +265,7 @@ class Reader:
             if call is not None:
                 call.on, call.args = self.flow.receiver(cursor), args
                 call.sometimes = self.chances > 0 or self.left
+                call.repeated, call.end = self.loops > 0, cursor.extent.end.offset
 
     def made_by_library(self, cursor: Cursor, target: Cursor, owner: str, place: Place) -> None:
         """The library makes what it holds by value, and what it is told to make."""

@@ -369,9 +369,9 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
                 declared.tree_errors.append((place, text, "leave one of the two"))
             declared.trees[current] = (place, None)
             continue
-        match = re.fullmatch(r"((?:  )*)(post )?([\w:~]+)::(~?\w+)", words)
+        match = re.fullmatch(r"((?:  )*)(post )?([\w:~]+)::(~?\w+)(?: ([?*]))?", words)
         if match is None or not current:
-            fix = "write 'FR-n', or 'Class::method' with its indentation"
+            fix = "write 'FR-n', or 'Class::method' with its indentation, and ? or * behind it"
             declared.tree_errors.append((place, "this line is neither an id nor a node", fix))
             continue
         depth = len(match[1]) // 2
@@ -386,7 +386,9 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
         kind = "root" if not stack else "post" if match[2] else "call"
         children: list[TreeNode] = []
         node = TreeNode(
-            label, match[3].split("::")[0], match[4], None, kind, place, children=children
+            *(label, match[3].split("::")[0], match[4], None, kind, place),
+            often=match[5] or "",
+            children=children,
         )
         if stack:
             stack[-1][1].append(node)

@@ -17,14 +17,18 @@ from traceability.schema import Place
 
 PlaceOf = Callable[[Cursor], Place | None]
 
-CHANCES = {
-    CursorKind.IF_STMT,
-    CursorKind.SWITCH_STMT,
-    CursorKind.CONDITIONAL_OPERATOR,
+LOOPS = {
     CursorKind.FOR_STMT,
     CursorKind.WHILE_STMT,
     CursorKind.CXX_FOR_RANGE_STMT,
 }
+CHANCES = {
+    CursorKind.IF_STMT,
+    CursorKind.SWITCH_STMT,
+    CursorKind.CONDITIONAL_OPERATOR,
+    *LOOPS,
+}
+DECLARATIONS = {CursorKind.DECL_STMT, CursorKind.VAR_DECL}  # before a condition
 KEEPS = {"store", "exchange", "push_back", "operator="}  # of the standard library
 ASSIGNMENTS = {CursorKind.BINARY_OPERATOR, CursorKind.COMPOUND_ASSIGNMENT_OPERATOR}
 EXPRESSIONS_APART = {CursorKind.TYPE_REF, CursorKind.NAMESPACE_REF, CursorKind.LAMBDA_EXPR}
@@ -226,6 +230,24 @@ class FlowReader:
         return found
 
 
+def sure_parts(cursor: Cursor) -> int:
+    """How many of the first children of a statement are executed whenever it is."""
+    children = list(cursor.get_children())
+    if cursor.kind in CHANCES:
+        return 1 + bool(children and children[0].kind in DECLARATIONS)
+    if cursor.kind == CursorKind.BINARY_OPERATOR and cursor.type.kind == TypeKind.BOOL:
+        return 1 if operator_of(cursor, children[0]) in ("&&", "||", "and", "or") else 2
+    return len(children)
+
+
+def operator_of(cursor: Cursor, left: Cursor) -> str:
+    end = left.extent.end.offset
+    for token in cursor.get_tokens():
+        if token.extent.start.offset >= end:
+            return str(token.spelling)
+    return ""
+
+
 def is_method_name(cursor: Cursor) -> bool:
     if cursor.kind != CursorKind.MEMBER_REF_EXPR or cursor.referenced is None:
         return False
@@ -246,11 +268,7 @@ def method_in_template(call: Cursor) -> Cursor | None:
 
 
 def assigns(cursor: Cursor, left: Cursor) -> bool:
-    end = left.extent.end.offset
-    for token in cursor.get_tokens():
-        if token.extent.start.offset >= end:
-            return str(token.spelling) == "="
-    return False
+    return operator_of(cursor, left) == "="
 
 
 def parameter_number(cursor: Cursor) -> int | None:
