@@ -183,6 +183,18 @@ def state_unmarked(shape: Shape) -> Broken:
             beside = owner_of(name.by) not in ("", context)  # a data type in the same header
             if state and context not in states and not beside:
                 yield name.place, f"{context} asks for {state} by {name.target}::{name.member}"
+    yield from state_unasked(shape, {target for target, _ in own})
+
+
+def state_unasked(shape: Shape, enumerations: set[str]) -> Broken:
+    """The Context compares no address of a state, and asks for no number of one."""
+    states = {name for base in shape.playing("State") for name in shape.family(base)}
+    contexts = set(shape.playing("Context")) - states
+    for branch in shape.facts.syntax.branches:
+        if branch.by in contexts and branch.target in states:
+            yield branch.place, f"{branch.by} compares the address of a {branch.target}"
+        elif branch.by in contexts and branch.target in enumerations:
+            yield branch.place, f"{branch.by} branches on the number of a {branch.target}"
 
 
 def called(role: str) -> Callable[[Shape], Broken]:

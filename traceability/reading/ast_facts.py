@@ -143,6 +143,15 @@ class ConstantFact:
 
 
 @dataclass
+class BranchFact:
+    """The way of a body depends on an address of a class, or on the number of an enumerator."""
+
+    by: str  # the owner of the body
+    target: str  # the class, or the enumeration
+    place: Place
+
+
+@dataclass
 class Syntax:
     classes: list[ClassFact] = field(default_factory=list)
     bodies: list[BodyFact] = field(default_factory=list)
@@ -154,6 +163,7 @@ class Syntax:
     volatile: list[Place] = field(default_factory=list)  # memory that changes by itself
     objects: list[FieldFact] = field(default_factory=list)  # that can change, and no class holds
     flows: list[FlowFact] = field(default_factory=list)
+    branches: list[BranchFact] = field(default_factory=list)
     constants: dict[str, int] = field(default_factory=dict)  # var -> value of a plain number
     values: list[ConstantFact] = field(default_factory=list)
     variables: dict[str, FieldFact] = field(default_factory=dict)  # file:name or function name

@@ -16,6 +16,7 @@ from traceability.reading.ast_facts import (
     ANY_CLASS,
     BlockFact,
     BodyFact,
+    BranchFact,
     CallFact,
     ClassFact,
     ConstantFact,
@@ -159,6 +160,7 @@ class Reader:
         if body is not None:
             self.assignment(cursor, body, place)
             self.touch(cursor, body)
+            self.branch(cursor, owner, place)
             self.left = self.left or (kind == CursorKind.RETURN_STMT and self.chances > 0)
         self.loops += kind in flow.LOOPS
         self.walk(cursor, body, owner, flow.sure_parts(cursor) if body else None)
@@ -222,6 +224,11 @@ class Reader:
                 body.touches.setdefault(name.removeprefix("field "), False)
         for name in self.flow.written(cursor):
             body.touches[name] = True
+
+    def branch(self, cursor: Cursor, owner: str, place: Place) -> None:
+        for target in flow.branches_on(cursor):
+            if self.place(target) is not None:
+                self.facts.branches.append(BranchFact(owner, class_name(target), place))
 
     def uses(self, cursor: Cursor, body: BodyFact | None, owner: str, place: Place) -> None:
         if cursor.kind == CursorKind.FRIEND_DECL and owner:

@@ -31,6 +31,13 @@ CHANCES = {
 DECLARATIONS = {CursorKind.DECL_STMT, CursorKind.VAR_DECL}  # before a condition
 KEEPS = {"store", "exchange", "push_back", "operator="}  # of the standard library
 ASSIGNMENTS = {CursorKind.BINARY_OPERATOR, CursorKind.COMPOUND_ASSIGNMENT_OPERATOR}
+COMPARISONS = {"==", "!=", "<", ">", "<=", ">="}
+INDEXED = {CursorKind.ARRAY_SUBSCRIPT_EXPR, CursorKind.CALL_EXPR}
+CASTS = {
+    CursorKind.CXX_STATIC_CAST_EXPR,
+    CursorKind.CXX_FUNCTIONAL_CAST_EXPR,
+    CursorKind.CSTYLE_CAST_EXPR,
+}
 EXPRESSIONS_APART = {CursorKind.TYPE_REF, CursorKind.NAMESPACE_REF, CursorKind.LAMBDA_EXPR}
 
 
@@ -228,6 +235,30 @@ class FlowReader:
                 return found
             at = next(at.get_children(), None)
         return found
+
+
+def branches_on(cursor: Cursor) -> Iterator[Cursor]:
+    """The classes whose addresses a statement compares, the enumerations whose numbers it asks."""
+    children = list(cursor.get_children())
+    if cursor.kind == CursorKind.BINARY_OPERATOR and len(children) == 2:
+        if operator_of(cursor, children[0]) in COMPARISONS:
+            kinds = [side.type.get_canonical() for side in children]
+            if all(kind.kind == TypeKind.POINTER for kind in kinds):
+                yield from (kind.get_pointee().get_declaration() for kind in kinds)
+            yield from (made for side in children for made in numbered(side))
+    elif cursor.kind == CursorKind.SWITCH_STMT and children:
+        yield from numbered(children[0])
+    elif cursor.kind in INDEXED and cursor.spelling in ("", "operator[]") and children:
+        yield from numbered(children[-1])
+
+
+def numbered(cursor: Cursor) -> Iterator[Cursor]:
+    """The enumerations of which an expression takes the number."""
+    for part in cursor.walk_preorder():
+        if part.kind in CASTS or part.spelling == "to_underlying":
+            given = list(part.get_children())[-1:]
+            kinds = [value.type.get_canonical() for value in given]
+            yield from (kind.get_declaration() for kind in kinds if kind.kind == TypeKind.ENUM)
 
 
 def sure_parts(cursor: Cursor) -> int:
