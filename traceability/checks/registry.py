@@ -656,16 +656,17 @@ _FIXED = [
     Check(
         "suspect-requirement",
         "A requirement is as in its baseline",
-        "The text of each requirement, its invocation tree, its safety goals and their hazards are "
-        "as they were when its baseline was recorded.",
+        "The text of each requirement, its invocation tree, its transitions of state machines, its "
+        "safety goals and their hazards are as they were when its baseline was recorded.",
         "whether the texts are right: a review says that; how a text is laid out in lines.",
         "run ./wr review with the id of the requirement, or with --baseline and the id.",
     ),
     Check(
         "suspect-method",
         "Satisfying methods are as in the baseline",
-        "The methods that satisfy a requirement, the specification and the body of each, are as "
-        "they were when the baseline was recorded.",
+        "The specifications of the methods that satisfy a requirement, the bodies of these methods "
+        "and of those in its tree, and the constants of their files are as they were when the "
+        "baseline was recorded.",
         "the functions that a body calls; comments in a body, and formatting.",
         "run ./wr review with the id of the requirement, or with --baseline and the id.",
     ),

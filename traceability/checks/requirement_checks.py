@@ -28,8 +28,8 @@ LEVELS = ("system", "software", "driver")
 _VERBS = {"method": "satisfies", "test": "verifies"}
 # The kinds of texts, by the link that they belong to.
 _LINKS = {
-    **dict.fromkeys(("requirement", "tree", "goal"), "requirement"),
-    **dict.fromkeys(("method", "body"), "method"),
+    **dict.fromkeys(("requirement", "tree", "goal", "transition"), "requirement"),
+    **dict.fromkeys(("method", "body", "constants"), "method"),
     **dict.fromkeys(("test", "support"), "test"),
 }
 

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from traceability.model.design_model import Model
+from traceability.model.trees import accepted
 from traceability.reading.comments import code_of
 from traceability.reading.link_texts import (
     FINDERS,
@@ -24,7 +25,16 @@ from traceability.reading.link_texts import (
 from traceability.reading.source_facts import Facts
 from traceability.reading.support_files import SupportFiles
 from traceability.reading.toml_reader import Entries, Keys, Problem
-from traceability.schema import Baseline, Method, Place, Requirement, Review, Suspicion
+from traceability.reading.traces import nodes_of
+from traceability.schema import (
+    Baseline,
+    Method,
+    Place,
+    Requirement,
+    Review,
+    Suspicion,
+    Transition,
+)
 
 BASELINE = Path("requirements/baseline.toml")
 REVIEWS = Path("requirements/reviews.toml")
@@ -42,6 +52,8 @@ NAMES_OF_TEXTS = {
     "goal": "goal {}",
     "method": "the specification of {}",
     "body": "the body of {}",
+    "constants": "a constant of {}",
+    "transition": "transition {}",
     "test": "test {}",
     "support": "file {}",
 }
@@ -101,11 +113,9 @@ class LinkTexts:
         return [
             *self._own(requirement),
             *(text for name in requirement.goals for text in self._goal(name)),
-            *(
-                text
-                for name in requirement.satisfied_by
-                for text in self._method(requirement, name)
-            ),
+            *(self._method(requirement, name) for name in requirement.satisfied_by),
+            *self._bodies(requirement),
+            *self._transitions(requirement),
             *self._tests(requirement),
         ]
 
@@ -134,20 +144,41 @@ class LinkTexts:
             text = "\n".join((goal.title, goal.text, goal.because, *goal.exceptions, *rows))
             yield LinkText("goal", name, goal.place, text)
 
-    def _method(self, requirement: Requirement, name: str) -> Iterator[LinkText]:
+    def _method(self, requirement: Requirement, name: str) -> LinkText:
         methods = [
             method
             for method in self.model.modules[name.split("::", maxsplit=1)[0]].methods
             if method.id == name and requirement.id in method.satisfies
         ]
-        found = [self._specification(method) for method in methods]
-        text = "\n".join(text for _, text in found)
-        yield LinkText("method", name, found[0][0], text)
-        bodies = self.facts.bodies.get(name, [])
-        if bodies:
-            slices = [self._slice(body.place, body.end) for body in bodies]
-            place = replace(bodies[0].place, end=bodies[0].end)
-            yield LinkText("body", name, place, "\n".join(slices))
+        specified = [self._specification(method) for method in methods]
+        return LinkText("method", name, specified[0][0], "\n".join(text for _, text in specified))
+
+    def _bodies(self, requirement: Requirement) -> Iterator[LinkText]:
+        """Of the methods that satisfy it or have a node in its tree, and what is constant there."""
+        nodes = nodes_of(requirement.tree) if requirement.tree else []
+        names = {method for node in nodes for method in accepted(node, self.facts)}
+        files: set[str] = set()
+        for name in sorted(names.union(requirement.satisfied_by)):
+            bodies = self.facts.bodies.get(name, [])
+            if bodies:
+                text = "\n".join(self._slice(body.place, body.end) for body in bodies)
+                yield LinkText("body", name, replace(bodies[0].place, end=bodies[0].end), text)
+                files |= {body.place.file for body in bodies}
+        for file in sorted(files):
+            text = next(FINDERS["constants"](self.support.text(file), file))
+            if text:
+                yield LinkText("constants", file, Place(file, 1), text)
+
+    def _transitions(self, requirement: Requirement) -> Iterator[LinkText]:
+        for machine in self.model.machines.values():
+            steps: dict[str, list[Transition]] = {}
+            for step in machine.transitions:
+                name = f"{machine.id}: {step.source}, {step.event}, {step.target}"
+                steps.setdefault(name, []).append(step)
+            for name, alike in steps.items():
+                if any(requirement.id in step.requirements for step in alike):
+                    text = "\n".join(f"{step.guard} / {step.action}" for step in alike)
+                    yield LinkText("transition", name, alike[0].place, text)
 
     def _specification(self, method: Method) -> tuple[Place, str]:
         for lines, _, whole in specifications(self.support.text(method.place.file)):

@@ -17,6 +17,7 @@ from traceability.reading.gtest_cases import read_tests
 OF_LINKS = ("satisfies", "isr")  # no part of a specification
 TOKENS = re.compile(r"""\d[\w.']*|"(?:\\.|[^"\\])*"|\w+|[^\s\w]""")
 HASH_DIGITS = 16
+CONSTANT = re.compile(r"\bconstexpr\s[^;(){}=]*[={(][^;{]*(?:\{[^;]*\}[^;]*)?;")
 TREE = re.compile(r"^(N?FR-\d+)[^\n]*\n((?:[^\n]*\n)*?)(?=^N?FR-|\Z)", re.MULTILINE)
 
 
@@ -103,6 +104,11 @@ def texts_of_body(text: str, name: str) -> Iterator[str]:
         yield code_of(text[match.start() : end.end() if end else len(text)])
 
 
+def texts_of_constants(text: str, _file: str) -> Iterator[str]:
+    """The constants and tables of a file."""
+    yield "\n".join(match[0] for match in CONSTANT.finditer(code_of(text)))
+
+
 def texts_of_test(text: str, name: str) -> Iterator[str]:
     """The body of the test ``Suite.Name``, without comments."""
     return (code for known, code in tests(text) if known == name)
@@ -122,6 +128,7 @@ FINDERS = {
     "tree": texts_of_tree,
     "method": texts_of_method,
     "body": texts_of_body,
+    "constants": texts_of_constants,
     "test": texts_of_test,
     "support": texts_of_support,
 }
