@@ -53,6 +53,16 @@ class Constant:
 
 
 @dataclass(frozen=True)
+class Tuned:
+    """Constants whose values are right for one value of another constant only."""
+
+    to: str
+    why: str
+    constants: Sequence[str]
+    place: Place
+
+
+@dataclass(frozen=True)
 class Method:
     """A member function of a module. Its id is ``Class::name``; overloads share one id."""
 

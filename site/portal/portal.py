@@ -345,9 +345,21 @@ class Portal:
         """A test counts once on each binding that it is built for."""
         return sum(len(test.results) for test in tests)
 
-    def callers(self, method: Method) -> list[str]:
-        """The methods that call it, in the modules of the robot and of the extensions."""
-        return [name for name in method.called_by if name in self.links.methods]
+    def callers(self, method: Method) -> list[Markup]:
+        """What calls it in the modules: methods, nested classes, and first values of constants."""
+        found = []
+        for name in method.called_by:
+            module, _, rest = name.partition("::")
+            if name in self.links.methods:
+                found.append(self.names.meth(name))
+            elif module in self.model.modules:
+                found.append(Markup("{} ({})").format(self.names.mod(module), rest))
+        return found
+
+    def computed_from(self, constant: str) -> list[Markup]:
+        """The methods and constants that read a constant of the one instance."""
+        methods = (one for module in self.model.modules.values() for one in module.methods)
+        return next((self.callers(method) for method in methods if method.id == constant), [])
 
     def changes_of(self, module: str) -> list[str]:
         """The likely changes that a module absorbs: it hides them, or one way of them."""

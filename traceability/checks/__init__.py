@@ -23,6 +23,7 @@ from traceability.checks import (
     stack_checks,
     state_machine_checks,
     tree_checks,
+    tuned_checks,
     use_checks,
 )
 from traceability.checks.registry import KNOWN
@@ -41,6 +42,7 @@ FAMILIES = (
     file_checks.check,
     pattern_checks.check,
     change_checks.check,
+    tuned_checks.check,
     use_checks.check,
     register_checks.check,
     secret_checks.check,

@@ -40,6 +40,7 @@ WHY = {
     "secret": "A change stays in one module only as long as no other one depends on what it hides.",
     "pattern": "A pattern absorbs the changes it was chosen for only as long as the code keeps its "
     "shape; each clause is a part of that shape.",
+    "change": "Who changes a value must see which other values were chosen for it.",
     "uses": "What a module may use decides what it can be reused without, and what a change of "
     "another one can break.",
     "board": "The virtual K64 stands for the hardware: a mistake that it does not find reaches the "
@@ -168,6 +169,15 @@ _FIXED = [
         "and roles of it.",
         _TEXT_BLIND,
         "correct the id or the pattern, or add the missing paragraph.",
+    ),
+    Check(
+        "change-tuned",
+        "Tuned constants are declared",
+        "A constant whose name or comment speaks of control cycles or of ticks is computed from "
+        "SystemConstants, or design/tuned.toml declares that it is tuned to it. The page of the "
+        "change lists both.",
+        "a value that depends on another constant, when neither name nor comment says so.",
+        "compute the value from the constant, or add it to design/tuned.toml.",
     ),
     Check(
         "pattern-change",

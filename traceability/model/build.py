@@ -97,6 +97,7 @@ def _assemble(
         model,
         modules=_modules(facts),
         constants=_constants(facts),
+        tuned=declared.tuned,
         designed_modules=[name for names in declared.names.values() for name in names],
         designed_applications={item.id: item.pattern for item in declared.applications.values()},
         architecture=declared.architecture,
@@ -343,6 +344,8 @@ def _with_calls(model: Model, facts: Facts) -> Model:
         made[body.id, body.place.file, body.place.line] = calls
         for target in {target for call in calls for target in call.targets} - {body.id}:
             callers.setdefault(target, {})[body.id] = None
+    for fact in facts.syntax.initial:
+        callers.setdefault(fact.target, {})[fact.name] = None
 
     def called(one: Method) -> Method:
         calls = made[one.id, one.body.file, one.body.line] if one.body else []

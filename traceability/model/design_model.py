@@ -49,6 +49,7 @@ from traceability.schema import (
     StackProof,
     StateMachine,
     Test,
+    Tuned,
     Use,
 )
 
@@ -63,6 +64,7 @@ class Model:
     modules: Mapping[str, Module] = field(default_factory=dict)
     functions: Mapping[str, Function] = field(default_factory=dict)
     constants: Mapping[str, Constant] = field(default_factory=dict)  # by the names that texts use
+    tuned: Sequence[Tuned] = field(default_factory=list)
     patterns: Mapping[str, PatternApplication] = field(default_factory=dict)
     requirements: Mapping[str, Requirement] = field(default_factory=dict)
     tests: Mapping[str, Test] = field(default_factory=dict)

@@ -143,6 +143,15 @@ class ConstantFact:
 
 
 @dataclass
+class InitialFact:
+    """The first value of a constant or of a member calls a method."""
+
+    name: str  # Class::member, or File::name
+    target: str
+    place: Place
+
+
+@dataclass
 class BranchFact:
     """The way of a body depends on an address of a class, or on the number of an enumerator."""
 
@@ -164,6 +173,7 @@ class Syntax:
     objects: list[FieldFact] = field(default_factory=list)  # that can change, and no class holds
     flows: list[FlowFact] = field(default_factory=list)
     branches: list[BranchFact] = field(default_factory=list)
+    initial: list[InitialFact] = field(default_factory=list)
     constants: dict[str, int] = field(default_factory=dict)  # var -> value of a plain number
     values: list[ConstantFact] = field(default_factory=list)
     variables: dict[str, FieldFact] = field(default_factory=dict)  # file:name or function name

@@ -21,6 +21,7 @@ from traceability.reading.ast_facts import (
     ClassFact,
     ConstantFact,
     FieldFact,
+    InitialFact,
     MethodFact,
     NameFact,
     SilentFact,
@@ -95,6 +96,7 @@ class Reader:
         self.function = ""  # the last one that was entered
         self.chances = 0  # conditions around the statement
         self.loops = 0
+        self.initialised = ""  # the constant or member whose first value is read
         self.left = False  # whether a condition before it may have left the function
 
     def relative(self, name: str) -> str | None:
@@ -149,6 +151,7 @@ class Reader:
         elif kind == CursorKind.CXX_BASE_SPECIFIER:
             self.name(owner, cursor.referenced, "base", place)
             return
+        self.declaration(cursor, body, place)
         self.values(cursor, place)
         self.address(cursor, place)
         self.uses(cursor, body, owner, place)
@@ -165,6 +168,15 @@ class Reader:
         self.loops += kind in flow.LOOPS
         self.walk(cursor, body, owner, flow.sure_parts(cursor) if body else None)
         self.loops -= kind in flow.LOOPS
+
+    def declaration(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
+        """A call outside functions gives the first value of the last constant or member."""
+        if body is not None:
+            return
+        if cursor.kind in (CursorKind.VAR_DECL, CursorKind.FIELD_DECL):
+            self.initialised = constant_names(cursor, place.file)[-1]
+        elif cursor.kind.is_declaration() or cursor.kind == CursorKind.STATIC_ASSERT:
+            self.initialised = ""
 
     def values(self, cursor: Cursor, place: Place) -> None:
         """Notes the constants of a declaration under all names that a text can use."""
@@ -295,6 +307,8 @@ class Reader:
         self, target: Cursor, body: BodyFact | None, place: Place, *, virtual: bool
     ) -> CallFact | None:
         if body is None:
+            if self.initialised:
+                self.facts.initial.append(InitialFact(self.initialised, function_id(target), place))
             return None
         first = None if class_name(target.semantic_parent) else self.place(target.canonical)
         call = CallFact(function_id(target), virtual, place, first.file if first else "")

@@ -27,6 +27,7 @@ from traceability.schema import (
     StateMachine,
     Transition,
     TreeNode,
+    Tuned,
 )
 from traceability.sources import files_below
 
@@ -127,6 +128,7 @@ class Declared:
     belief_sources: dict[str, BeliefSource] = field(default_factory=dict)
     justified: list[Justified] = field(default_factory=list)
     concordance: Concordance = field(default_factory=Concordance)
+    tuned: list[Tuned] = field(default_factory=list)
     changes: ChangeTexts = field(default_factory=ChangeTexts)
     safety: SafetyCase = field(default_factory=SafetyCase)
 
@@ -136,7 +138,7 @@ FILES = (
     *("applications", "architecture", "board_beliefs", "board_findings", "changes"),
     *("clauses", "closed_loop"),
     *("concordance", "execution", "justified", "modules", "paper", "questions"),
-    *("register_owners", "safety_case", "stack", "uses"),
+    *("register_owners", "safety_case", "stack", "tuned", "uses"),
 )
 
 
@@ -167,6 +169,12 @@ def read_declared(root: Path) -> Declared:
         for kind in ("method", "test", "line")
         for item, place in entries.tables(
             design / "justified.toml", kind, {"names": list, "why": str}
+        )
+    ]
+    declared.tuned = [
+        Tuned(item["to"], item["why"], item["constants"], place)
+        for item, place in entries.tables(
+            design / "tuned.toml", "tuned", {"to": str, "why": str, "constants": list}, own="to"
         )
     ]
     declared.concordance = read_concordance(root, entries)

@@ -1,0 +1,84 @@
+"""change-tuned: constants that are right for one value of another constant are declared."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from traceability.model.design_model import Model
+from traceability.reading.source_facts import Facts
+from traceability.schema import Finding, Place
+from traceability.sources import DESIGN, files_below
+
+WRITTEN = re.compile(
+    r"^\s*(?:\[\[maybe_unused\]\] )?(?:static |inline )*constexpr [\w:<>, ]+? (k\w+)\b[^/]*"
+    r"(?://(.*))?$"
+)
+REMARK = re.compile(r"^\s*//(.*)$")
+# Words that show that a value depends on a constant, in the name or in the comment of the value.
+SIGNS = {
+    "SystemConstants::cyclePeriod": re.compile(r"(?<!duty )\b[Cc]ycles?\b|[a-z]Cycles?\b"),
+    "SystemConstants::tickPeriod": re.compile(r"\bticks?\b|Ticks?\b"),
+}
+DECLARATIONS = "design/tuned.toml"
+
+
+@dataclass
+class Written:
+    """A constant of a file, with its name and the comment beside and above it."""
+
+    name: str
+    code: str
+    text: str
+    place: Place
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    if not facts.declared.patterns:
+        return []
+    constants = {constant.name: constant for constant in written(facts)}
+    return [*_unknown(model, constants), *_undeclared(model, facts, constants)]
+
+
+def written(facts: Facts) -> Iterator[Written]:
+    for path in files_below(facts.root, DESIGN, (".cpp", ".hpp")):
+        above: list[str] = []
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            match = WRITTEN.match(line)
+            if match:
+                text = " ".join((*above, match[1], match[2] or ""))
+                place = Place(str(path.relative_to(facts.root)), number)
+                yield Written(f"{path.stem}::{match[1]}", line.split("//")[0], text, place)
+            remark = REMARK.match(line)
+            above = [*above, remark[1]] if remark else []
+
+
+def _unknown(model: Model, constants: dict[str, Written]) -> Iterator[Finding]:
+    """What the declarations name exists."""
+    methods = {method.id for module in model.modules.values() for method in module.methods}
+    for item in model.tuned:
+        for name in [item.to, *item.constants]:
+            if name not in methods and name not in constants:
+                text = f"there is no constant {name}"
+                yield Finding(item.place, "change-tuned", text, "correct the name")
+
+
+def _read_by(constant: Written) -> set[str]:
+    """The constants of the same file that the first value names."""
+    file = constant.name.split("::", maxsplit=1)[0]
+    return {f"{file}::{name}" for name in re.findall(r"\bk[A-Z]\w*", constant.code)}
+
+
+def _undeclared(model: Model, facts: Facts, constants: dict[str, Written]) -> Iterator[Finding]:
+    """A value that a sign shows to depend on a constant is computed from it, or declared."""
+    computed = {(fact.name, fact.target) for fact in facts.syntax.initial}
+    declared = {(name, item.to) for item in model.tuned for name in item.constants}
+    for constant in constants.values():
+        for to, sign in SIGNS.items():
+            if computed.intersection((name, to) for name in _read_by(constant)):
+                computed.add((constant.name, to))
+            if sign.search(constant.text) and (constant.name, to) not in computed | declared:
+                text = f"{constant.name} seems to be right for one value of {to} only"
+                fix = f"compute it from {to}, or declare it in {DECLARATIONS}"
+                yield Finding(constant.place, "change-tuned", text, fix)
