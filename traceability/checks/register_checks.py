@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from traceability.model.design_model import Model
 from traceability.reading.ast_facts import BodyFact
@@ -16,6 +17,7 @@ REGISTERS = "src/k64/registers.hpp"  # the table of all blocks
 REGISTER = "src/k64/Register.hpp"  # where a number becomes an address
 CLASS = "Register"
 PERIPHERALS = 0x4000_0000  # where the addresses of the registers begin
+CORE = 0xE000_0000  # where the addresses of the core begin
 OWNERS = "design/register_owners.toml"
 START_UP = "/start_up/"  # before it, and after it, there is no driver
 MEMORY = re.compile(r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]')  # what reads or writes
@@ -23,7 +25,7 @@ MEMORY = re.compile(r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]')  # what 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
     found = _undeclared(facts) + _used(model, facts) + _past_the_table(facts) + _twice(facts)
-    found += _borrowed(facts) + _given(facts) + _linked(facts)
+    found += _borrowed(facts) + _given(facts) + _linked(facts) + _outside(facts)
     return found + [finding for block in facts.declared.blocks for finding in _idle(block, facts)]
 
 
@@ -114,27 +116,63 @@ def _reaches(place: Place, facts: Facts) -> bool:
 
 def _twice(facts: Facts) -> list[Finding]:
     """An address that stands in two blocks: the owners of one reach the registers of the other."""
-    path = facts.root / REGISTERS
     found: list[Finding] = []
     first: dict[int, str] = {}
+    for number, block, address in _table(facts):
+        if address is None:
+            text = "the address of the register is no number"
+            fix = "write the number that the manual gives"
+            found.append(_finding(Place(REGISTERS, number), text, fix))
+            continue
+        owner = first.setdefault(address, block)
+        if owner != block:
+            text = f"the address {address:#x} of {block} stands in {owner} already"
+            fix = "leave it in the block that the manual names"
+            found.append(_finding(Place(REGISTERS, number), text, fix))
+    return found
+
+
+def _table(facts: Facts) -> Iterator[tuple[int, str, int | None]]:
+    """The registers of the table: line, block, and address; None where that is no number."""
+    path = facts.root / REGISTERS
     block = ""
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
     for number, line in enumerate(lines, 1):
         opened = re.match(r"namespace (\w+)", line)
         block = opened[1] if opened else block
         address = re.search(r"\bRegister<[^>]*?\b(0x[\da-fA-F']+)\s*[,>]", line)
-        if address is None:
-            if re.search(r"\bRegister\s*<", line.split("//")[0]):
-                text = "the address of the register is no number"
-                fix = "write the number that the manual gives"
-                found.append(_finding(Place(REGISTERS, number), text, fix))
-            continue
-        owner = first.setdefault(int(address[1].replace("'", ""), 16), block)
-        if owner != block:
-            text = f"the address {address[1]} of {block} stands in {owner} already"
-            fix = "leave it in the block that the manual names"
-            found.append(_finding(Place(REGISTERS, number), text, fix))
+        if address is not None:
+            yield number, block, int(address[1].replace("'", ""), 16)
+        elif re.search(r"\bRegister\s*<", line.split("//")[0]):
+            yield number, block, None
+
+
+def _outside(facts: Facts) -> list[Finding]:
+    """An offset that leads from the registers of a block to those of another one."""
+    blocks: dict[str, list[int]] = {}
+    for _, block, address in _table(facts):
+        if address is not None:
+            blocks.setdefault(block, []).append(address)
+    found: list[Finding] = []
+    for fact in facts.syntax.offsets:
+        own = {block for block, held in blocks.items() if fact.base in held}
+        reached = fact.base + fact.offset
+        others = {block for block, held in blocks.items() if _lies_in(reached, held)} - own
+        if others and not any(_lies_in(reached, blocks[block]) for block in own):
+            text = f"an offset from {', '.join(sorted(own))} leads to {', '.join(sorted(others))}"
+            found.append(_finding(fact.place, text, "call an operation of the owner"))
     return found
+
+
+def _lies_in(address: int, registers: list[int]) -> bool:
+    """Whether a block has the address: near its registers, or between them."""
+    first, last = min(registers), max(registers)
+    return first <= address <= last or _page(address) == _page(last)
+
+
+def _page(address: int) -> int:
+    """A peripheral has 4 KiB of addresses; in the core, blocks share them."""
+    return address >> 12 if address < CORE else address
 
 
 def _borrowed(facts: Facts) -> list[Finding]:

@@ -240,8 +240,9 @@ _FIXED = [
     Check(
         "uses-extension",
         "Nothing knows an extension",
-        "No file of src includes or calls one of extensions, so a product can leave it out. An "
-        "extension uses another one only where design/uses.toml gives the reason.",
+        "No file of src includes or calls one of extensions, so a product can leave it out; nor "
+        "does it have a number that an extension adds to an enumeration. An extension uses another "
+        "one only where design/uses.toml gives the reason.",
         "what the linker puts into the image of a product; the tests of the products look there.",
         "remove the include or the call: a composition of the extension binds it to the robot.",
     ),
@@ -261,10 +262,10 @@ _FIXED = [
         "A namespace of src/k64/registers.hpp is named only by the modules that own it in "
         "design/register_owners.toml; each owner uses it; no address stands in two of them; no "
         "other place makes a register, makes a number into an address, names what is volatile, or "
-        "hands a register to others, nor does the linker; instructions of the processor stand with "
-        "the drivers only.",
-        "which channel or pin of a block an owner touches, and how far its offset leads; the "
-        "effect of a register on another block.",
+        "hands a register to others, nor does the linker; no number in an offset leads from one "
+        "block to another; instructions of the processor stand with the drivers only.",
+        "which channel or pin of a block an owner touches; an offset that is computed elsewhere; "
+        "the effect of a register on another block.",
         "call an operation of the owner, or change the design.",
     ),
     Check(
@@ -431,7 +432,8 @@ _FIXED = [
         "secret-open",
         "No way past the interface",
         "No module has public data that can change, nor a friend outside itself, nor an operation "
-        "that gives a reference to a number of its own, through which it can be changed.",
+        "that gives a reference to a number of its own, through which it can be changed. No source "
+        "file declares by itself a name that another one defines.",
         "an operation that gives an object or a record of the module, such as a part of a builder.",
         "make the data private and give the module an operation.",
     ),
@@ -439,8 +441,9 @@ _FIXED = [
         "secret-hidden",
         "What a secret names stays inside",
         "A header, class, function or constant that @hides names is used by its module only; one "
-        "that a logic module hides, by its folder only.",
-        "the same fact, written down a second time.",
+        "that a logic module hides, by its folder only. No other constant has the value of a "
+        "hidden one and a name of the same words.",
+        "the same fact, written down a second time without a name that resembles it.",
         "call an operation of the module instead.",
     ),
     Check(

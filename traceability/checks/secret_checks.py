@@ -16,7 +16,13 @@ INCLUDE = re.compile(r"\s*#\s*include\s*<([a-z_./]+)>")
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
-    return _open(model, facts) + _given_out(model, facts) + _hidden(model, facts)
+    return (
+        _open(model, facts)
+        + _given_out(model, facts)
+        + _declared_again(facts)
+        + _hidden(model, facts)
+        + _copied(model, facts)
+    )
 
 
 def _open(model: Model, facts: Facts) -> list[Finding]:
@@ -61,6 +67,22 @@ def _given_out(model: Model, facts: Facts) -> list[Finding]:
                 fix = "give a value, or a reference to const"
                 found.append(Finding(method.place, "secret-open", text, fix))
     return found
+
+
+def _declared_again(facts: Facts) -> list[Finding]:
+    """A name of another file that a source file declares; the linker defines some."""
+    scripts = files_below(facts.root, DESIGN, (".ld",))
+    linked = " ".join(path.read_text(encoding="utf-8") for path in scripts)
+    return [
+        Finding(
+            place,
+            "secret-open",
+            f"{name} is declared here, and no header of its module declares it",
+            "include the header of the module, and call an operation of it",
+        )
+        for name, place in facts.syntax.declared_again.items()
+        if not re.search(rf"\b{re.escape(name)}\b", linked)
+    ]
 
 
 @dataclass
@@ -139,3 +161,31 @@ def _standard(name: str, root: Path) -> list[Place] | None:
         if (match := INCLUDE.match(line)) and match[1] == name
     ]
     return found or None
+
+
+def _copied(model: Model, facts: Facts) -> list[Finding]:
+    """The value of a hidden constant, in another file and below a similar name."""
+    values = facts.syntax.values
+    return [
+        Finding(
+            other.place,
+            "secret-hidden",
+            f"{other.name} has the value of {hidden.name}, a secret of {hidden.owner}",
+            f"call an operation of {hidden.owner}, or give the constant a name of its own",
+        )
+        for hidden in _declared(model)
+        for value in values
+        if value.name == hidden.name and value.number > 1
+        for other in {(one.place.file, one.place.line): one for one in values}.values()
+        if other.number == value.number
+        and not hidden.allows(other.place.file)
+        and _is_similar(hidden.name, other.name)
+    ]
+
+
+def _is_similar(name: str, other: str) -> bool:
+    """Whether all words of one of the names are words of the other: kGroup, kSampleGroup."""
+    words, others = (
+        set(re.findall(r"[A-Z][a-z]*|\d+", part.rpartition("::")[2])) for part in (name, other)
+    )
+    return bool(words and others) and (words <= others or others <= words)

@@ -23,6 +23,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
     return (
         _forbidden(model)
         + _extensions(model)
+        + _numbers_of_extensions(facts)
         + _apart(facts)
         + _unused(model)
         + _idle_cycles(model, facts)
@@ -87,6 +88,30 @@ def _extensions(model: Model) -> list[Finding]:
         and _extension(use.source) != _extension(use.target)
         and (use.source, use.target) not in builds_on
         for place in use.places
+    ]
+
+
+def _numbers_of_extensions(facts: Facts) -> list[Finding]:
+    """A value of an enumeration that an extension adds by its number, and that src has too."""
+    numbers = facts.syntax.enum_numbers
+    added = {(one.kind, one.number): one.place for one in numbers if is_extension(one.place.file)}
+    named = {
+        (kind.name, constant.number): constant.place
+        for kind in facts.syntax.classes
+        for value in kind.values
+        for constant in facts.syntax.values
+        if constant.name == f"{kind.name}::{value.name}"
+    }
+    uses = [*named.items(), *(((one.kind, one.number), one.place) for one in numbers)]
+    return [
+        Finding(
+            place,
+            "uses-extension",
+            f"{key[0]} has the number {key[1]} here, which the extension in {added[key].file} adds",
+            "leave the number to the extension",
+        )
+        for key, place in uses
+        if key in added and not is_extension(place.file)
     ]
 
 

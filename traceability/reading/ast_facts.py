@@ -152,11 +152,29 @@ class InitialFact:
 
 
 @dataclass
+class EnumNumberFact:
+    """A number that is made into a value of an enumeration."""
+
+    kind: str  # the enumeration
+    number: int
+    place: Place
+
+
+@dataclass
 class BranchFact:
     """The way of a body depends on an address of a class, or on the number of an enumerator."""
 
     by: str  # the owner of the body
     target: str  # the class, or the enumeration
+    place: Place
+
+
+@dataclass
+class OffsetFact:
+    """A register that is reached from another one; the largest number in the offset."""
+
+    base: int
+    offset: int
     place: Place
 
 
@@ -179,6 +197,9 @@ class Syntax:
     variables: dict[str, FieldFact] = field(default_factory=dict)  # file:name or function name
     friends: list[NameFact] = field(default_factory=list)  # a class lets another one in
     silent: list[SilentFact] = field(default_factory=list)
+    enum_numbers: list[EnumNumberFact] = field(default_factory=list)
+    offsets: list[OffsetFact] = field(default_factory=list)
+    declared_again: dict[str, Place] = field(default_factory=dict)  # name -> no header declares it
     errors: list[tuple[Place, str]] = field(default_factory=list)
 
     def merge(self, other: Syntax) -> None:

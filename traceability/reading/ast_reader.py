@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import contextlib
 import ctypes
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -20,10 +21,12 @@ from traceability.reading.ast_facts import (
     CallFact,
     ClassFact,
     ConstantFact,
+    EnumNumberFact,
     FieldFact,
     InitialFact,
     MethodFact,
     NameFact,
+    OffsetFact,
     SilentFact,
     Syntax,
 )
@@ -37,7 +40,7 @@ from traceability.reading.clang_names import (
     namespace_of,
     qualified_name,
 )
-from traceability.reading.constants import constant_names, constants_of
+from traceability.reading.constants import constant_names, constants_of, evaluated
 from traceability.schema import Place
 
 _NAMES = {
@@ -66,10 +69,12 @@ _CASTS = {
     CursorKind.CXX_FUNCTIONAL_CAST_EXPR,
 }
 _DECLARED = {CursorKind.VAR_DECL, CursorKind.PARM_DECL, CursorKind.FIELD_DECL}
+_ENUM_MAKERS = {*_CASTS, CursorKind.CXX_STATIC_CAST_EXPR, CursorKind.INIT_LIST_EXPR}
 _WRAPPING = {CursorKind.UNEXPOSED_EXPR, CursorKind.PAREN_EXPR, CursorKind.UNARY_OPERATOR}
 _HOLDERS = ("optional", "array", "pair", "tuple", "variant")  # of the library: by value
 _COPIES = ("memcpy", "memmove", "__builtin_memcpy", "__builtin_memmove")
 _MAKERS = ("construct_at", "make_optional", "make_unique", "make_shared")
+_REGISTER = re.compile(r"\bRegister<[^,>]+, (\d+)")
 _NUMBERS = {
     TypeKind.INT, TypeKind.UINT, TypeKind.LONG, TypeKind.ULONG, TypeKind.LONGLONG,
     TypeKind.ULONGLONG, TypeKind.SHORT, TypeKind.USHORT, TypeKind.ENUM, TypeKind.DEPENDENT,
@@ -154,6 +159,7 @@ class Reader:
         self.declaration(cursor, body, place)
         self.values(cursor, place)
         self.address(cursor, place)
+        self.past_interface(cursor, body, place)
         self.uses(cursor, body, owner, place)
         self.flow.note(cursor, self.function, place)
         if kind == CursorKind.VAR_DECL:
@@ -361,6 +367,21 @@ class Reader:
         elif cursor.kind == CursorKind.NAMESPACE_REF:
             self.block(cursor.referenced, place, declares=False)
 
+    def past_interface(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
+        """Numbers in the place of enumerators, offsets of registers, and second declarations."""
+        if cursor.kind in _ENUM_MAKERS and cursor.type.get_canonical().kind == TypeKind.ENUM:
+            kind, number = class_name(cursor.type.get_declaration()), evaluated(cursor)
+            named = any(part.kind == CursorKind.DECL_REF_EXPR for part in cursor.walk_preorder())
+            if kind and number is not None and not named:
+                self.facts.enum_numbers.append(EnumNumberFact(kind, number, place))
+        base = register_of(cursor)
+        if base is not None:
+            numbers = [evaluated(part) for part in expressions_in(cursor.get_arguments())]
+            largest = max((number for number in numbers if number is not None), default=0)
+            self.facts.offsets.append(OffsetFact(base, largest, place))
+        if body is None and place.file.endswith(".cpp") and _is_declared_again(cursor):
+            self.facts.declared_again[cursor.spelling] = place
+
     def block(self, cursor: Cursor | None, place: Place, *, declares: bool) -> None:
         """Notes a namespace that lies in that of the project, and what its header holds."""
         while cursor is not None and cursor.kind != CursorKind.NAMESPACE:
@@ -565,6 +586,31 @@ def bare(cursor: Cursor | None) -> Cursor | None:
 
 def _words(cursor: Cursor) -> list[str]:
     return [token.spelling for token in cursor.get_tokens()]
+
+
+def expressions_in(cursors: Iterable[Cursor]) -> Iterator[Cursor]:
+    """Expressions with all their parts."""
+    for cursor in cursors:
+        yield from (part for part in cursor.walk_preorder() if part.kind.is_expression())
+
+
+def register_of(call: Cursor) -> int | None:
+    """The address of the register from which a call reaches another one."""
+    if call.kind != CursorKind.CALL_EXPR or call.spelling != "at":
+        return None
+    base = next(call.get_children(), None)
+    kind = base.type.get_canonical().spelling if base is not None else ""
+    kind = kind or call.type.get_canonical().spelling
+    register = _REGISTER.search(f"{kind} {call.type.get_canonical().spelling}")
+    return int(register[1]) if register else None
+
+
+def _is_declared_again(cursor: Cursor) -> bool:
+    """Something of another file that a source file declares by itself, without its header."""
+    first = cursor.canonical == cursor and cursor.get_definition() is None
+    is_variable = cursor.kind == CursorKind.VAR_DECL and cursor.storage_class == StorageClass.EXTERN
+    is_free = cursor.kind == CursorKind.FUNCTION_DECL and cursor.linkage == LinkageKind.EXTERNAL
+    return first and (is_variable or is_free)
 
 
 def _is_bare_asm(cursor: Cursor) -> bool:
