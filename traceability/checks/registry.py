@@ -388,8 +388,9 @@ _FIXED = [
         "in the same operation: the operation that assigns the Context's state is followed to the "
         "states that call it, and each successor to the object that the builder gave. The builder "
         "begins with the initial state, and an operation that always changes the state has no "
-        "transition that stays.",
-        "whether the guards are the declared ones; states that extensions add.",
+        "transition that stays. The only transition of an operation has a guard exactly when the "
+        "code makes it under a condition.",
+        "whether the words of a guard are those of the code; states that extensions add.",
         "correct the code, or the transition in design/fsm.",
     ),
     Check(

@@ -206,6 +206,8 @@ def _operation(
             found += [_undeclared(machine, change) for change in made[len(here) :]]
         elif len(here) > len(made):
             found += [_not_made(row, state, operation) for row in here[len(made) :]]
+        elif len(rows) == 1:
+            found += [_guarded(here[0], change) for change in made if _differs(here[0], change)]
     if not code.stays(state, operation):
         found += [
             Finding(
@@ -218,6 +220,23 @@ def _operation(
             if is_stay(row)
         ]
     return found
+
+
+def _differs(row: Transition, change: Change) -> bool:
+    """Whether one has a condition that the other lacks.
+
+    The time of an event is a condition too; a guard on another machine is one of the caller.
+    """
+    if row.guard.startswith("in "):
+        return False
+    return change.sometimes != bool(row.guard or _WITH_UNIT.search(row.event))
+
+
+def _guarded(row: Transition, change: Change) -> Finding:
+    made = "on some paths only" if change.sometimes else "on every path"
+    declared = "a guard" if row.guard else "no guard"
+    text = f"{words(row)} has {declared}, and {change.source}::{change.operation} makes it {made}"
+    return Finding(change.place, "fsm-code", text, "declare the guard, or correct the code")
 
 
 def _undeclared(machine: StateMachine, change: Change) -> Finding:
