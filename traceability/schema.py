@@ -53,6 +53,17 @@ class Constant:
 
 
 @dataclass(frozen=True)
+class PaperStatement:
+    """What a place of the paper demands or claims about the software, and what answers it here."""
+
+    where: str  # id of a place
+    says: str
+    here: Sequence[str]
+    deviation: str
+    place: Place
+
+
+@dataclass(frozen=True)
 class Tuned:
     """Constants whose values are right for one value of another constant only."""
 

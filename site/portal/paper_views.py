@@ -140,7 +140,7 @@ def concordance(portal: Portal) -> dict[str, Any]:
         "places": places,
         "kinds": sorted(kinds.items()),
         "back": back,
-        "rows": len(model.paper) + len(back),
+        "rows": len(model.paper) + len(model.statements) + len(back),
         "target": partial(target_link, portal),
         "slug": paper_anchor,
     }

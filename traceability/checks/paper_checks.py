@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from pathlib import Path
 
 from traceability.checks.link_checks import has_page
@@ -21,7 +21,37 @@ def check(model: Model, facts: Facts) -> list[Finding]:
     for entry in model.paper:
         found += _stale(entry, model, facts) + _alias(entry, model, facts)
         found += _figure(entry, facts)
-    return found
+    return [*found, *_statements(model, facts), *_unstated(model)]
+
+
+def _statements(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Each statement is of a place of the paper, and what answers it exists."""
+    places = {place.id for place in model.paper_places}
+    for statement in model.statements:
+        texts = [
+            (f"what is said to answer it, {target}, does not exist", target)
+            for target in statement.here
+            if not exists(target, model, facts)
+        ]
+        if statement.where not in places:
+            texts.append((f"the paper has no place {statement.where}", "place"))
+        if not statement.here and not statement.deviation:
+            texts.append(("nothing answers it, and no deviation says why", "says"))
+        for text, word in texts:
+            line = facts.declared.entries.line_in(statement.place, word)
+            yield Finding(line, "paper-statement", text, "correct the entry")
+
+
+def _unstated(model: Model) -> Iterator[Finding]:
+    """Each requirement whose source is a place of the paper answers a statement of it."""
+    answered = {(one.where, target) for one in model.statements for target in one.here}
+    for requirement in model.requirements.values() if model.statements else ():
+        for source in requirement.sources:
+            pair = (source.name, f"requirement:{requirement.id}")
+            if source.kind == "paper" and pair not in answered:
+                text = f"no statement of {source.name} of the paper names {requirement.id}"
+                fix = "add it to design/statements.toml, or correct the source"
+                yield Finding(requirement.place, "paper-statement", text, fix)
 
 
 def _complete(model: Model, facts: Facts) -> list[Finding]:
@@ -180,6 +210,16 @@ def check_pages(model: Model, facts: Facts, site: Path) -> list[Finding]:
         )
         for entry in model.paper
         for target in entry.here
+        if target.startswith("view:") and not has_page(site, _page_of(target))
+    ] + [
+        Finding(
+            facts.declared.entries.line_in(statement.place, target),
+            "paper-statement",
+            f"{target} is no page",
+            "name the page that shows it",
+        )
+        for statement in model.statements
+        for target in statement.here
         if target.startswith("view:") and not has_page(site, _page_of(target))
     ]
 

@@ -711,6 +711,15 @@ _FIXED = [
         "write the entry, or correct its kind or name.",
     ),
     Check(
+        "paper-statement",
+        "The statements of the paper are answered",
+        "Each entry of design/statements.toml names a place of the paper, and what answers it "
+        "exists. Each requirement whose source is a place of the paper answers a statement of it.",
+        "whether the list has every statement of the paper, and whether an answer is a good one: a "
+        "person compares them with the paper.",
+        "correct the entry, or add the statement.",
+    ),
+    Check(
         "paper-stale",
         "The concordance names what exists",
         "Every module, method, application, state machine, requirement, check and page that an "

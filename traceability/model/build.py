@@ -106,6 +106,7 @@ def _assemble(
         allowed_cycles=declared.cycles,
         kept_apart=declared.apart,
         paper=declared.concordance.entries,
+        statements=declared.concordance.statements,
         paper_places=declared.concordance.places,
         closed_loop=read_closed_loop(root, declared.entries),
         mutation=read_mutation(root, model.sources_hash),

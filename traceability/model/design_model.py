@@ -40,6 +40,7 @@ from traceability.schema import (
     Mutation,
     PaperElement,
     PaperPlace,
+    PaperStatement,
     PatternApplication,
     ProductImage,
     Requirement,
@@ -84,6 +85,7 @@ class Model:
     groups: Sequence[ArchitectureGroup] = field(default_factory=list)
     connections: Sequence[Connection] = field(default_factory=list)
     paper: Sequence[PaperElement] = field(default_factory=list)
+    statements: Sequence[PaperStatement] = field(default_factory=list)
     paper_places: Sequence[PaperPlace] = field(default_factory=list)
     changes: Mapping[str, LikelyChange] = field(default_factory=dict)  # by application
     board_findings: Mapping[str, BoardFinding] = field(default_factory=dict)

@@ -7,10 +7,16 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from traceability.reading.toml_reader import Entries
-from traceability.schema import PaperElement, PaperPlace, Place
+from traceability.schema import (
+    PaperElement,
+    PaperPlace,
+    PaperStatement,
+    Place,
+)
 
 PAPER = Path("design/paper.toml")
 CONCORDANCE = Path("design/concordance.toml")
+STATEMENTS = Path("design/statements.toml")
 
 
 @dataclass
@@ -21,6 +27,7 @@ class Concordance:
     named: dict[tuple[str, str], list[str]] = field(default_factory=dict)  # -> ids of places
     lines: dict[tuple[str, str], Place] = field(default_factory=dict)  # where paper.toml names it
     entries: list[PaperElement] = field(default_factory=list)
+    statements: list[PaperStatement] = field(default_factory=list)
 
 
 def read_concordance(root: Path, entries: Entries) -> Concordance:
@@ -31,6 +38,13 @@ def read_concordance(root: Path, entries: Entries) -> Concordance:
     found.entries = [
         replace(entry, where=found.named.get((entry.kind, entry.name), []))
         for entry in _entries(root, entries)
+    ]
+    needs = {"place": str, "says": str, "here": list}
+    found.statements = [
+        PaperStatement(item["place"], item["says"], item["here"], item.get("deviation", ""), place)
+        for item, place in entries.tables(
+            root / STATEMENTS, "statement", needs, {"deviation": str}, own="says"
+        )
     ]
     return found
 

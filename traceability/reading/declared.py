@@ -138,7 +138,7 @@ FILES = (
     *("applications", "architecture", "board_beliefs", "board_findings", "changes"),
     *("clauses", "closed_loop"),
     *("concordance", "execution", "justified", "modules", "paper", "questions"),
-    *("register_owners", "safety_case", "stack", "tuned", "uses"),
+    *("register_owners", "safety_case", "stack", "statements", "tuned", "uses"),
 )
 
 
