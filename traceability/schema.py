@@ -603,9 +603,12 @@ class SafetyCase:
 
 @dataclass(frozen=True)
 class Justified:
-    """Methods, tests or lines of methods that serve no requirement, and why this is right."""
+    """Methods, tests or lines of methods that serve no requirement, and why this is right.
 
-    kind: str  # "method", "test", "line"
+    So are methods that only tests call, and functions with a loop that counts no rounds.
+    """
+
+    kind: str  # "method", "test", "line", "uncalled", "loop"
     names: Sequence[str]
     why: str
     place: Place

@@ -11,6 +11,7 @@ from traceability.model.execution import (
     THREAD,
     handler_lines,
     line_priorities,
+    silent_lines,
     way_to,
 )
 from traceability.reading.source_facts import Facts
@@ -32,6 +33,10 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         + _priorities(model, facts)
         + _ends(facts)
         + _interrupts(model, facts)
+        + _claims(model, facts)
+        + _floats(model, facts)
+        + _loops(facts)
+        + _enabled(facts)
         + _shared(model, facts)
         + _unprotected(model, facts)
     )
@@ -163,6 +168,81 @@ def _interrupts(model: Model, facts: Facts) -> list[Finding]:
             fix = "let a thread call it, or make it safe and write @isr{yes}"
             found.append(Finding(forbidden[name].place, "exec-isr", text, fix))
     return found
+
+
+def _claims(model: Model, facts: Facts) -> list[Finding]:
+    """A method that an interrupt may call, and that calls one which it may not call."""
+    claims = {
+        method.id: method.interrupt
+        for module in model.modules.values()
+        for method in module.methods
+        if method.kind != "constructor"
+    }
+    return [
+        Finding(
+            call.place,
+            "exec-isr",
+            f"{body.id} is @isr{{yes}}, and calls {target}, which is @isr{{no}}",
+            "let a thread make the call, or correct one of the two",
+        )
+        for body in facts.syntax.bodies
+        if claims.get(body.id) == "yes"
+        for call in body.calls
+        for target in facts.references.targets(call)
+        if claims.get(target) == "no"
+    ]
+
+
+def _floats(model: Model, facts: Facts) -> list[Finding]:
+    """Floating-point numbers in what an interrupt runs: its registers are not saved for them."""
+    found: dict[Place, Finding] = {}
+    for context in model.contexts.values():
+        if context.kind != INTERRUPT:
+            continue
+        start = [*context.handlers, *_called_by_products(context.handlers, facts)]
+        reached = facts.references.reached(start, {}, facts.declared.ends)
+        for body in (body for name in reached for body in facts.bodies.get(name, [])):
+            if body.floats:
+                place = Place(body.place.file, body.floats)
+                text = f"{body.id} uses floating point, and the interrupt '{context.name}' runs it"
+                found[place] = Finding(place, "exec-float", text, "compute with integers")
+    return list(found.values())
+
+
+def _loops(facts: Facts) -> list[Finding]:
+    """A loop that counts no rounds, and that design/justified.toml does not name."""
+    entries = [entry for entry in facts.declared.justified if entry.kind == "loop"]
+    named = {name for entry in entries for name in entry.names}
+    looping = {body.id: body for body in facts.syntax.bodies if body.loops}
+    fix = "count the rounds in the head of the loop, or state in design/justified.toml why it ends"
+    found = [
+        Finding(
+            Place(body.place.file, body.loops[0]),
+            "exec-loop",
+            f"nothing in the head of a loop of {name} bounds its rounds",
+            fix,
+        )
+        for name, body in looping.items()
+        if name not in named
+    ]
+    return found + [
+        Finding(entry.place, "exec-loop", f"{name} has no such loop", "remove the name")
+        for entry in entries
+        for name in entry.names
+        if name not in looping
+    ]
+
+
+def _enabled(facts: Facts) -> list[Finding]:
+    """An interrupt line with a handler, which no call enables."""
+    return [
+        _declared(
+            facts.bodies[handler][0].place if handler in facts.bodies else DECLARED,
+            f"the table of vectors has {handler} at line {line}, and nothing enables this line",
+            "enable the line, or remove the handler from the table",
+        )
+        for line, handler in silent_lines(facts).items()
+    ]
 
 
 def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:

@@ -321,18 +321,35 @@ _FIXED = [
         "exec-declared",
         "Contexts, pipes and protections are declared",
         "Every handler in the table of vectors belongs to one context of design/execution.toml, "
-        "each handler and body named there exists, the lines of a context have its priority, each "
-        "pipe of the robot has a name, and each member named there is shared.",
+        "and a call enables its line; each handler and body named there exists, the lines of a "
+        "context have its priority, each pipe of the robot has a name, and each member named there "
+        "is shared.",
         "handlers of products that have other interrupts.",
         "correct the entry, or declare what is missing.",
     ),
     Check(
         "exec-isr",
         "No interrupt calls what it must not",
-        "No method with @isr{no} is reached from the handler of an interrupt. Calls of an "
-        "abstraction reach the objects that the builders gave.",
+        "No method with @isr{no} is reached from the handler of an interrupt, and no method with "
+        "@isr{yes} calls one with @isr{no}. Calls of an abstraction reach the objects that the "
+        "builders gave.",
         "calls through pointers to functions; methods without @isr; whether @isr{yes} is true.",
         "let a thread call the method, or make it safe and write @isr{yes}.",
+    ),
+    Check(
+        "exec-float",
+        "No floating point in an interrupt",
+        "No function that the handler of an interrupt reaches has a floating-point number.",
+        "functions of the toolchain; calls through pointers to functions.",
+        "compute with integers.",
+    ),
+    Check(
+        "exec-loop",
+        "Each loop is bounded",
+        "A loop is a `for` with a condition; a function with another one is named in "
+        "design/justified.toml with the reason why the loop ends, or may not end.",
+        "whether the condition of a `for` becomes false.",
+        "count the rounds in the head of the loop, or justify it.",
     ),
     Check(
         "exec-shared",
@@ -539,6 +556,15 @@ _FIXED = [
         "The others are justified in design/justified.toml.",
         "whether the method is needed for the requirement.",
         "tag the method, use it in a tree, remove it, or justify it.",
+    ),
+    Check(
+        "req-caller",
+        "Each public method has a caller",
+        "Code of the firmware calls every public method of a design module, or the method that it "
+        "overrides: so a builder calls each step, and uses each part. The others are justified in "
+        "design/justified.toml.",
+        "whether the caller runs: a call in dead code counts.",
+        "call the method, remove it, or justify it.",
     ),
     Check(
         "req-test",

@@ -15,6 +15,7 @@ from traceability.model.evidence import reasons
 from traceability.model.metrics import METHODS
 from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.model.reviews import BASELINE, NAMES_OF_TEXTS
+from traceability.reading.ast_facts import ANY_CLASS
 from traceability.reading.gtest_cases import unknown_macros
 from traceability.reading.products import PRODUCTS
 from traceability.reading.results import RESULTS, RUNS
@@ -54,6 +55,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         *_macros(facts),
         *_attributes(model, facts),
         *_sources(model, facts),
+        *_uncalled(model, facts),
     ]
 
 
@@ -169,6 +171,38 @@ def _without(model: Model) -> list[Finding]:
         if test.id not in justified
     ]
     return methods + tests
+
+
+def _uncalled(model: Model, facts: Facts) -> list[Finding]:
+    """Public methods that nothing but tests can call, and that design/justified.toml lacks."""
+    called = {
+        target
+        for body in facts.syntax.bodies
+        for call in body.calls
+        for target in facts.targets(call.target, call.virtual)
+    }
+    called |= {f"{name.target}::{name.member}" for name in facts.syntax.names if name.member}
+    spare = {
+        method.id: method
+        for module in model.modules.values()
+        for method in module.methods
+        if method.access == "public" and method.kind != "constructor" and not module.datatype
+        if not {method.id, f"{ANY_CLASS}::{method.name}"} & called and method.name.isidentifier()
+    }
+    entries = [entry for entry in facts.declared.justified if entry.kind == "uncalled"]
+    named = {name for entry in entries for name in entry.names}
+    fix = "call it, remove it, or justify it in design/justified.toml"
+    found = [
+        Finding(method.place, "req-caller", f"only tests call {name}", fix)
+        for name, method in spare.items()
+        if name not in named
+    ]
+    return found + [
+        Finding(entry.place, "req-justified", f"{name} has a caller", "remove the name")
+        for entry in entries
+        for name in entry.names
+        if name not in spare
+    ]
 
 
 def _unneeded(model: Model) -> list[Finding]:

@@ -69,30 +69,52 @@ def first_methods(context: ExecutionContext, reached: dict[str, str], model: Mod
 
 def handler_lines(facts: Facts) -> dict[str, list[int]]:
     """Handler -> interrupt lines, from the table of vectors. Lines of one constant follow it."""
-    table: dict[str, list[str]] = {}  # constant -> handlers, in order
+    found: dict[str, list[int]] = {}
+    for constant, handlers in _vectors(facts).items():
+        for number, handler in enumerate(handlers):
+            found.setdefault(handler, []).append(facts.syntax.constants[constant] + number)
+    return found
+
+
+def _vectors(facts: Facts) -> dict[str, list[str]]:
+    """Constant of an interrupt line -> the handlers of that line and of those after it."""
+    table: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         if flow.into in facts.syntax.constants and flow.into.endswith("Line"):
             for source in flow.sources:
                 word, _, name = source.partition(" ")
                 if word == "function":
                     table.setdefault(flow.into, []).append(name)
-    found: dict[str, list[int]] = {}
-    for constant, handlers in table.items():
-        for number, handler in enumerate(handlers):
-            found.setdefault(handler, []).append(facts.syntax.constants[constant] + number)
-    return found
+    return table
+
+
+def silent_lines(facts: Facts) -> dict[int, str]:
+    """Interrupt line that has a handler, and that no call enables -> its handler."""
+    constants, enabled = facts.syntax.constants, _enabling(facts)
+    return {
+        constants[name]: handlers[0]
+        for name, handlers in _vectors(facts).items()
+        if constants[name] not in enabled
+    }
 
 
 def line_priorities(facts: Facts) -> dict[int, str]:
     """Interrupt line -> constant of its priority, from the calls that enable the lines."""
+    found = _enabling(facts)
+    for lines in handler_lines(facts).values():  # lines counted from a constant have its priority
+        for line in lines:
+            below = [known for known in found if known <= line]
+            if line not in found and below:
+                found[line] = found[max(below)]
+    return found
+
+
+def _enabling(facts: Facts) -> dict[int, str]:
+    """Interrupt line -> constant of its priority, of the lines that a call names."""
     constants = facts.syntax.constants
     behind: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         behind.setdefault(flow.into, []).extend(flow.sources)
-    following: dict[str, int] = {}
-    for handlers in handler_lines(facts).values():
-        for line in handlers:
-            following[str(line)] = line
     found: dict[int, str] = {}
     for body in facts.syntax.bodies:
         for call in body.calls:
@@ -103,11 +125,6 @@ def line_priorities(facts: Facts) -> dict[int, str]:
             for line in [constants[one] for one in named if one in constants]:
                 for value in values:
                     found[line] = value
-    for lines in handler_lines(facts).values():  # lines counted from a constant have its priority
-        for line in lines:
-            below = [known for known in found if known <= line]
-            if line not in found and below:
-                found[line] = found[max(below)]
     return found
 
 

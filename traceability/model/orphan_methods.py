@@ -9,6 +9,8 @@ from traceability.model.design_model import Model
 from traceability.reading.traces import nodes_of
 from traceability.schema import Justified, Method, Module, Test
 
+JUSTIFIED_BY_CHECKS = ("uncalled", "loop")  # the checks compare these with the code
+
 
 def serving_methods(model: Model) -> set[str]:
     """The methods that are tagged with a requirement or stand in a tree, and what these stand for.
@@ -59,6 +61,8 @@ def justify(model: Model, declared: Iterable[Justified]) -> Model:
     for item in declared:
         if item.kind == "method":
             covers = [name for name in methods if name in item.names]
+        elif item.kind in JUSTIFIED_BY_CHECKS:
+            covers = list(item.names)
         elif item.kind == "line":
             covers = [gap.method for gap in model.line_gaps if gap.method in item.names]
             reasons |= dict.fromkeys(covers, item.why)

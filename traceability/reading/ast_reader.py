@@ -74,6 +74,8 @@ _WRAPPING = {CursorKind.UNEXPOSED_EXPR, CursorKind.PAREN_EXPR, CursorKind.UNARY_
 _HOLDERS = ("optional", "array", "pair", "tuple", "variant")  # of the library: by value
 _COPIES = ("memcpy", "memmove", "__builtin_memcpy", "__builtin_memmove")
 _MAKERS = ("construct_at", "make_optional", "make_unique", "make_shared")
+_FLOATS = {TypeKind.FLOAT, TypeKind.DOUBLE, TypeKind.LONGDOUBLE}
+_UNCOUNTED = {CursorKind.WHILE_STMT, CursorKind.DO_STMT}
 _REGISTER = re.compile(r"\bRegister<[^,>]+, (\d+)")
 _NUMBERS = {
     TypeKind.INT, TypeKind.UINT, TypeKind.LONG, TypeKind.ULONG, TypeKind.LONGLONG,
@@ -169,6 +171,7 @@ class Reader:
         if body is not None:
             self.assignment(cursor, body, place)
             self.touch(cursor, body)
+            self.run_time(cursor, body, place)
             self.branch(cursor, owner, place)
             self.left = self.left or (kind == CursorKind.RETURN_STMT and self.chances > 0)
         self.loops += kind in flow.LOOPS
@@ -381,6 +384,14 @@ class Reader:
             self.facts.offsets.append(OffsetFact(base, largest, place))
         if body is None and place.file.endswith(".cpp") and _is_declared_again(cursor):
             self.facts.declared_again[cursor.spelling] = place
+
+    def run_time(self, cursor: Cursor, body: BodyFact, place: Place) -> None:
+        """Floating-point numbers, and loops whose head does not count."""
+        kind = cursor.type.get_canonical().kind
+        if kind in _FLOATS and not body.floats:
+            body.floats = place.line
+        if cursor.kind in _UNCOUNTED or _has_no_condition(cursor):
+            body.loops.append(place.line)
 
     def block(self, cursor: Cursor | None, place: Place, *, declares: bool) -> None:
         """Notes a namespace that lies in that of the project, and what its header holds."""
@@ -611,6 +622,13 @@ def _is_declared_again(cursor: Cursor) -> bool:
     is_variable = cursor.kind == CursorKind.VAR_DECL and cursor.storage_class == StorageClass.EXTERN
     is_free = cursor.kind == CursorKind.FUNCTION_DECL and cursor.linkage == LinkageKind.EXTERNAL
     return first and (is_variable or is_free)
+
+
+def _has_no_condition(cursor: Cursor) -> bool:
+    if cursor.kind != CursorKind.FOR_STMT:
+        return False
+    head = "".join(_words(cursor)).partition("{")[0]
+    return ";;" in head
 
 
 def _is_bare_asm(cursor: Cursor) -> bool:

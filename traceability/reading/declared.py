@@ -166,7 +166,7 @@ def read_declared(root: Path) -> Declared:
     _beliefs(design / "board_beliefs.toml", entries, declared)
     declared.justified = [
         Justified(kind, item["names"], item["why"], place)
-        for kind in ("method", "test", "line")
+        for kind in ("method", "test", "line", "uncalled", "loop")
         for item, place in entries.tables(
             design / "justified.toml", kind, {"names": list, "why": str}
         )
