@@ -602,6 +602,24 @@ class SafetyCase:
 
 
 @dataclass(frozen=True)
+class RequirementNumbers:
+    """The constants that have the numbers of a requirement: ``200 ms`` -> ``Class::name``."""
+
+    requirement: str
+    constants: Mapping[str, str]
+    place: Place
+
+
+@dataclass(frozen=True)
+class NumbersWithout:
+    """Numbers of requirements that no constant has, as ``FR-1 100 us``."""
+
+    numbers: Sequence[str]
+    why: str
+    place: Place
+
+
+@dataclass(frozen=True)
 class Justified:
     """Methods, tests or lines of methods that serve no requirement, and why this is right.
 

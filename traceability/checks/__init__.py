@@ -14,6 +14,7 @@ from traceability.checks import (
     link_checks,
     module_checks,
     name_checks,
+    number_checks,
     paper_checks,
     pattern_checks,
     register_checks,
@@ -54,6 +55,7 @@ FAMILIES = (
     state_machine_checks.check,
     tree_checks.check,
     requirement_checks.check,
+    number_checks.check,
     safety_checks.check,
 )
 

@@ -525,6 +525,16 @@ _FIXED = [
         "write the attribute, or correct its value.",
     ),
     Check(
+        "req-number",
+        "Numbers of requirements are those of the code",
+        "Each number with a unit in a requirement, in digits or as a word, is linked with a "
+        "constant in design/requirement_numbers.toml, and the constant has this value. The file "
+        "names the other numbers with the reason why no constant has them.",
+        "numbers without a unit of the list; whether the linked constant decides on what the "
+        "sentence says.",
+        "correct the constant or the requirement, or name the constant in the file.",
+    ),
+    Check(
         "req-source",
         "Sources are references",
         "Every @source has the form 'kind: name', several separated by semicolons. A paper names a "

@@ -22,7 +22,9 @@ from traceability.schema import (
     Cycle,
     ExecutionContext,
     Justified,
+    NumbersWithout,
     Place,
+    RequirementNumbers,
     SafetyCase,
     StateMachine,
     Transition,
@@ -127,6 +129,8 @@ class Declared:
     beliefs: list[BoardBelief] = field(default_factory=list)
     belief_sources: dict[str, BeliefSource] = field(default_factory=dict)
     justified: list[Justified] = field(default_factory=list)
+    numbers: list[RequirementNumbers] = field(default_factory=list)
+    numbers_without: list[NumbersWithout] = field(default_factory=list)
     concordance: Concordance = field(default_factory=Concordance)
     tuned: list[Tuned] = field(default_factory=list)
     changes: ChangeTexts = field(default_factory=ChangeTexts)
@@ -138,7 +142,8 @@ FILES = (
     *("applications", "architecture", "board_beliefs", "board_findings", "changes"),
     *("clauses", "closed_loop"),
     *("concordance", "execution", "justified", "modules", "paper", "questions"),
-    *("register_owners", "safety_case", "stack", "statements", "tuned", "uses"),
+    *("register_owners", "requirement_numbers", "safety_case", "stack", "statements"),
+    *("tuned", "uses"),
 )
 
 
@@ -177,6 +182,7 @@ def read_declared(root: Path) -> Declared:
             design / "tuned.toml", "tuned", {"to": str, "why": str, "constants": list}, own="to"
         )
     ]
+    _numbers(design / "requirement_numbers.toml", entries, declared)
     declared.concordance = read_concordance(root, entries)
     declared.changes = read_change_texts(root, entries)
     declared.safety = read_safety_case(root, entries)
@@ -187,6 +193,19 @@ def read_declared(root: Path) -> Declared:
     if declared.total is not None:
         entries.absent(design / f"{name}.toml" for name in FILES)
     return declared
+
+
+def _numbers(path: Path, entries: Entries, declared: Declared) -> None:
+    declared.numbers = [
+        RequirementNumbers(item["id"], item["constants"], place)
+        for item, place in entries.tables(
+            path, "requirement", {"id": str, "constants": dict}, own="id"
+        )
+    ]
+    declared.numbers_without = [
+        NumbersWithout(item["numbers"], item["why"], place)
+        for item, place in entries.tables(path, "without", {"numbers": list, "why": str})
+    ]
 
 
 def _beliefs(path: Path, entries: Entries, declared: Declared) -> None:

@@ -1,0 +1,82 @@
+"""req-number: a number that a requirement states is that of a constant in the code."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from traceability.model.design_model import Model
+from traceability.model.requirement_numbers import (
+    Quantity,
+    constants_named,
+    is_same,
+    quantity_of,
+    stated_numbers,
+)
+from traceability.reading.source_facts import Facts
+from traceability.schema import Finding, Place, Requirement, RequirementNumbers
+
+LINKS = "design/requirement_numbers.toml"
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    links = {entry.requirement: entry for entry in facts.declared.numbers}
+    without = {
+        number: facts.declared.entries.line_in(entry.place, number)
+        for entry in facts.declared.numbers_without
+        for number in entry.numbers
+    }
+    found: list[Finding] = []
+    for requirement in model.requirements.values() if links or without else []:
+        stated = stated_numbers(requirement.text)
+        found += _unlinked(requirement, stated, links.get(requirement.id), without)
+    for entry in links.values():
+        known = model.requirements.get(entry.requirement)
+        found += _linked(entry, stated_numbers(known.text if known else ""), facts)
+    return found + _unneeded(model, without)
+
+
+def _unlinked(
+    requirement: Requirement,
+    stated: dict[str, Quantity],
+    links: RequirementNumbers | None,
+    without: dict[str, Place],
+) -> Iterator[Finding]:
+    """Numbers of which the design does not say which constant has them."""
+    for number in stated.keys() - (links.constants.keys() if links else set()):
+        if f"{requirement.id} {number}" not in without:
+            text = f"{requirement.id} states {number}, and no constant is linked with it"
+            fix = f"name the constant in {LINKS}, or state there why none has it"
+            yield Finding(requirement.place, "req-number", text, fix)
+
+
+def _linked(
+    entry: RequirementNumbers, stated: dict[str, Quantity], facts: Facts
+) -> Iterator[Finding]:
+    """Links to a number that is not there, or to a constant that has another value."""
+    for number, name in entry.constants.items():
+        place = facts.declared.entries.line_in(entry.place, number)
+        constants = constants_named(name, facts.syntax.values)
+        if number not in stated:
+            text = f"{entry.requirement} does not state {number}"
+            yield Finding(place, "req-number", text, "correct the number, or remove the link")
+        elif not constants:
+            text = f"{name}, which has the {number} of {entry.requirement}, is no constant"
+            yield Finding(place, "req-number", text, "correct the name of the constant")
+        elif not any(is_same(stated[number], quantity_of(constant)) for constant in constants):
+            value = f"{constants[0].number} {constants[0].unit}".strip()
+            text = f"{name} is {value}, and {entry.requirement} states {number}"
+            fix = "correct the constant or the requirement"
+            yield Finding(constants[0].place, "req-number", text, fix)
+
+
+def _unneeded(model: Model, without: dict[str, Place]) -> list[Finding]:
+    needed = {
+        f"{requirement.id} {number}"
+        for requirement in model.requirements.values()
+        for number in stated_numbers(requirement.text)
+    }
+    return [
+        Finding(place, "req-number", f"no requirement states {number}", "remove the entry")
+        for number, place in without.items()
+        if number not in needed
+    ]

@@ -1,0 +1,84 @@
+"""The numbers with a unit that requirements state, and the constants of the code that have them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+
+from traceability.reading.ast_facts import ConstantFact
+
+_ELEVEN = "two three four five six seven eight nine ten eleven twelve"
+WORDS = {word: number for number, word in enumerate(_ELEVEN.split(" "), 2)}
+# Unit -> its quantity, and how much of the unit of comparison it is.
+UNITS = {
+    "us": ("time", Fraction(1)),
+    "ms": ("time", Fraction(1000)),
+    "s": ("time", Fraction(1_000_000)),
+    "mV": ("voltage", Fraction(1)),
+    "V": ("voltage", Fraction(1000)),
+    "mA": ("current", Fraction(1)),
+    "A": ("current", Fraction(1000)),
+    "rpm": ("velocity", Fraction(10)),
+    "0.1 rpm": ("velocity", Fraction(1)),
+    "degree": ("angle", Fraction(100)),
+    "0.01 degree": ("angle", Fraction(1)),
+    "%": ("share", Fraction(100)),
+    "0.01 %": ("share", Fraction(1)),
+    "1/1000": ("share", Fraction(10)),
+    "0.001": ("share", Fraction(10)),
+    "Hz": ("frequency", Fraction(1)),
+    "kHz": ("frequency", Fraction(1000)),
+    "steps/s": ("step rate", Fraction(1)),
+    "cycle": ("cycle", Fraction(1)),
+    "sample": ("sample", Fraction(1)),
+    "edge": ("edge", Fraction(1)),
+    "byte": ("byte", Fraction(1)),
+    "baud": ("baud", Fraction(1)),
+}
+_UNIT = r"(?:us|ms|s|mV|V|mA|A|rpm|degrees?|%|k?Hz|steps/s|cycles?|samples?|edges?|bytes?|baud)"
+_LIST = rf"(?=(?: to | and | or |, )[\d.]+ ?(?P<later>{_UNIT})(?![\w/]))"
+_STATED = re.compile(
+    rf"(?<![\w.^-])(?P<number>\d+(?:\.\d+)?|{'|'.join(WORDS)})"
+    rf"(?: ?(?P<unit>{_UNIT})(?![\w/])|{_LIST})"
+)
+
+
+@dataclass(frozen=True)
+class Quantity:
+    kind: str  # "" of a plain number
+    amount: Fraction
+
+
+def stated_numbers(text: str) -> dict[str, Quantity]:
+    """Each number with a unit in a text, as in ``200 ms``."""
+    found: dict[str, Quantity] = {}
+    for match in _STATED.finditer(re.sub(r"\s+", " ", text)):
+        unit = match["unit"] or match["later"]
+        kind, scale = UNITS[_singular(unit)]
+        amount = Fraction(WORDS.get(match["number"]) or match["number"])
+        found[f"{match['number']} {unit}"] = Quantity(kind, amount * scale)
+    return found
+
+
+def quantity_of(constant: ConstantFact) -> Quantity:
+    unit = _singular(constant.unit.partition(" per ")[0])
+    kind, scale = UNITS.get(unit, ("", Fraction(1)))
+    return Quantity(kind, constant.number * scale)
+
+
+def is_same(stated: Quantity, constant: Quantity) -> bool:
+    """A constant without a unit counts what its name says, in the unit of the text."""
+    if constant.kind:
+        return stated == constant
+    scales = {scale for kind, scale in UNITS.values() if kind == stated.kind}
+    return any(stated.amount == constant.amount * scale for scale in scales)
+
+
+def constants_named(name: str, constants: Iterable[ConstantFact]) -> list[ConstantFact]:
+    return [constant for constant in constants if constant.name == name]
+
+
+def _singular(unit: str) -> str:
+    return unit.removesuffix("s") if len(unit) > 2 and unit != "steps/s" else unit
