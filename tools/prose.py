@@ -1,0 +1,126 @@
+"""The linter of prose: words that the glossary replaces, in all texts that a person reads."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from pygments.lexers import get_lexer_for_filename
+from pygments.token import Comment, Literal, Token
+from pygments.util import ClassNotFound
+
+from traceability.reading.results import RESULTS
+from traceability.sources import file_hash, files_below
+
+GLOSSARY = Path("docs/glossary.rst")
+RECORD = RESULTS / "prose.json"
+FOLDERS = (
+    *("docs", "requirements", "design", "src", "extensions", "sim", "client", "tests"),
+    *("tools", "traceability", "site/portal", "site/templates", "setup", "README.md", "wr"),
+)
+PROSE = (".rst", ".md", ".dox", ".html")  # text, but for its marks
+CODE = (".py", ".cpp", ".hpp", ".h", ".toml", ".tree", ".txt", ".cmake", "")
+LITERALS = re.compile(
+    r"\{%.*?%\}|\{\{.*?\}\}|\{#|#\}|<[^>]*>|``[^`]*``|`[^`\n]*`|:[\w-]+:(?=`)|\{\w[^}]*\}|\S*[_/:]{1,2}\w\S*",
+    re.DOTALL,
+)
+ENTRY = re.compile(r"^   (\S.*)$")
+NOT = re.compile(r"^      Not: (.*)\.$")
+PLAIN = re.compile(r"^\* ((?:``[^`]+``(?:, )?)+): (.*)$")
+LEAST_WORDS = 3  # of a text in quotes: shorter ones are names
+
+
+@dataclass(frozen=True)
+class Term:
+    """Words that are not used, and what is written in their place."""
+
+    words: str
+    better: str
+
+
+@dataclass(frozen=True)
+class ProseFinding:
+    file: str
+    line: int
+    words: str
+    better: str
+
+    def __str__(self) -> str:
+        return f'{self.file}:{self.line}: [prose] "{self.words}": write {self.better}'
+
+
+def read_terms(text: str) -> Iterator[Term]:
+    """The words behind "Not:" of each entry of the glossary, and the list of plain words."""
+    entry = ""
+    for line in text.splitlines():
+        if match := NOT.match(line):
+            for words in match[1].split(", "):
+                yield Term(words.strip("`"), f'"{entry}"')
+        elif match := ENTRY.match(line):
+            entry = match[1]
+        elif match := PLAIN.match(line):
+            for words in re.findall(r"``([^`]+)``", match[1]):
+                yield Term(words, match[2])
+
+
+def pattern_of(terms: list[Term]) -> re.Pattern[str]:
+    """Whole words; a blank stands for any white space, and a capital is no difference."""
+    longest = sorted((term.words for term in terms), key=len, reverse=True)
+    words = "|".join(re.escape(words).replace(r"\ ", r"\s+") for words in longest)
+    return re.compile(rf"(?<![\w.-])(?:{words})(?![\w-])", re.IGNORECASE)
+
+
+def prose_of(path: Path) -> str:
+    """The text of a file with blanks in the place of all that is no prose: lines stay the same."""
+    text = path.read_text(encoding="utf-8")
+    if path.suffix not in PROSE:
+        text = _remarks(path, text)
+    return LITERALS.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+
+
+def _remarks(path: Path, text: str) -> str:
+    """The comments of code, and its quotations that have several words."""
+    name = {"": "wr.sh", ".tree": "a.sh", ".txt": "CMakeLists.txt"}.get(path.suffix, path.name)
+    try:
+        tokens = get_lexer_for_filename(name).get_tokens_unprocessed(text)
+    except ClassNotFound:
+        return ""
+    return "".join(
+        part if _is_prose(kind, part) else re.sub(r"[^\n]", " ", part) for _, kind, part in tokens
+    )
+
+
+def _is_prose(kind: type[Token], part: str) -> bool:
+    if kind in Comment.Preproc or kind in Comment.PreprocFile:
+        return False
+    if kind in Comment or kind in Literal.String.Doc:
+        return True
+    return kind in Literal.String and len(part.split()) >= LEAST_WORDS
+
+
+def lint_prose(root: Path) -> list[ProseFinding]:
+    """All findings, by file and line."""
+    terms = list(read_terms((root / GLOSSARY).read_text(encoding="utf-8")))
+    better = {term.words.lower(): term.better for term in terms}
+    pattern = pattern_of(terms)
+    findings = []
+    for path in files_below(root, FOLDERS):
+        file = str(path.relative_to(root))
+        if path.suffix not in (*PROSE, *CODE) or path == root / GLOSSARY:
+            continue
+        prose = prose_of(path)
+        for match in pattern.finditer(prose):
+            words = " ".join(match[0].split())
+            line = prose.count("\n", 0, match.start()) + 1
+            findings.append(ProseFinding(file, line, words, better[words.lower()]))
+    return findings
+
+
+def record(root: Path, findings: list[ProseFinding]) -> None:
+    """Keeps the number of findings, with the glossary that they were found with."""
+    content = {"findings": len(findings), "glossary": file_hash(root / GLOSSARY)}
+    (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
+    (root / RECORD).write_text(json.dumps(content), encoding="utf-8")
