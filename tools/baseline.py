@@ -1,4 +1,4 @@
-"""Measures the usual design and that of the robot: the same tests, scenario, compiler and flags."""
+"""Measures the baseline design and the robot's: the same tests, scenario, compiler and flags."""
 
 from __future__ import annotations
 

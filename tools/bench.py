@@ -46,9 +46,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Builds the image for the K64 and plays the paper's four scenarios with it on "
         "the virtual K64 in the simulated robot, 1000 control cycles each: instructions, time from "
         "the clock pulse to the report, load, latencies, and the speed of the simulator. Compares "
-        "the patterns with the usual design, and what it costs to record the calls of each test. "
+        "the patterns with the baseline design, and what the records of the calls cost. "
         "With --port, gives the same orders to a connected board and takes the cycles that its "
-        "reports tell. Lift the robot: its wheels will turn with up to 300 rpm. The orders are "
+        "reports contain. Lift the robot: its wheels will turn with up to 300 rpm. The orders are "
         "those of a PC: no remote control is needed, it may be off.",
     )
     parser.add_argument("--port", type=Path, help="serial port of a board that has the image")

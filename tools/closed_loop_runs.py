@@ -1,4 +1,4 @@
-"""Plays the scenarios of the closed loop on the host and on the virtual K64, for their figures."""
+"""Plays the scenarios of the closed loop on the host and on the virtual K64, for their values."""
 
 from __future__ import annotations
 

@@ -115,7 +115,7 @@ def results_of(root: Path, run_name: str) -> Path:
 
 
 def program_of(root: Path, run_name: str) -> Path:
-    """The program that holds the tests; what they leave lies beside it."""
+    """The program that holds the tests; their results are in its folder."""
     if run_name == BOARD:
         return root / "build" / BOARD_PRESET / "tests" / BOARD_TESTS
     return root / "build" / run_name / "tests" / TESTS

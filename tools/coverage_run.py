@@ -1,6 +1,6 @@
 """What the tests executed altogether, counted by gcovr from what gcc itself wrote in their run.
 
-A line that stands in several functions, as one of a template does, counts once.
+A line in several functions, as one of a template does, counts once.
 """
 
 from __future__ import annotations

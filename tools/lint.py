@@ -16,8 +16,10 @@ from pathlib import Path
 from typing import TextIO
 
 from tools.cmake_build import build
+from tools.prose import lint_prose
 from tools.steps import FailureError, Steps, run
 from traceability.model.build import logic_of
+from traceability.reading.prose_record import write_prose
 from traceability.reading.translation_units import clang_arguments, is_board
 from traceability.sources import DESIGN, include_options
 
@@ -52,7 +54,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 
 def lint(root: Path) -> int:
-    steps = Steps(root, 7)
+    steps = Steps(root, 8)
     tools = root / ".venv" / "bin"
     python = ["traceability", "site", "tools", "client", "sim", "tests/python"]
     steps.run("clang-format", lambda log: check_format(root, log))
@@ -75,6 +77,7 @@ def lint(root: Path) -> int:
     steps.run("ruff", ruff)
     steps.run("mypy", mypy)
     steps.run("imports", lambda log: check_imports(root, log))
+    steps.run("prose", lambda log: check_prose(root, log))
     return 1 if steps.failed else 0
 
 
@@ -98,6 +101,16 @@ def check_imports(root: Path, log: TextIO) -> None:
     env = os.environ | {"PYTHONPATH": os.pathsep.join([str(root), str(root / "site")])}
     linter = Path(sys.executable).with_name("lint-imports")
     run(log, [linter, "--config", "pyproject.toml", "--no-logo"], env, folder=root)
+
+
+def check_prose(root: Path, log: TextIO) -> str:
+    """Finds the words that the glossary replaces."""
+    findings = lint_prose(root)
+    write_prose(root, len(findings))
+    log.writelines(f"{finding}\n" for finding in findings)
+    if findings:
+        raise FailureError(f"{len(findings)} words that the glossary replaces")
+    return "0 findings"
 
 
 def check_format(root: Path, log: TextIO) -> str:

@@ -108,7 +108,7 @@ class Pages(AbstractContextManager["Pages"]):
         self.write()
 
     def write(self, *, over: bool = False) -> None:
-        """Writes the state of the run beside the pages; a page polls it."""
+        """Writes the state of the run next to the pages; a page polls it."""
         made = self.root / FINDINGS
         content = {
             "over": over,

@@ -2,25 +2,19 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from pygments.lexers import get_lexer_for_filename
-from pygments.token import Comment, Literal, Token
+from pygments.token import Comment, Literal, _TokenType, is_token_subtype
 from pygments.util import ClassNotFound
 
-from traceability.reading.results import RESULTS
-from traceability.sources import file_hash, files_below
+from traceability.reading.prose_record import FOLDERS
+from traceability.sources import files_below
 
 GLOSSARY = Path("docs/glossary.rst")
-RECORD = RESULTS / "prose.json"
-FOLDERS = (
-    *("docs", "requirements", "design", "src", "extensions", "sim", "client", "tests"),
-    *("tools", "traceability", "site/portal", "site/templates", "setup", "README.md", "wr"),
-)
 PROSE = (".rst", ".md", ".dox", ".html")  # text, but for its marks
 CODE = (".py", ".cpp", ".hpp", ".h", ".toml", ".tree", ".txt", ".cmake", "")
 LITERALS = re.compile(
@@ -30,7 +24,8 @@ LITERALS = re.compile(
 ENTRY = re.compile(r"^   (\S.*)$")
 NOT = re.compile(r"^      Not: (.*)\.$")
 PLAIN = re.compile(r"^\* ((?:``[^`]+``(?:, )?)+): (.*)$")
-LEAST_WORDS = 3  # of a text in quotes: shorter ones are names
+QUOTED = Path("design/paper.toml")  # has the words of the paper
+LEAST_WORDS = 2  # of a text in quotes: shorter ones are names
 
 
 @dataclass(frozen=True)
@@ -67,7 +62,7 @@ def read_terms(text: str) -> Iterator[Term]:
 
 
 def pattern_of(terms: list[Term]) -> re.Pattern[str]:
-    """Whole words; a blank stands for any white space, and a capital is no difference."""
+    """Whole words; a blank means any white space, and a capital is no difference."""
     longest = sorted((term.words for term in terms), key=len, reverse=True)
     words = "|".join(re.escape(words).replace(r"\ ", r"\s+") for words in longest)
     return re.compile(rf"(?<![\w.-])(?:{words})(?![\w-])", re.IGNORECASE)
@@ -93,12 +88,12 @@ def _remarks(path: Path, text: str) -> str:
     )
 
 
-def _is_prose(kind: type[Token], part: str) -> bool:
-    if kind in Comment.Preproc or kind in Comment.PreprocFile:
+def _is_prose(kind: _TokenType, part: str) -> bool:
+    if is_token_subtype(kind, Comment.Preproc) or is_token_subtype(kind, Comment.PreprocFile):
         return False
-    if kind in Comment or kind in Literal.String.Doc:
+    if is_token_subtype(kind, Comment) or is_token_subtype(kind, Literal.String.Doc):
         return True
-    return kind in Literal.String and len(part.split()) >= LEAST_WORDS
+    return is_token_subtype(kind, Literal.String) and len(part.split()) >= LEAST_WORDS
 
 
 def lint_prose(root: Path) -> list[ProseFinding]:
@@ -109,7 +104,7 @@ def lint_prose(root: Path) -> list[ProseFinding]:
     findings = []
     for path in files_below(root, FOLDERS):
         file = str(path.relative_to(root))
-        if path.suffix not in (*PROSE, *CODE) or path == root / GLOSSARY:
+        if path.suffix not in (*PROSE, *CODE) or path in (root / GLOSSARY, root / QUOTED):
             continue
         prose = prose_of(path)
         for match in pattern.finditer(prose):
@@ -117,10 +112,3 @@ def lint_prose(root: Path) -> list[ProseFinding]:
             line = prose.count("\n", 0, match.start()) + 1
             findings.append(ProseFinding(file, line, words, better[words.lower()]))
     return findings
-
-
-def record(root: Path, findings: list[ProseFinding]) -> None:
-    """Keeps the number of findings, with the glossary that they were found with."""
-    content = {"findings": len(findings), "glossary": file_hash(root / GLOSSARY)}
-    (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
-    (root / RECORD).write_text(json.dumps(content), encoding="utf-8")

@@ -16,7 +16,7 @@ from traceability.reading.seeded_fault_record import SOURCES, Outcome, write_rec
 from traceability.reading.seeded_faults import COMPILER, Fault, read_faults
 from traceability.schema import Finding
 
-NEAR = 2  # lines between the expected place and the finding: a comment stands above what it says
+NEAR = 2  # lines between the expected place and the finding: a comment is above its declaration
 WORKERS = 2
 BUILT = ("build/model", "build/results")
 LINKED = ("build/trace", "build/host", "build/k64")  # only read
@@ -59,7 +59,7 @@ def _outcomes(root: Path, faults: list[Fault]) -> Iterator[Outcome]:
 
 
 def grouped(faults: list[Fault]) -> list[list[Fault]]:
-    """Groups whose faults share no file: they can be seeded together, and told apart.
+    """Groups whose faults share no file: they can be seeded together, and distinguished.
 
     One that does not compile hides what else is wrong: it stays alone.
     """

@@ -21,7 +21,7 @@ SHOWN = 12  # tests that are listed without --json
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "impact",
-        description="Builds the model and tells which modules a change may affect, by their "
+        description="Builds the model and lists the modules that a change may affect, by their "
         "distance, and which requirements, patterns and tests to look at again. The portal shows "
         "the same on the page of each module and requirement.",
     )

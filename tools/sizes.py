@@ -160,7 +160,7 @@ def write_products(root: Path) -> dict[str, Size]:
 
 
 def write_sizes(root: Path) -> dict[str, Size]:
-    """Measures the image that was built, and leaves the sizes for the model and the figures."""
+    """Measures the image that was built, and leaves the sizes for the model and the metrics."""
     sizes = sizes_of(root, DEFAULT)
     whole = total(sizes)
     write_json(root / SIZES, {name: vars(size) for name, size in sorted(sizes.items())})

@@ -239,10 +239,10 @@ class TreeNode:
     reachable: bool | None = None
     executed: Mapping[str, bool] = field(
         default_factory=dict
-    )  # binding with a recorded test -> so far
+    )  # target with a recorded test -> so far
     outside: Sequence[str] = field(
         default_factory=list
-    )  # bindings that implement it out of the trace
+    )  # targets that implement it out of the trace
     children: Sequence[TreeNode] = field(default_factory=list)
     otherwise: bool = False  # reached by a post instead of a call, or the other way round
     often: str = ""  # declared: "" once, "?" under a condition, "*" several times
@@ -251,7 +251,7 @@ class TreeNode:
 
     @property
     def ran(self) -> bool | None:
-        """Whether any binding executed it; ``None`` when none was measured."""
+        """Whether any target executed it; ``None`` when none was measured."""
         return any(self.executed.values()) if self.executed else None
 
 
@@ -266,7 +266,7 @@ class TraceRow:
 
 @dataclass(frozen=True)
 class TreeRun:
-    """A recorded run of a test that holds a whole tree: what the page shows beside the tree."""
+    """A recorded run of a test that holds a whole tree: what the page shows next to the tree."""
 
     test: str
     rows: Sequence[TraceRow]
@@ -288,7 +288,7 @@ class FoldedCall:
 
 @dataclass(frozen=True)
 class MethodCoverage:
-    """What the passing tests of one requirement executed of a method, on one binding."""
+    """What the passing tests of one requirement executed of a method, on one target."""
 
     method: str
     place: Place
@@ -309,7 +309,7 @@ class LineGap:
 
 @dataclass(frozen=True)
 class BindingResult:
-    """A test on one binding: "passed", "failed", "skipped", or None when it did not run."""
+    """A test on one target: "passed", "failed", "skipped", or None when it did not run."""
 
     result: str | None = None
     milliseconds: float | None = None
@@ -318,14 +318,14 @@ class BindingResult:
     recordings: Sequence[str] = field(
         default_factory=list
     )  # files of recorded calls that it may have
-    measured: str = ""  # what the test tells of its run, beside the result
+    measured: str = ""  # what the test reports of its run, besides the result
     instances: Mapping[str, str] = field(default_factory=dict)  # of a parameterised test -> result
     images: Sequence[str] = field(default_factory=list)  # products whose images the test ran
 
 
 @dataclass(frozen=True)
 class Test:
-    """A test case, with a result for each binding that it is built for."""
+    """A test case, with a result for each target that it is built for."""
 
     id: str
     suite: str
@@ -337,7 +337,7 @@ class Test:
     modules: Sequence[str] = field(default_factory=list)
 
     def gave(self, result: str | None) -> list[str]:
-        """The bindings on which it gave this result."""
+        """The targets on which it gave this result."""
         return [binding for binding, one in self.results.items() if one.result == result]
 
     @property
@@ -447,8 +447,8 @@ class Requirement:
     satisfied_by: Sequence[str] = field(default_factory=list)
     verified_by: Sequence[str] = field(default_factory=list)
     tree: TreeNode | None = None
-    runs: Mapping[str, TreeRun] = field(default_factory=dict)  # binding -> run that holds the tree
-    coverage: Mapping[str, list[MethodCoverage]] = field(default_factory=dict)  # binding -> methods
+    runs: Mapping[str, TreeRun] = field(default_factory=dict)  # target -> run that holds the tree
+    coverage: Mapping[str, list[MethodCoverage]] = field(default_factory=dict)  # target -> methods
     evidence: Sequence[Evidence] = field(default_factory=list)  # instead of calls
     reviews: Sequence[Review] = field(default_factory=list)
     suspicions: Sequence[Suspicion] = field(default_factory=list)
@@ -568,7 +568,7 @@ class TouchedFile:
 
 @dataclass(frozen=True)
 class SafetyCost:
-    """What the safety functions took, by git; ``None`` of the model when git cannot tell."""
+    """What the safety functions took, by git; ``None`` of the model when git does not know."""
 
     base: str
     commit: str
@@ -760,7 +760,7 @@ class StackCall:
 
     name: str
     bytes: int
-    measured: bool  # from its instructions: the compiler did not tell it
+    measured: bool  # from its instructions: the compiler did not report it
 
 
 @dataclass(frozen=True)
@@ -788,7 +788,7 @@ class StackProof:
     dynamic: Sequence[str] = field(default_factory=list)  # functions whose frame has no bound
     untold: Sequence[str] = field(
         default_factory=list
-    )  # of ours: the compiler told nothing of them
+    )  # of ours: the compiler reported nothing of them
 
     @property
     def proven(self) -> bool:
@@ -836,7 +836,7 @@ class SharedMember:
     place: Place
     writers: Sequence[str]
     readers: Sequence[str]
-    protection: str  # "" when nothing tells
+    protection: str  # "" when nothing states it
     why: str
 
 
@@ -934,7 +934,7 @@ class LikelyChange:
 
 @dataclass(frozen=True)
 class ArchitectureGroup:
-    """Modules that the high-level diagram draws in one box; ``module`` stands for all of them."""
+    """Modules that the high-level diagram draws in one box; ``module`` represents all of them."""
 
     name: str
     module: str
@@ -1042,7 +1042,7 @@ class LoopFigure:
     limit: float
     unit: str
     requirement: str  # "" without one
-    values: Mapping[str, float | None]  # binding that ran -> value; None when it has none
+    values: Mapping[str, float | None]  # target that ran -> value; None when it has none
 
     def holds(self, binding: str) -> bool:
         value = self.values[binding]
@@ -1067,7 +1067,7 @@ class LoopScenario:
     place: Place
     plots: Sequence[LoopPlot]
     figures: Sequence[LoopFigure]
-    runs: Mapping[str, LoopRun]  # binding -> run with these sources
+    runs: Mapping[str, LoopRun]  # target -> run with these sources
 
 
 @dataclass(frozen=True)

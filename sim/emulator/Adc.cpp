@@ -191,7 +191,7 @@ void Adc::calibrate() {
   checkClock(1'000'000, 4'000'000, "calibrates");
   at(kSc1a) &= ~kComplete;
   update();
-  // The longest time that the manual tells: 14000 clocks of the conversion and 100 of the bus.
+  // The longest time in the manual: 14000 clocks of the conversion and 100 of the bus.
   begin(Doing::Calibrates, 100 + std::uint64_t{14'000} * busClocksOfClock());
 }
 
@@ -201,7 +201,7 @@ void Adc::finish() {
   } else {
     calibrated_ = calibrates_;
     at(kSc3) = (at(kSc3) & ~kCalibrates) | (calibrates_ ? 0 : kFailed);
-    // Results a little beside those that the registers hold after a reset.
+    // Results a little off those that the registers hold after a reset.
     at(kClps) = 0x24;
     at(kClms) = 0x22;
   }

@@ -28,7 +28,7 @@ class Adc final : public Peripheral {
   /// @param calibrates whether the calibration succeeds
   Adc(Microcontroller& board, unsigned number, bool calibrates);
 
-  /// @brief Sets what tells the pin of a channel.
+  /// @brief Sets the function that returns the pin of a channel.
   void connectPins(std::function<Input(unsigned channel)> input);
 
   /// @brief Puts a voltage on an input.

@@ -38,7 +38,7 @@ class CallRecorder {
   /// @brief The events, oldest first.
   [[nodiscard]] const std::vector<std::uint64_t>& events() const { return events_; }
 
-  /// @brief Tells whether events were left out.
+  /// @brief Returns whether events were left out.
   [[nodiscard]] bool truncated() const { return truncated_; }
 
   /// @brief Writes the events to a file.

@@ -6,7 +6,7 @@
 
 namespace wr::emulator {
 
-/// @brief Time on the board. A picosecond is fine enough to tell the edges of each clock apart.
+/// @brief Time on the board. A picosecond is fine enough to distinguish the edges of each clock.
 using Time = std::chrono::duration<std::int64_t, std::pico>;
 
 /// @brief A time that does not come.

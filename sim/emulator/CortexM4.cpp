@@ -383,7 +383,7 @@ void CortexM4::instructionFault(Trap trap) {
       return;
     case Trap::InvalidState:
       usage(SystemControl::kInvalidState, core_.next, "unhandled-fault",
-            "branch to " + hex(core_.next) + " without the bit that tells Thumb code");
+            "branch to " + hex(core_.next) + " without the bit that marks Thumb code");
       return;
     case Trap::Unaligned:
       usage(SystemControl::kUnaligned, at, "unhandled-fault",

@@ -37,7 +37,7 @@ class CortexM4 {
   enum class Stop {
     Limit,    ///< the limit was reached, or stop() was called
     Sleep,    ///< the program waits for an interrupt
-    Problem,  ///< problem() tells what it did
+    Problem,  ///< problem() returns the reason
     Exit      ///< exit() was called
   };
 

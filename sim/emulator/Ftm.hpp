@@ -22,7 +22,7 @@ class Ftm final : public Peripheral {
   /// @param channels 8, or 2 for the timers 1 and 2
   Ftm(Microcontroller& board, unsigned number, unsigned channels);
 
-  /// @brief Sets what tells whether a pin is connected to a channel.
+  /// @brief Sets the function that returns whether a pin is connected to a channel.
   void connectPins(std::function<bool(unsigned channel)> connected);
 
   void reset(Reset cause) override;
@@ -34,10 +34,10 @@ class Ftm final : public Peripheral {
   /// @brief Share of the period in which the pin of a channel is high; 0 without one.
   [[nodiscard]] double duty(unsigned channel) const;
 
-  /// @brief Tells whether the counter runs.
+  /// @brief Returns whether the counter runs.
   [[nodiscard]] bool counts() const { return (control_ >> 3 & 3U) != 0; }
 
-  /// @brief Tells the channels whose share has changed. For the board, when the pins may have.
+  /// @brief Reports the channels whose duty cycle has changed. For the board, when the pins may have.
   void show();
 
  private:

@@ -24,7 +24,7 @@ class Nvic {
   void unpend(unsigned exception);
   [[nodiscard]] bool isPending(unsigned exception) const { return pending_[exception]; }
   [[nodiscard]] bool isActive(unsigned exception) const { return active_[exception]; }
-  /// @brief Tells how many exceptions are active.
+  /// @brief Returns how many exceptions are active.
   [[nodiscard]] unsigned activeCount() const { return activeCount_; }
 
   /// @brief A pending exception becomes active.
@@ -67,7 +67,7 @@ class Nvic {
 
   [[nodiscard]] unsigned lines() const { return lines_; }
 
-  /// @brief Tells whether there is a register of the interrupt lines at an offset from 0xE000E000.
+  /// @brief Returns whether there is a register of the interrupt lines at an offset from 0xE000E000.
   [[nodiscard]] static bool owns(std::uint32_t offset);
 
   /// @brief Reads a word of the registers at 0xE000E000.

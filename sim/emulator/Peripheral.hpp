@@ -37,7 +37,7 @@ class Microcontroller {
   /// @brief Resets the microcontroller; a finding when resets are.
   virtual void requestReset(Reset cause, std::string id, std::string what) = 0;
 
-  /// @brief Tells an event.
+  /// @brief Reports an event.
   virtual void tell(Event::Kind kind, std::uint32_t number, std::uint32_t value) = 0;
 
  protected:
@@ -69,7 +69,7 @@ class Peripheral {
   /// @brief Does what has happened by itself up to now.
   virtual void advance() {}
 
-  /// @brief What nextEvent() told last.
+  /// @brief Last result of nextEvent().
   [[nodiscard]] Time due() const { return due_; }
 
   /// @brief Asks nextEvent() again. For the board, after all that may have changed it.

@@ -34,7 +34,7 @@ class Uart final : public Peripheral {
 
   Uart(Microcontroller& board, const Kind& kind);
 
-  /// @brief Sets what tells whether the pins are connected to the UART.
+  /// @brief Sets the function that returns whether the pins are connected to the UART.
   void connectPins(std::function<bool()> receives, std::function<bool()> sends);
 
   void reset(Reset cause) override;

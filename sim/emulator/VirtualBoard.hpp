@@ -54,12 +54,12 @@ class VirtualBoard {
   /// @brief Runs until an interrupt has been entered.
   /// @param irq its line
   /// @param limit time at which to give up
-  /// @return true when it was entered; false: finding() tells, or the limit was reached.
+  /// @return true when it was entered; false: see finding(), or the limit was reached.
   bool runToInterrupt(int irq, nanoseconds limit);
 
   /// @brief Runs until the program waits for an interrupt.
   /// @param limit time at which to give up
-  /// @return true when it waits; false: finding() tells, or the limit was reached.
+  /// @return true when it waits; false: see finding(), or the limit was reached.
   bool runToSleep(nanoseconds limit);
 
   /// @brief Time since the board was switched on.
@@ -99,7 +99,7 @@ class VirtualBoard {
   /// @brief Changes the speed of what is connected to a serial port; 115200 at first.
   void setLineBaudOn(int uart, std::uint32_t baud);
 
-  /// @brief Tells whether no byte is on its way to or from the PC.
+  /// @brief Returns whether no byte is on its way to or from the PC.
   [[nodiscard]] bool lineIdle() const;
 
   /// @brief Level of a pin, e.g. ('B', 22).
@@ -112,7 +112,7 @@ class VirtualBoard {
   /// the same time come in the order of the calls.
   void driveAt(nanoseconds time, char port, int number, bool level);
 
-  /// @brief Tells whether the program drives the pin as a digital output.
+  /// @brief Returns whether the program drives the pin as a digital output.
   [[nodiscard]] bool isOutput(char port, int number) const;
 
   /// @brief Share of the period in which the pin of a timer's channel is high.

@@ -77,7 +77,7 @@ class HostFirmware {
   /// @param direction the value
   void rcDirection(Angle direction);
 
-  /// @brief Lets the second timer beat once.
+  /// @brief Runs one tick of the second timer.
   void beat();
 
   /// @brief The pins of the firmware.

@@ -9,7 +9,7 @@ namespace wr::host {
 
 class HostScheduler;
 
-/// @brief A periodic timer on the host; whoever drives the host tells it when a period has passed.
+/// @brief A periodic timer on the host; the driver of the host reports when a period has passed.
 class HostTimer final : public PeriodicTimer {
  public:
   /// @brief Binds the timer to the scheduler that serves its interrupt.
@@ -27,7 +27,7 @@ class HostTimer final : public PeriodicTimer {
   /// @return period of the running timer, 0 if it is stopped.
   [[nodiscard]] Microseconds period() const;
 
-  /// @brief Tells whether the interrupt was raised and not acknowledged.
+  /// @brief Returns whether the interrupt was raised and not acknowledged.
   /// @return true while the interrupt flag is set.
   [[nodiscard]] bool pending() const;
 

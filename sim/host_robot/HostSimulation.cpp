@@ -15,7 +15,7 @@ constexpr Microseconds kStep(std::chrono::microseconds(plant::Robot::kStep).coun
 // K64: clock, calibration of the converters, construction.
 constexpr Microseconds kStartUp(5364);
 
-// From a beat to the first turn of a wheel's thread in the cycle that begins with it, and from one
+// From a tick to the first turn of a wheel's thread in the cycle that begins with it, and from one
 // such turn to the next, as the image takes them on the virtual K64. All else on the host takes no
 // time, so the clock pulse comes when the first thread has its turn.
 constexpr Microseconds kToWheels(9);

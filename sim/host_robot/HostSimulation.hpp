@@ -16,7 +16,7 @@ namespace wr::host_robot {
 /// @brief The firmware on the host in the simulated robot, in stepped time.
 ///
 /// Things happen in the order of time: at each ms since power-on the physics take a step; at each
-/// ms since the firmware has started the second timer beats, and each 100 ms the clock pulse comes;
+/// ms since the firmware has started the second timer ticks, and each 100 ms the clock pulse comes;
 /// between, the edges of the Hall sensors and of the remote control come at their own times.
 class HostSimulation {
  public:

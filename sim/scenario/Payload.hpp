@@ -26,7 +26,7 @@ struct FrameField {
   unsigned bit = 0;  ///< number of the bit, of a Bit
 };
 
-/// A word that stands for a number of a field.
+/// A word for a number of a field.
 struct FrameWord {
   std::string_view field;
   std::string_view word;

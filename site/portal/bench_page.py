@@ -1,4 +1,4 @@
-"""The page of the bench: the paper's four scenarios, its figures and ours."""
+"""The page of the bench: the paper's four scenarios, its values and ours."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ GROUP_GAP = 12
 LEFT, RIGHT = 296, 560
 BOX_LEFT, BOX_RIGHT = 340, 516
 TOP = 74
-MOST = 12  # ends shown beside one method; the list form has all
+MOST = 12  # ends shown next to one method; the list form has all
 
 
 @dataclass
@@ -116,7 +116,7 @@ def is_heir_constructor(module: Module, method: Method, caller: str) -> bool:
 
 
 def draw(rows: list[Row]) -> Drawing:
-    """Places the three columns: each method beside the middle of its callers and callees."""
+    """Places the three columns: each method next to the middle of its callers and callees."""
     drawing = Drawing(0, 0, [], [], [], 0)
     y = float(TOP)
     for row in rows:

@@ -228,7 +228,7 @@ def uses(module: Module) -> set[str]:
 
 
 def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram:
-    """Transitions that no test made are dashed, as long as results tell."""
+    """Transitions that no test made are dashed, when there are results."""
     lines = preamble()
     for name, module in machine.states.items():
         hue = STATE_HUES.get(name, "pc")
@@ -244,7 +244,7 @@ def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram
         arrow = "-[dashed]->" if unseen else "-->"
         lines.append(f"{source} {arrow} {target} : {text}")
     lines.append("@enduml")
-    label = f"State diagram: {machine.title}. The table beside it holds the same transitions."
+    label = f"State diagram: {machine.title}. The table next to it has the same transitions."
     return Diagram(f"machine-{machine.id}", label, "\n".join(lines), edges)
 
 

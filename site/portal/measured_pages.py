@@ -1,4 +1,4 @@
-"""Pages of what was measured: virtual K64, closed loop, mutants, the usual design."""
+"""Pages of what was measured: virtual K64, closed loop, mutants, the baseline design."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def closed_loop(portal: Portal) -> dict[str, Any]:
     scenarios = portal.model.closed_loop
 
     def within(binding: str) -> tuple[int | None, int]:
-        """How many figures are within their limits, if any was measured, and how many there are."""
+        """How many values are within their limits, if any was measured, and how many there are."""
         every = [figure for scenario in scenarios for figure in scenario.figures]
         ran = [figure for figure in every if binding in figure.values]
         return sum(figure.holds(binding) for figure in ran) if ran else None, len(every)

@@ -175,7 +175,7 @@ class Names:
         return glyph(*VERDICTS[state])
 
     def result(self, test: Test, binding: str) -> Markup:
-        """The result on one binding; a dash where the test is not built for it."""
+        """The result on one target; a dash where the test is not built for it."""
         one = test.results.get(binding)
         if one is None:
             return Markup('<span class="mut" title="not built for it">\N{EN DASH}</span>')
@@ -184,7 +184,7 @@ class Names:
         return glyph(*RESULTS.get(one.result, ("none", str(one.result))))
 
     def results(self, test: Test) -> Markup:
-        """The result on each binding that the test is built for."""
+        """The result on each target that the test is built for."""
         parts = [
             Markup("{} {}").format(binding, self.result(test, binding)) for binding in test.results
         ]

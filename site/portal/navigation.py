@@ -114,7 +114,7 @@ def understand(model: Model) -> list[Entry]:
         Entry("datatypes", "Data dictionary", "datatypes.html", "", types),
         Entry("uses", "Uses", "uses.html"),
         Entry("concordance", "Concordance with the paper", "concordance.html"),
-        Entry("usual_design", "The usual design", "usual_design.html"),
+        Entry("usual_design", "Baseline design", "usual_design.html"),
         Entry("execution", "Execution", "execution.html", "", len(model.contexts)),
     ]
 
@@ -132,12 +132,12 @@ def verify(model: Model, checks: int, faults: int) -> list[Entry]:
         Entry("trees", "Invocation trees", "trees.html", "", trees),
         Entry("tests", "Tests", "tests.html", "T", len(model.tests)),
         Entry("mutation", "Mutants", "mutation.html"),
-        Entry("reverse", "From code to requirements", "reverse.html"),
-        Entry("closed_loop", "Closed loop", "closed_loop.html", "", len(model.closed_loop)),
+        Entry("reverse", "Code without a requirement", "reverse.html"),
+        Entry("closed_loop", "Control performance", "closed_loop.html", "", len(model.closed_loop)),
         Entry("bench", "Bench", "bench.html"),
-        Entry("virtual_k64", "Findings of the virtual K64", "virtual_k64.html"),
+        Entry("virtual_k64", "Run-time checks of the virtual board", "virtual_k64.html"),
         Entry("beliefs", "Beliefs of the virtual board", "beliefs.html", "", len(model.beliefs)),
         Entry("build_evidence", "Evidence of this build", "evidence.html"),
         Entry("checks", "Checks", "checks/index.html", "", checks),
-        Entry("drift", "Drift test", "checks/drift.html", "", faults),
+        Entry("drift", "Test of the checks", "checks/drift.html", "", faults),
     ]

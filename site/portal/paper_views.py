@@ -84,7 +84,7 @@ def kind_of(name: str) -> str:
 
 @dataclass
 class Heir:
-    """A module in a family of heirs: what it adds to the interface, and what it does with it."""
+    """A module in a family of subclasses: what it adds to the interface, and what it overrides."""
 
     module: Module
     depth: int

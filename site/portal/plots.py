@@ -59,7 +59,7 @@ class Drawing:
 
 
 def draw(plot: LoopPlot) -> Drawing | None:
-    """None when there is nothing to draw. The set-point is drawn once, for the first binding."""
+    """None when there is nothing to draw. The set-point is drawn once, for the first target."""
     curves = [curve for curve in plot.curves if curve.points]
     if not curves:
         return None

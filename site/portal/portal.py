@@ -43,7 +43,7 @@ from traceability.schema import (
 
 SITE = Path(__file__).resolve().parents[1]
 
-LATER = {"doc-warning", "link-doc", "link-site"}  # Sphinx and the finished site tell
+LATER = {"doc-warning", "link-doc", "link-site"}  # known after Sphinx and on the finished site
 # They need results of these sources.
 DYNAMIC = {"tree-dynamic", "req-passed", "req-line", "fsm-seen", "hazard-scenario"}
 
@@ -324,7 +324,7 @@ class Portal:
         return sum(run.result == "passed" for run in runs)
 
     def share_of(self, requirement: Requirement, binding: str) -> str:
-        """How many of the tests that verify a requirement passed on a binding."""
+        """How many of the tests that verify a requirement passed on a target."""
         tests = [self.model.tests[name] for name in requirement.verified_by]
         runs = [test.results[binding] for test in tests if binding in test.results]
         if not runs:
@@ -333,7 +333,7 @@ class Portal:
         return f"{passed}/{len(runs)}"
 
     def passed_on(self, binding: str) -> tuple[int | None, int]:
-        """How many tests passed on a binding, if that is known, and how many are built for it."""
+        """How many tests passed on a target, if that is known, and how many are built for it."""
         runs = [t.results[binding] for t in self.model.tests.values() if binding in t.results]
         known = not self.model.stale_on(binding)
         return sum(run.result == "passed" for run in runs) if known else None, len(runs)
@@ -342,7 +342,7 @@ class Portal:
         return sum(binding in one.runs for one in self.model.requirements.values())
 
     def runs(self, tests: Iterable[Test]) -> int:
-        """A test counts once on each binding that it is built for."""
+        """A test counts once on each target that it is built for."""
         return sum(len(test.results) for test in tests)
 
     def callers(self, method: Method) -> list[Markup]:

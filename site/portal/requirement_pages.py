@@ -1,4 +1,4 @@
-"""The list of requirements, and the page of each: its tree beside what a test did."""
+"""The list of requirements, and the page of each: its tree next to the calls of a test."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
 
 
 def covered_methods(requirement: Requirement) -> list[dict[str, MethodCoverage]]:
-    """A row for each body of a method of the tree: binding -> what the tests executed of it."""
+    """A row for each body of a method of the tree: target -> what the tests executed of it."""
     rows: dict[tuple[str, int], dict[str, MethodCoverage]] = {}
     for binding, methods in requirement.coverage.items():
         for method in methods:

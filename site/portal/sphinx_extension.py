@@ -72,7 +72,7 @@ def hand_written(app: Sphinx, env: BuildEnvironment, *_changed: set[str]) -> lis
 
 
 def mark(app: Sphinx, _doctree: nodes.document) -> None:
-    """Tells the layout of a page the entry of the navigation that it belongs to."""
+    """Gives the layout of a page the entry of the navigation that it belongs to."""
     name = app.env.docname
     app.env.metadata[name].update(nav=name, prose=True, orphan="")
 

@@ -29,7 +29,7 @@ from traceability.schema import Finding, Module
 from traceability.sources import files_below, hash_of
 
 SCENARIO = Path("sim/scenario/examples/stop.scenario")
-# What hand-written pages include from other folders: the file, its name beside them, the text.
+# What hand-written pages include from other folders: the file, its name next to them, the text.
 INCLUDED = (
     (PINS, "pin_map.csv", pin_map),
     (SCENARIO, "example.scenario", lambda root: (root / SCENARIO).read_text("utf-8")),

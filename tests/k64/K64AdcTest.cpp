@@ -199,7 +199,7 @@ TEST(K64AdcInTheRobot, FR205_OpenInputOfTheAngleIsMissing) {
   EXPECT_EQ(robot.report().measured & kSteeringPosition, 0);
 }
 
-/// @brief When the calibration failed the robot runs, and its reports tell that the currents and the angle
+/// @brief When the calibration failed the robot runs, and its reports show that the currents and the angle
 /// are missing.
 /// @verifies FR-143
 TEST(K64AdcInTheRobot, FR143_AfterAFailedCalibrationTheCurrentsAreMissing) {

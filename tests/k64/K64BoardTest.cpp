@@ -314,7 +314,7 @@ std::string nameOf(const testing::TestParamInfo<Ending>& ending) {
 class K64BoardEnds : public testing::TestWithParam<Ending> {};
 
 /// @brief Whatever ends the firmware: the outputs become safe, then comes a reset, and the Welcome of the
-/// next start tells what it was, and where. It is told for one start only.
+/// next start reports what it was, and where. It is reported for one start only.
 /// @verifies FR-75
 /// @verifies FR-76
 /// @verifies FR-77
@@ -327,7 +327,7 @@ TEST_P(K64BoardEnds, FR75_SafelyWithRecordAndReset) {
   EXPECT_EQ(welcome.fault, kNoFault);
   robot.confirm();
   robot.cycles(2);
-  EXPECT_NE(robot.unsafePins(), "") << "the lights tell that cycles run";
+  EXPECT_NE(robot.unsafePins(), "") << "the lights show that cycles run";
 
   robot.board.raise(static_cast<int>(ending.exception));
   EXPECT_EQ(unsafeAtReset(robot), "");

@@ -6,7 +6,7 @@
 
 namespace wr::test {
 
-// Images with a handler that the firmware does not have. The handler's code stands in erased flash
+// Images with a handler that the firmware does not have. The handler's code is in erased flash
 // behind the image; nothing else is different.
 
 /// The exception of an interrupt.

@@ -21,7 +21,7 @@
 
 namespace wr::test {
 
-/// A mode that does as it is told, and notes what is asked of it.
+/// A mode that follows the test, and records the calls.
 class FakeMode final : public Mode {
  public:
   explicit FakeMode(ModeId id) : Mode(id) {}

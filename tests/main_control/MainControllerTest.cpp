@@ -144,7 +144,7 @@ TEST_F(MainControllerTest, FR61_ReportTellsTheCycleAfterTheRead) {
   EXPECT_TRUE(report.orderRead());
 }
 
-/// @brief The report tells the cycles between the clock pulses, and those that the cycle waited to begin.
+/// @brief The report shows the cycles between the clock pulses, and those that the cycle waited to begin.
 /// @verifies FR-302
 TEST_F(MainControllerTest, FR302_ReportTellsWhatTheCyclesCost) {
   connect();

@@ -40,7 +40,7 @@ TEST(Pipe, TellsTheNewestValue) {
   EXPECT_EQ(pipe.read()->value, 6);
 }
 
-/// @brief Where the newest value stands it stays, also during a write, until it is read anew.
+/// @brief The newest value keeps its address, also during a write, until it is read again.
 /// @verifies FR-173
 TEST(Pipe, NewestValueStandsUntilTheNextRead) {
   Pipe<int> pipe;

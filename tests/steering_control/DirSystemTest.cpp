@@ -134,7 +134,7 @@ TEST_F(DirSystemTest, FR117_OnlyASteeringThatTicksCompletes) {
   EXPECT_TRUE(pool.completed(3));
 }
 
-/// @brief Before its first tick the steering completes nothing, and tells that it is off.
+/// @brief Before its first tick the steering completes nothing, and reports that it is off.
 /// @verifies FR-117
 TEST_F(DirSystemTest, FR117_BeforeTheFirstTickNothingIsComplete) {
   outputs.turn = std::int8_t{1};

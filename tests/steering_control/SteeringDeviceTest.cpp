@@ -100,7 +100,7 @@ TEST_F(SteeringDeviceTest, FR104_TheDirectionStandsBeforeThePulse) {
 }
 
 /// @brief At 1 step/s a step takes 1000 ticks. A step that was nearly due when the motor reverses is
-/// not made in the other direction: it begins anew there.
+/// not made in the other direction: it begins again there.
 /// @verifies FR-104
 TEST_F(SteeringDeviceTest, FR104_AReversalBeginsTheStepAnew) {
   device.turn(StepRate(1));

@@ -86,7 +86,7 @@ inline std::vector<Bytes> bodies(const Bytes& line) {
   return found;
 }
 
-/// @brief The bytes that a text of hexadecimal digits stands for.
+/// @brief The bytes of a text of hexadecimal digits.
 inline Bytes fromHex(const std::string& digits) {
   Bytes bytes;
   for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {

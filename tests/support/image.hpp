@@ -13,7 +13,7 @@ namespace wr::test {
 /// @brief The image under test; the variable WR_IMAGE names another one.
 [[nodiscard]] std::filesystem::path imageFile();
 
-/// @brief The file with the symbols of the image, which is beside it.
+/// @brief The file with the symbols of the image, which is in the same folder.
 [[nodiscard]] std::filesystem::path elfFile();
 
 /// @brief Switches a board with the image on. The calls of its firmware are recorded for the test.

@@ -30,7 +30,7 @@ void playWithThePapersDesign(const std::string& example) {
   play(example);
 }
 
-/// @brief In closed loop with the robot the tension of an order stands in its cycle.
+/// @brief In closed loop with the robot the tension of an order is at the wheels in its cycle.
 /// @verifies FR-80
 TEST(ClosedLoopOfRobot, FR80_TensionStandsInTheCycleOfItsOrder) {
   play("tension_step");

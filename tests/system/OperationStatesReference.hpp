@@ -112,7 +112,7 @@ class Runs {
   int left_ = 0;
 };
 
-/// Runs the robot and its reference side by side, and compares what the PC is told.
+/// Runs the robot and its reference side by side, and compares their reports to the PC.
 class Comparison {
  public:
   Comparison(SteppedRobot& robot, std::mt19937& random) : robot_(robot), random_(random) {}
@@ -134,7 +134,7 @@ class Comparison {
   int cycles = 0;
 
  protected:
-  /// For a binding that has more than the PC's line.
+  /// For a target that has more than the PC's line.
   virtual void beginSequence() {}
   virtual void beforeCycle() {}
   virtual void compareInside() {}

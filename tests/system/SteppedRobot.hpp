@@ -20,7 +20,7 @@ using std::chrono::microseconds;
 /// the tests are linked.
 [[nodiscard]] std::unique_ptr<scenario::RobotSession> switchOn();
 
-/// Sequences of the comparison with the reference that this binding runs in reasonable time.
+/// Sequences of the comparison with the reference that this target runs in reasonable time.
 [[nodiscard]] int referenceSequences();
 
 // Numbers in reports.

@@ -61,7 +61,7 @@ TEST(TortureComparisonTest, TheContextShowsBothRecords) {
   EXPECT_THAT(text, HasSubstr("1 right acted end"));
 }
 
-/// @brief A record tells its numbers with the names that they have in its kind.
+/// @brief A record prints its numbers with the names that they have in its kind.
 TEST(TortureComparisonTest, EachKindNamesItsNumbers) {
   constexpr std::array<std::uint32_t, 5> kWords{1, 2, 3, 4, 5};
   EXPECT_THAT(described({Kind::Entered, 20, 1, 0xE9, kWords}),
@@ -75,7 +75,7 @@ TEST(TortureComparisonTest, EachKindNamesItsNumbers) {
   EXPECT_THAT(described({Kind::FpMode, 3, 1, 0xE9, kWords}), HasSubstr(", FPSCR 1"));
 }
 
-/// @brief A check of the program that failed is told with what was wanted and found.
+/// @brief A check of the program that failed is reported with the expected and the actual value.
 TEST(TortureComparisonTest, FailedChecksAreTold) {
   EXPECT_EQ(failedChecks({kEntered, kLeft, kEnd}), "");
   EXPECT_THAT(failedChecks({kEntered, {Kind::CheckFailed, 4, 1, 0xE9, {0xAB, 0xCD}}}),

@@ -5,7 +5,7 @@
 
 namespace wr::torture {
 
-/// @brief What a record of the torture program tells.
+/// @brief Content of a record of the torture program.
 enum class Kind : std::uint8_t {
   Entered,      ///< an exception was entered
   Left,         ///< an exception is about to be left
@@ -50,7 +50,7 @@ struct Record {
   std::uint8_t detail;                 ///< exception, action or check
   std::uint8_t depth;                  ///< number of exceptions that are active
   std::uint8_t link;                   ///< low byte of EXC_RETURN of the running exception
-  std::array<std::uint32_t, 5> words;  ///< state, or what the kind tells
+  std::array<std::uint32_t, 5> words;  ///< state, or the numbers of the kind
 
   friend bool operator==(const Record&, const Record&) = default;
 };
@@ -60,7 +60,7 @@ static_assert(sizeof(Record) == 24);
 inline constexpr std::uint32_t kSeedAddress = 0xC0;
 inline constexpr std::uint32_t kActionsAddress = 0xC4;
 
-/// @brief Memory that the program uses, beside the vectors and code at 0.
+/// @brief Memory that the program uses, besides the vectors and code at 0.
 inline constexpr std::uint32_t kCodeSize = 0x10000;
 inline constexpr std::uint32_t kRamStart = 0x20000000;
 inline constexpr std::uint32_t kRamSize = 0x80000;

@@ -1,4 +1,4 @@
-// What Main Control and one wheel do, in the usual design and in that of the robot: the same tests.
+// What Main Control and one wheel do, in the baseline design and in that of the robot: the same tests.
 
 #include <array>
 #include <cstdlib>
@@ -17,7 +17,7 @@ TYPED_TEST_SUITE(Behaviour, Designs, DesignName);
 
 // ---- link to the PC ----------------------------------------------------------------------------
 
-/// @brief A Hello is answered with a Welcome, which tells session, period, N and the cause of the reset.
+/// @brief A Hello is answered with a Welcome, with session, period, N and the cause of the reset.
 TYPED_TEST(Behaviour, WelcomesThePc) {
   this->robot.hello();
   this->robot.cycle();
@@ -73,7 +73,7 @@ TYPED_TEST(Behaviour, CountsBadFrames) {
   EXPECT_FALSE(report.orderRead());
 }
 
-/// @brief A PC that is silent for a second is disconnected, and gets no report until it confirms anew.
+/// @brief A PC that is silent for a second is disconnected, and gets no report until it confirms again.
 TYPED_TEST(Behaviour, DisconnectsASilentPc) {
   this->robot.commandByPc();
   for (int i = 1; i < 9; ++i) {

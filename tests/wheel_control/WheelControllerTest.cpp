@@ -19,7 +19,7 @@ class WheelControllerTest : public testing::Test, protected ControlledWheel {
   }
 };
 
-/// @brief A tension order stands at the output in the cycle that reads it, within 0.5 % or 6 mV.
+/// @brief A tension order is at the output in the cycle that reads it, within 0.5 % or 6 mV.
 /// @verifies FR-80
 TEST_F(WheelControllerTest, FR80_TensionStandsAtTheOutputAtOnce) {
   for (const std::int16_t tension :

@@ -124,7 +124,7 @@ TEST_F(WheelSystemTest, FR93_FR94_CollectsAtItsPlace) {
   EXPECT_EQ(outputs.tensions[1], Tension(88));
 }
 
-/// @brief A cycle tells nothing of the one before: a current without samples is missing.
+/// @brief A cycle does not depend on the one before: a current without samples is missing.
 /// @verifies FR-93
 TEST_F(WheelSystemTest, FR93_MissingValueIsReportedAsMissing) {
   system.start();

@@ -59,7 +59,7 @@ TEST_F(WheelTest, FR88_StopShortCircuits) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief The orientation stands at its output.
+/// @brief The orientation is at its output.
 /// @verifies FR-87
 TEST_F(WheelTest, FR87_OrientationStandsAtItsOutput) {
   wheel.setOrientation(true);

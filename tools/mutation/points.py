@@ -12,7 +12,7 @@ from traceability.reading.clang_names import function_id, is_function
 from traceability.reading.translation_units import clang_arguments, standard
 from traceability.sources import include_options
 
-# Operator -> what stands there instead, one mutant each.
+# Operator -> its replacements, one mutant each.
 OPERATORS = {
     "<": ("<=", ">="),
     ">": (">=", "<="),
@@ -74,7 +74,7 @@ class Mutant:
 class Point:
     """A piece of a source that is wrapped, so that any of its mutants can be switched on.
 
-    In ``before``, ``#`` stands for the number of the first mutant. ``inside`` replaces the text of
+    In ``before``, ``#`` means the number of the first mutant. ``inside`` replaces the text of
     ``cut``: the operator between two operands.
     """
 
@@ -169,7 +169,7 @@ class _Finder:
         self.add(Point(at, at, f" if (mutant::on(#)) {text};", "", (mutant,)))
 
     def statement(self, cursor: Cursor) -> None:
-        """A call or an assignment that stands for itself can be left out."""
+        """A call or an assignment that is a statement can be left out."""
         inner = _layers(cursor)[-1]
         call = inner.kind == CursorKind.CALL_EXPR
         change = inner.kind in CHANGES or (

@@ -1,4 +1,4 @@
-"""Runs the tests of a mutant, and tells which of them find it."""
+"""Runs the tests of a mutant, and returns those that find it."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Outcome:
 def run_tests(program: Path, mutant: int, seconds: dict[str, float]) -> Outcome:
     """Runs tests with a mutant switched on; 0 is none.
 
-    ``seconds`` names the tests, and tells how long each took without a mutant. A test that ends the
+    ``seconds`` names the tests, and says how long each took without a mutant. A test that ends the
     program has failed; the others run in the next process.
     """
     outcome = Outcome()

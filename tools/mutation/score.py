@@ -141,7 +141,7 @@ def try_all(
     plan: Plan,
     goes_on: Callable[[list[Tried]], bool],
 ) -> list[Tried]:
-    """Tries mutants in this order for as long as the caller, who is told after each, says so."""
+    """Tries mutants in this order until the caller, which is called after each, ends it."""
     tried: list[Tried] = []
 
     def work() -> None:

@@ -104,7 +104,7 @@ def errors(root: Path, unit: str, texts: dict[str, str]) -> list[tuple[str, int,
     for problem in tree.diagnostics:
         if problem.severity < cindex.Diagnostic.Error or not problem.location.file:
             continue
-        # An error in the switch itself lies where it was called, which a note tells. With parsed
+        # An error in the switch itself lies where it was called, which a note shows. With parsed
         # headers libclang reports errors that lie in no file; they mean nothing.
         places = [problem.location, *(child.location for child in problem.children)]
         for place in places:

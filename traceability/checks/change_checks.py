@@ -60,7 +60,7 @@ def _recipe(name: str, recipe: Recipe, facts: Facts) -> Iterator[tuple[Place, st
             if role not in known[name]:
                 yield recipe.place, role, f"{role} is no role of {name}"
         for word in set(re.findall(r"\{([^{}]*)\}", step)) - STANDING:
-            yield recipe.place, step, f"nothing stands for {{{word}}} in a step"
+            yield recipe.place, step, f"nothing replaces {{{word}}} in a step"
 
 
 def _particular(

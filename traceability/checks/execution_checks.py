@@ -128,7 +128,7 @@ def _priorities(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _place_of(constant: str, facts: Facts) -> Place:
-    """Where a constant of a file first stands."""
+    """The first place of a constant in a file."""
     file, _, name = constant.removeprefix("var ").partition(":")
     lines = (facts.root / file).read_text(encoding="utf-8").splitlines()
     return Place(file, next((n for n, line in enumerate(lines, 1) if name in line), 1))

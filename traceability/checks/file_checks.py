@@ -11,7 +11,7 @@ from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place
 from traceability.sources import DESIGN, files_below
 
-# Beside C++: texts on folders, and what the linker and the build of the K64 read.
+# Besides C++: texts on folders, and what the linker and the build of the K64 read.
 OTHERS = ("module.dox", "CMakeLists.txt")
 OTHER_ENDINGS = (".ld", ".cmake")
 NAMED = re.compile(r'\s*(<|"[^"]+\.hpp")')  # a header
@@ -77,7 +77,7 @@ def _outside(facts: Facts) -> list[Finding]:
         if body.owner or body.local or module not in facts.modules or stem in shared:
             continue
         if not body.id.startswith("operator"):
-            text = f"the function {body.id} stands beside {module}, and other files can call it"
+            text = f"the function {body.id} is next to {module}, and other files can call it"
             found.append(_finding(body.place, text))
     found += [
         _finding(fact.place, f"the class {fact.name} has no header")
@@ -96,7 +96,7 @@ def _loose(facts: Facts) -> list[Finding]:
     for held in facts.syntax.objects:
         module = facts.written_in.get(held.place.file)
         if module in facts.modules:
-            text = f"{held.name} can change, and stands outside the objects of {module}"
+            text = f"{held.name} can change, and is outside the objects of {module}"
             fix = "make it a member, or a constant"
             found.append(Finding(held.place, "module-file", text, fix))
     return found

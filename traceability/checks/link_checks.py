@@ -160,7 +160,7 @@ class Texts:
         self.lines: dict[str, list[str]] = {}
 
     def place_of(self, target: str, page: str) -> Place | None:
-        """Where a link stands as it is; nowhere when it is put together."""
+        """The place of a link; nowhere when it is put together."""
         own = Path("docs") / Path(page).with_suffix(".rst").name
         written = re.compile(
             rf"""["'<](?:@/|\{{\{{ root \}}\}}|(?:\.\./)*){re.escape(target)}["'>]"""

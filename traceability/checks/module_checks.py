@@ -25,7 +25,7 @@ MEANING = re.compile(
 )
 
 
-# Values with a unit; a text tells it, or that the value means nothing here.
+# Values with a unit; a text states it, or that the value means nothing here.
 QUANTITY = re.compile(
     r"(const )?(std::optional<)?(Velocity|Tension|Current|Angle|StepRate|DutyCycle|Microseconds)\b"
 )
@@ -70,7 +70,7 @@ def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
             Finding(
                 module.place,
                 "module-name",
-                f"the module {module.name} stands in {Path(module.header).name}",
+                f"the module {module.name} is in {Path(module.header).name}",
                 f"move it to {module.name}.hpp, or mark a value type with @datatype",
             )
         )
@@ -167,9 +167,9 @@ def _nested(facts: Facts) -> list[Finding]:
 
 
 def _silent(facts: Facts, known: list[Finding]) -> Iterator[Finding]:
-    """What a header lets others use says what it is. The manual tells what a register is."""
+    """What a header lets others use says what it is. The manual defines the registers."""
     seen = {(one.place.file, one.place.line) for one in known if one.check == "module-spec"}
-    fix = "make it private, or say beside it what it is"
+    fix = "make it private, or say next to it what it is"
     for one in facts.syntax.silent:
         place = one.place
         if (place.file, place.line) in seen or place.file == REGISTERS:
@@ -316,7 +316,7 @@ def _folders(model: Model, facts: Facts) -> list[Finding]:
                 missing = ["@secret that says something"]
             secret = words_of(logic.secret)
             if not missing and secret in (words_of(logic.function), words_of(logic.brief)):
-                missing = ["@secret beside what it says of itself to everybody"]
+                missing = ["@secret besides its public description"]
             elif not missing and secrets.setdefault(secret, logic.id) != logic.id:
                 missing = [f"@secret of its own: it is that of {secrets[secret]}"]
         found += [

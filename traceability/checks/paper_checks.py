@@ -83,8 +83,8 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
         Finding(
             entry.place,
             "paper-complete",
-            f"nothing tells where the {entry.kind} {entry.name} is here",
-            "name what stands for it, or say with deviation why nothing does",
+            f"no entry shows where the {entry.kind} {entry.name} is here",
+            "name what is in its place, or say with deviation why nothing does",
         )
         for entry in model.paper
         if not entry.here and not entry.deviation
@@ -114,7 +114,7 @@ def _stale(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
             facts.declared.entries.line_in(entry.place, target),
             "paper-stale",
             f"the paper's {entry.kind} {entry.name} is said to be {target}, which does not exist",
-            "name what stands for it now",
+            "name what is in its place now",
         )
         for target in entry.here
         if not exists(target, model, facts)
@@ -193,7 +193,7 @@ def _returned(method: str, facts: Facts) -> list[str]:
 
 
 def _name_here(target: str, model: Model) -> str:
-    """What stands for an element is called here: an application by its title."""
+    """The name that an element has here: an application by its title."""
     kind, _, name = target.partition(":")
     application = model.patterns.get(name) if kind == "pattern" else None
     return application.title if application else name

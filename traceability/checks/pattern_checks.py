@@ -13,10 +13,10 @@ ABSTRACTIONS = (
     *("State", "Strategy", "Component", "Decorator", "Command", "Abstract Class", "Builder"),
     *("Singleton", "Serializable", "Reader", "Writer"),
 )
-# Above an abstraction stands what it is for; where it serves several applications, above its heir.
+# The purpose is above an abstraction; of one with several applications, above its subclass.
 DECLARING = (*ABSTRACTIONS, "Concrete Command", "Concrete Decorator", "Concrete Builder")
 APPLICATIONS = "design/applications.toml"
-# The roles of heirs; of these, those of a Decorator; and abstractions whose heirs are alternatives.
+# The roles of subclasses; of these, those of a Decorator; and abstractions with alternatives.
 HEIRS = (
     *("Concrete State", "Concrete Strategy", "Concrete Component", "Decorator"),
     *("Concrete Decorator", "Concrete Command", "Concrete Class", "Concrete Builder"),
@@ -109,7 +109,7 @@ def _lost(model: Model, facts: Facts) -> list[Finding]:
         Finding(
             tag.place,
             checks[tag.name],
-            f"this @{tag.name} stands above no module",
+            f"this @{tag.name} is above no module",
             "write it above the class",
         )
         for comment in facts.comments.below(DESIGN)
@@ -274,7 +274,7 @@ def _missing_roles(application: PatternApplication, model: Model, facts: Facts) 
 
 
 def _heirs(model: Model, facts: Facts) -> list[Finding]:
-    """A nested Command is the body of a thread; any other heir plays the role of one."""
+    """A nested Command is the body of a thread; any other subclass plays the role of one."""
     found: dict[str, Finding] = {}
     for application in model.patterns.values():
         for binding in application.roles:
@@ -291,7 +291,7 @@ def _heirs(model: Model, facts: Facts) -> list[Finding]:
                         fact.place,
                         "pattern-heir-unbound",
                         f"{heir} derives from {binding.module}, which is {binding.role} in "
-                        f"{application.id}, and plays no role of an heir",
+                        f"{application.id}, and plays no role of a subclass",
                         "bind it to such a role, or derive it from something else",
                     ),
                 )
@@ -299,10 +299,10 @@ def _heirs(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _plays_heir(heir: str, binding: RoleBinding, model: Model, facts: Facts) -> bool:
-    """Whether an heir has a role that derives, in this application or one that answers for it.
+    """Whether a subclass has a role that derives, in this application or one that answers for it.
 
-    The heirs of a Command or a Builder have one application each. What extends a component, or is
-    extended, need not be one of the alternatives as well.
+    The subclasses of a Command or a Builder have one application each. What extends a component,
+    or is extended, need not be one of the alternatives as well.
     """
     module = model.modules.get(heir)
     for role in module.roles if module else []:

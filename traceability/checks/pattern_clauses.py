@@ -61,7 +61,7 @@ class Shape:
         ]
 
     def bodies(self, module: str) -> list[BodyFact]:
-        """The bodies of a class, of those nested in it, and of the functions beside it."""
+        """The bodies of a class, of those nested in it, and of the functions next to it."""
         return self.facts.bodies_of.get(module, [])
 
     def user(self, body: BodyFact) -> str:

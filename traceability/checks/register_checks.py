@@ -115,7 +115,7 @@ def _reaches(place: Place, facts: Facts) -> bool:
 
 
 def _twice(facts: Facts) -> list[Finding]:
-    """An address that stands in two blocks: the owners of one reach the registers of the other."""
+    """An address in two blocks: the owners of one reach the registers of the other."""
     found: list[Finding] = []
     first: dict[int, str] = {}
     for number, block, address in _table(facts):
@@ -126,7 +126,7 @@ def _twice(facts: Facts) -> list[Finding]:
             continue
         owner = first.setdefault(address, block)
         if owner != block:
-            text = f"the address {address:#x} of {block} stands in {owner} already"
+            text = f"the address {address:#x} of {block} is in {owner} already"
             fix = "leave it in the block that the manual names"
             found.append(_finding(Place(REGISTERS, number), text, fix))
     return found

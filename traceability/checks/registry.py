@@ -43,7 +43,7 @@ WHY = {
     "change": "Who changes a value must see which other values were chosen for it.",
     "uses": "What a module may use decides what it can be reused without, and what a change of "
     "another one can break.",
-    "board": "The virtual K64 stands for the hardware: a mistake that it does not find reaches the "
+    "board": "The virtual K64 replaces the hardware: a mistake that it does not find reaches the "
     "robot.",
     "tree": "A tree shows how the code fulfils a requirement: it must be what the code can do, and "
     "what it did.",
@@ -58,7 +58,7 @@ WHY = {
     "hazard": "The safety case argues from each hazard to tests that ran: a link that is missing "
     "breaks the argument without anybody noticing.",
     "paper": "The paper is the reference of the design: what it names must be found here, or the "
-    "difference must be told.",
+    "difference must be stated.",
     "arch": "The architecture is the first picture that a newcomer sees: it shows what is there.",
     "link": "A reader who follows a link is to arrive.",
 }
@@ -183,7 +183,7 @@ _FIXED = [
         "pattern-change",
         "Likely changes name what exists",
         "Every pattern has a recipe in design/changes.toml, which names roles of the pattern: the "
-        "heirs that it adds or alters, and what they derive from. What is particular to an "
+        "subclasses that it adds or alters, and what they derive from. What is particular to an "
         "application names one that exists, and modules that exist: those with a role in it, and "
         "examples of an extension. What a step names in backticks exists.",
         "whether the steps are enough; the extensions show that for some.",
@@ -192,7 +192,7 @@ _FIXED = [
     Check(
         "pattern-role-unknown",
         "Known roles",
-        "Every @role names an application that is declared and a role of it, and stands once above "
+        "Every @role names an application that is declared and a role of it, and is once above "
         "a module that the design binds to that role, or above one of an extension.",
         "a class that plays a role without saying so; the clauses of the pattern find some.",
         "correct the application or the role, or change the design.",
@@ -221,13 +221,13 @@ _FIXED = [
     ),
     Check(
         "pattern-heir-unbound",
-        "Every heir plays a role",
-        "Every class that derives from an abstraction of an application plays the role of an heir, "
-        "wherever it stands: one of a State, a Strategy or an Abstract Class in each of its "
+        "Every subclass plays a role",
+        "Every class that derives from an abstraction of an application plays the role of a "
+        "subclass: one of a State, a Strategy or an Abstract Class in each of its "
         "applications, unless it extends a component or is extended. A Command that is nested in "
         "a module is the body of a thread, and needs none.",
         "whether the role is the right one.",
-        "bind the heir to a role, or derive it from something else.",
+        "bind the subclass to a role, or derive it from something else.",
     ),
     Check(
         "uses-allowed",
@@ -260,7 +260,7 @@ _FIXED = [
         "secret-registers",
         "A block of registers has owners",
         "A namespace of src/k64/registers.hpp is named only by the modules that own it in "
-        "design/register_owners.toml; each owner uses it; no address stands in two of them; no "
+        "design/register_owners.toml; each owner uses it; no address is in two of them; no "
         "other place makes a register, makes a number into an address, names what is volatile, or "
         "hands a register to others, nor does the linker; no number in an offset leads from one "
         "block to another; instructions of the processor stand with the drivers only.",
@@ -356,7 +356,7 @@ _FIXED = [
         "What contexts share is protected",
         "A member that one context changes and another one touches is a Pipe, or has its "
         "protection in design/execution.toml: what is said to be atomic is, and an InterruptLock "
-        "stands where interrupts are said to be masked. A pipe has one context that writes it and "
+        "is where interrupts are said to be masked. A pipe has one context that writes it and "
         "one that reads it.",
         "changes through parameters that are references and in the standard library; whether the "
         "protection is enough; two threads of one kind.",
@@ -392,7 +392,7 @@ _FIXED = [
         "Every application of the State pattern has a machine in design/fsm. Its states are the "
         "Concrete States of the application; each event names an operation of the State, and each "
         "transition states, an event and at least one requirement that exist; a method of one of "
-        "its two states serves the requirement. Each event is used, and a guard tells the "
+        "its two states serves the requirement. Each event is used, and a guard distinguishes the "
         "transitions of a state at one event apart. A figure with a unit is that of one of the "
         "requirements.",
         "the words of guards and actions.",
@@ -433,7 +433,7 @@ _FIXED = [
         "module-file",
         "Every file belongs to a module",
         "Every file below src and extensions is that of a module, holds data types, belongs to a "
-        "composition, or is listed as shared in design/modules.toml; no function or class beside "
+        "composition, or is listed as shared in design/modules.toml; no function or class next to "
         "a module can be used without it; what can change is in objects of a class.",
         "how long a file is.",
         "make the code a private detail of a module, or a module of its own.",
@@ -561,9 +561,9 @@ _FIXED = [
     Check(
         "req-method",
         "Each public method serves a requirement",
-        "Every public method of a design module is tagged with @satisfies, stands in a tree, or "
-        "overrides or is overridden by one that does; a constructor serves what its module serves. "
-        "The others are justified in design/justified.toml.",
+        "Every public method of a design module is tagged with @satisfies, has a node in a tree, "
+        "or overrides or is overridden by one that does; a constructor serves what its module "
+        "serves. The others are justified in design/justified.toml.",
         "whether the method is needed for the requirement.",
         "tag the method, use it in a tree, remove it, or justify it.",
     ),
@@ -763,7 +763,7 @@ _FIXED = [
         "backticks. A count of modules or applications, and the figure of a constant, are those of "
         "the code.",
         "whether it is what the paper means; a person reads that.",
-        "name what stands for the element now.",
+        "name what is in its place now.",
     ),
     Check(
         "paper-alias",
@@ -800,7 +800,7 @@ _FIXED = [
 
 
 def _clauses() -> list[Check]:
-    # What is wrong with the file, the model tells.
+    # The model reports the error of the file.
     entries = Entries(CLAUSES.parents[1]).tables(
         CLAUSES, "clause", {"id": str, "pattern": str, "says": str, "fix": str}, {"about": list}
     )

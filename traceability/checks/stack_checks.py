@@ -23,7 +23,8 @@ def _calls(proof: StackProof) -> list[Finding]:
         for function, place in proof.unresolved
     ]
     if proof.untold:
-        text = f"the compiler told nothing of {len(proof.untold)} functions, as {min(proof.untold)}"
+        count, first = len(proof.untold), min(proof.untold)
+        text = f"the compiler reported nothing of {count} functions, such as {first}"
         fix = "remove build/k64 and build again, without a cache of compilations"
         found.append(Finding(SCRIPT, "stack-call", text, fix))
     return found

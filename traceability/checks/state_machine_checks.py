@@ -13,7 +13,7 @@ _WITH_UNIT = re.compile(
     r"(?<![\w.])\d[\d.]*\s*(?:[mu]?s|mm?|m?[VA]|%|rpm|cycles|degrees?|steps/s)(?!\w)"
 )
 _ALIKE = (
-    "another transition of this state has the same event, and no guard tells the two apart",
+    "another transition of this state has the same event, and no guard distinguishes the two",
     "leave one of the two, or give each a guard of its own",
 )
 
@@ -130,7 +130,7 @@ def _asked_for(
     fix = "write the figure of the requirement"
     return found + [
         (
-            f"the figure '{figure[0]}' of {words(step)} stands in none of its requirements",
+            f"the figure '{figure[0]}' of {words(step)} is in none of its requirements",
             fix,
             figure[0],
         )
@@ -151,7 +151,7 @@ def _serving(requirement: Requirement) -> list[str]:
 
 
 def _like_another(step: Transition, number: int, machine: StateMachine) -> bool:
-    """Whether nothing tells a transition from another one of its state and its event."""
+    """Whether a transition is like another one of its state and its event."""
     others = [
         (other.guard, place)
         for place, other in enumerate(machine.transitions)
@@ -242,7 +242,7 @@ def _guarded(row: Transition, change: Change) -> Finding:
 def _undeclared(machine: StateMachine, change: Change) -> Finding:
     where = f"{change.source}::{change.operation}"
     if not change.target:
-        text = f"{where} changes to a state that the composition does not tell"
+        text = f"{where} changes to a state that the composition does not define"
         return Finding(change.place, "fsm-code", text, "hand over a successor that a builder gave")
     text = (
         f"{where} changes {change.source} to {change.target}, which {machine.id} does not declare"
@@ -295,6 +295,6 @@ def _shown(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
 
 
 def _not_asked(text: str, requirements: list[Requirement]) -> list[re.Match[str]]:
-    """The figures with a unit in a text that none of the requirements has."""
+    """The numbers with a unit in a text that none of the requirements has."""
     asked = {re.sub(r"\s+", " ", one) for r in requirements for one in _WITH_UNIT.findall(r.text)}
     return [one for one in _WITH_UNIT.finditer(text) if re.sub(r"\s+", " ", one[0]) not in asked]

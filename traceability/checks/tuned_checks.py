@@ -26,7 +26,7 @@ DECLARATIONS = "design/tuned.toml"
 
 @dataclass
 class Written:
-    """A constant of a file, with its name and the comment beside and above it."""
+    """A constant of a file, with its name and the comment next to and above it."""
 
     name: str
     code: str

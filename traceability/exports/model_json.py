@@ -100,5 +100,5 @@ def _composed(kind: Any, parts: list[dict[str, Any]]) -> dict[str, Any]:
     origin = typing.get_origin(kind) or kind
     origin = {list: Sequence, dict: Mapping}.get(origin, origin)
     if origin not in found:
-        raise TypeError(f"the schema cannot tell what {kind} is")
+        raise TypeError(f"the schema cannot say what {kind} is")
     return found[origin]

@@ -259,7 +259,7 @@ def _modules(facts: Facts) -> dict[str, Module]:
 
 
 def _for_heirs_only(fact: ClassFact) -> bool:
-    """Whether only heirs can make one: all its constructors are protected."""
+    """Whether only subclasses can make one: all its constructors are protected."""
     made = [m.access for m in fact.methods if m.kind == "constructor" and not m.deleted]
     return bool(made) and set(made) == {"protected"}
 
@@ -293,7 +293,7 @@ def _method(fact: MethodFact, facts: Facts) -> Method:
 
 
 def _body_of(fact: MethodFact, bodies: list[BodyFact]) -> BodyFact | None:
-    """The body of this very overload when it stands in the class, else the first one."""
+    """The body of this very overload when it is in the class, else the first one."""
     for body in bodies:
         if body.place.file == fact.place.file and body.place.line == fact.place.line:
             return body
@@ -497,7 +497,7 @@ def _uses(model: Model, facts: Facts) -> list[Use]:
 
 
 def _declared_in(call: CallFact, facts: Facts) -> str:
-    """The file of a function outside classes; a declaration beside the call does not count."""
+    """The file of a function outside classes; a declaration next to the call does not count."""
     written = {body.place.file for body in facts.bodies.get(call.target, [])}
     if call.declared.endswith(".cpp") and written and call.declared not in written:
         return min(written)

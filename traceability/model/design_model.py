@@ -60,7 +60,7 @@ class Model:
     commit: str
     version: str
     sources_hash: str
-    results_hashes: Mapping[str, str | None]  # binding with tests -> sources of its last run
+    results_hashes: Mapping[str, str | None]  # target with tests -> sources of its last run
     logic_modules: Mapping[str, LogicModule] = field(default_factory=dict)
     modules: Mapping[str, Module] = field(default_factory=dict)
     functions: Mapping[str, Function] = field(default_factory=dict)
@@ -113,12 +113,12 @@ class Model:
     files: Sequence[str] = field(default_factory=list)  # sources that get a source page
 
     def stale_on(self, binding: str) -> bool:
-        """Whether the results of a binding are missing or older than the sources."""
+        """Whether the results of a target are missing or older than the sources."""
         return self.results_hashes.get(binding) != self.sources_hash
 
     @property
     def results_stale(self) -> bool:
-        """Whether those of any binding are."""
+        """Whether those of any target are."""
         return any(self.stale_on(binding) for binding in self.results_hashes)
 
     def mutants_of(self, requirement: str) -> list[Mutant]:

@@ -2,7 +2,7 @@
 
 A change of a module may affect the modules that name it, those that call it, and those that derive
 from it; and what these affect in turn. A reference to an abstraction hides who is behind it: a
-change of an heir does not reach those that know the abstraction only.
+change of a subclass does not reach those that know the abstraction only.
 """
 
 from __future__ import annotations

@@ -13,6 +13,7 @@ from traceability.model.report import Report
 from traceability.reading.bench_record import bench_metrics
 from traceability.reading.image_record import read_image
 from traceability.reading.products import HAS, intruders
+from traceability.reading.prose_record import read_prose
 from traceability.reading.results import read_recording_factor, read_totals
 from traceability.reading.traces import nodes_of
 from traceability.schema import HOST, Clause, Requirement, SafetyCase
@@ -33,7 +34,8 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
     if not model.stale_on(HOST):
         tests |= coverage(root)
     times = {"bench.scenarios": bench_metrics(model.bench)}
-    return drift(model) | image(root) | times | forbidden(model) | tests
+    prose = {"prose.findings": read_prose(root)}
+    return drift(model) | image(root) | times | forbidden(model) | tests | prose
 
 
 def coverage(root: Path) -> dict[str, Any]:

@@ -25,7 +25,7 @@ class Change:
 
     source: str  # name of the state
     operation: str
-    target: str  # "" when the code does not tell
+    target: str  # "" when the code does not show it
     place: Place
     path: tuple[str, ...]  # methods of the state between its operation and the change
     sometimes: bool
@@ -93,7 +93,7 @@ def _holders(base: str, contexts: list[str], facts: Facts) -> dict[str, str]:
 
 
 def _operations(base: str, facts: Facts) -> list[str]:
-    """The operations of the State that its heirs may override."""
+    """The operations of the State that its subclasses may override."""
     return [m.name for m in facts.classes[base].methods if m.virtual and "~" not in m.name]
 
 
@@ -154,8 +154,8 @@ class _Changes:
                         yield target, place, way, rarely or call.sometimes
 
     def _is_own(self, call: CallFact, file: str) -> bool:
-        """A call of the state on itself, of a method that no heir may replace; or of a function
-        beside it."""
+        """A call of the state on itself, of a method that no subclass may replace; or of a function
+        next to it."""
         beside = self.references.own_bodies(call.target)
         if beside and all(not one.owner and one.place.file == file for one in beside):
             return True
@@ -283,7 +283,7 @@ class _Run:
             self.changed = tuple(one for one in between if one in self.watcher.helpers)
 
     def _begin(self, method: str) -> None:
-        """An operation of the present state begins: it tells which state that is."""
+        """An operation of the present state begins: it shows which state that is."""
         states = self.watcher.runners[method]
         if not self.present & states:
             self._forget()

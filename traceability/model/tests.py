@@ -1,4 +1,4 @@
-"""The tests: what each verifies, what it gave on each binding, and which modules it executed."""
+"""The tests: what each verifies, what it gave on each target, and which modules it executed."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ BOARD_TESTS = "tests/sim/emulator/"
 
 
 def with_tests(model: Model, facts: Facts) -> Model:
-    """Each test with its results. A binding that has tests is to have results of these sources."""
+    """Each test with its results. A target that has tests is to have results of these sources."""
     results = {binding: read_results(facts.root, binding) for binding in BINDINGS}
     cases = written_tests(facts.root)
     tested = {binding for file in cases for binding in bindings_of(file)}
@@ -78,7 +78,7 @@ def _result_of(found: Result | None, model: Model, binding: str) -> BindingResul
 
 
 def written_tests(root: Path) -> dict[str, list[Case]]:
-    """File -> its tests, of the files that are built for a binding."""
+    """File -> its tests, of the files that are built for a target."""
     files = {str(path.relative_to(root)): path for path in files_below(root, ("tests",), (".cpp",))}
     return {
         file: list(read_tests(path.read_text(encoding="utf-8")))

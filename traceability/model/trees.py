@@ -50,7 +50,7 @@ def with_trees(model: Model, facts: Facts, recordings: dict[str, Traces], cache:
         *code_of("model/trees", "reading/traces", "model/trace_summary"),
     ]
     found = kept(cache / "trees.pickle", parts, lambda: [search.find() for search in searches])
-    furthest: dict[str, dict[str, int]] = {name: {} for name in trees}  # -> binding -> nodes
+    furthest: dict[str, dict[str, int]] = {name: {} for name in trees}  # -> target -> nodes
     held: dict[str, dict[str, TreeRun]] = {name: {} for name in trees}
     for search, (run, nodes) in zip(searches, found, strict=True):
         furthest[search.requirement][search.run.binding] = nodes
@@ -76,7 +76,7 @@ def _resolved(node: TreeNode, facts: Facts) -> TreeNode:
 
 
 def _executed(tree: TreeNode, furthest: Mapping[str, int]) -> TreeNode:
-    """The tree with, for each binding, whether its nodes are among the first that were found."""
+    """The tree with, for each target, whether its nodes are among the first that were found."""
     numbers = itertools.count()
 
     def marked(node: TreeNode) -> TreeNode:
@@ -97,7 +97,7 @@ def accepted(node: TreeNode, facts: Facts) -> set[str]:
 
 
 def accepted_on(binding: str, node: TreeNode, facts: Facts) -> set[str]:
-    """Those of them that a binding has: methods of the K64 are not on the host."""
+    """Those of them that a target has: methods of the K64 are not on the host."""
     return {
         method
         for method in accepted(node, facts)
@@ -210,7 +210,7 @@ def _modules_of(node: TreeNode, facts: Facts) -> set[str]:
 
 @dataclass
 class Run:
-    """What the recordings of a binding are searched with."""
+    """What the recordings of a target are searched with."""
 
     binding: str
     traces: Traces

@@ -296,7 +296,7 @@ class Reader:
                 call.repeated, call.end = self.loops > 0, cursor.extent.end.offset
 
     def made_by_library(self, cursor: Cursor, target: Cursor, owner: str, place: Place) -> None:
-        """The library makes what it holds by value, and what it is told to make."""
+        """The library makes what it holds by value, and the types that it is given."""
         constructs = target.kind == CursorKind.CONSTRUCTOR and target.spelling in _HOLDERS
         if not constructs and target.spelling not in _MAKERS:
             return
@@ -753,7 +753,7 @@ def _library() -> Any:
             ctypes.POINTER(ctypes.c_uint),
         ]
         library.clang_disposeOverriddenCursors.argtypes = [pointer]
-        # A mark on this very function, so that the binding is done once.
+        # A mark on this very function, so that it is prepared once.
         _library.bound = True  # type: ignore[attr-defined]
     return library
 

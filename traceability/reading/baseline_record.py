@@ -1,4 +1,4 @@
-"""The usual design beside that of the robot: what each costs, and what likely changes touch."""
+"""The baseline design next to that of the robot: what each costs, and what likely changes touch."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ RESULT = RESULTS / "usual_design.json"
 SCENARIO = FOLDER / "steps.scenario"
 CHANGES = FOLDER / "changes"
 USUAL, PATTERNS = "usual", "patterns"
-DESIGNS = {USUAL: "usual design", PATTERNS: "pattern design"}
+DESIGNS = {USUAL: "baseline design", PATTERNS: "pattern design"}
 TITLES = {
     "bluetooth": "a Bluetooth reading mode, without authentication",
     "waiting_k": "a state that warns, WaitingK",
     "wheel_algorithm": "a new algorithm of the wheel",
 }
-# At most so much more than the usual design [per cent].
+# At most so much more than the baseline design [per cent].
 TARGETS = {"report_avg": 5, "cycle_avg": 5, "flash": 10}
 
 
@@ -95,7 +95,7 @@ def changes_of(root: Path) -> list[str]:
 
 
 def read_comparison(root: Path) -> dict[str, Any] | None:
-    """The figures, when they were measured with the present sources."""
+    """The numbers, when they were measured with the present sources."""
     found = read_json(root / RESULT)
     return found if isinstance(found, dict) and is_fresh(root, BASELINE) else None
 
@@ -115,7 +115,7 @@ def verdict(figures: dict[str, dict[str, float]], key: str) -> bool | None:
 def beside(functions: dict[str, dict[str, float]], least: float) -> list[dict[str, Any]]:
     """The functions of both designs, that with the greatest difference first.
 
-    A function whose figures differ by less than a limit in both designs is left out.
+    A function whose numbers differ by less than a limit in both designs is left out.
     """
     names: Iterable[str] = functions[USUAL].keys() | functions[PATTERNS].keys()
     rows = []

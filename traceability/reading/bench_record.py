@@ -36,7 +36,7 @@ LINES = {
     31: "serial port to the PC",
     39: "first converter",
     48: "clock pulse",
-    49: "beat of 1 ms",
+    49: "tick of 1 ms",
     60: "remote control",
     62: "Hall sensors",
     64: "main thread",
@@ -105,7 +105,7 @@ def read_bench(root: Path, path: Path = BENCH) -> Record | None:
 
 
 def bench_metrics(record: Mapping[str, BenchScenario] | None) -> list[dict[str, Any]] | None:
-    """The figures of each scenario for build/metrics.json."""
+    """The times of each scenario for build/metrics.json."""
     if record is None:
         return None
     return [

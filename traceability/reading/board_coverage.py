@@ -1,6 +1,6 @@
 """Which lines of the design were executed on the virtual K64.
 
-The drivers are built for the K64 only, so no coverage of this machine tells of them. A test on
+The drivers are built for the K64 only, so no coverage of this machine includes them. A test on
 the virtual K64 leaves one bit for each half-word of the flash that it executed; the image knows
 the line that each of its instructions was made from.
 """

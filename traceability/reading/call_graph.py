@@ -1,4 +1,4 @@
-"""The functions of an image with their frames and calls, as the compiler tells them.
+"""The functions of an image with their frames and calls, as the compiler reports them.
 
 The compiler writes a graph for each unit (``-fcallgraph-info=su``): frames, direct calls, and the
 places of indirect ones. A function of the toolchain's libraries has none; its frame and calls are
@@ -27,7 +27,7 @@ INDIRECT_CALL = re.compile(r"\tb(?:lx\t|x\t(?!lr))")
 PUSH = re.compile(r"\t(?:push|stmdb\tsp!,|v?push)\s*\{(?P<names>[^}]+)\}")
 BELOW = re.compile(r"\tsub(?:\.w|w)?\tsp, (?:sp, )?#(?P<bytes>\d+)")
 STORE = re.compile(r"\t(?:str|strd)(?:\.w)?\t.*\[sp, #-(?P<bytes>\d+)\]!")
-# The name of a method without what tells its overloads apart.
+# The name of a method without the parameters that distinguish overloads.
 SHORT = re.compile(r"(?:wr::)(?P<name>[\w:~]+(?:<[^()]*>[\w:~]*)*)\(")
 
 
@@ -40,7 +40,7 @@ class Function:
     frame: int
     dynamic: bool = False
     measured: bool = False  # from the instructions, not from the compiler
-    blind: bool = False  # its instructions call what only the compiler could tell
+    blind: bool = False  # its instructions call a function that only the compiler knows
     calls: list[str] = field(default_factory=list)  # symbols
     indirect: list[Place] = field(default_factory=list)
 

@@ -1,4 +1,4 @@
-"""The runs in closed loop with the simulated robot: curves, and figures against their limits."""
+"""The runs in closed loop with the simulated robot: curves, and values against their limits."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def csv_of(scenario: str, binding: str) -> Path:
 
 
 def declared(root: Path, entries: Entries | None = None) -> list[dict[str, Any]]:
-    """The scenarios with those of their plots and figures that have what each needs."""
+    """The scenarios with those of their plots and values that have what each needs."""
     entries = entries or Entries(root)
     may: Keys = {"plot": list, "figure": list}
     found = entries.tables(root / DECLARED, "scenario", SCENARIO, may, own="name")
@@ -129,7 +129,7 @@ def _plot(plot: dict[str, Any], rows: dict[str, Rows]) -> LoopPlot:
 
 def column(rows: Rows, name: str) -> Points:
     """The valid values of a column with their times [ms]: of the truth when it was read, of what a
-    report tells the clock pulse."""
+    report shows the clock pulse."""
     return [
         (float(row[time_column(name)]), float(row[name])) for row in rows if is_valid(row, name)
     ]
@@ -155,7 +155,7 @@ def is_valid(row: dict[str, str], name: str) -> bool:
     return bool(int(row[mask]) >> bit & 1)
 
 
-# ---- figures -----------------------------------------------------------------
+# ---- values -----------------------------------------------------------------
 
 
 def _figure(figure: dict[str, Any], rows: dict[str, Rows]) -> LoopFigure:

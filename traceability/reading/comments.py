@@ -71,7 +71,7 @@ class Comment:
         return [tag for tag in self.tags if tag.name == name]
 
     def all(self, name: str) -> list[str]:
-        """The texts of a tag, or what stands in its braces."""
+        """The texts of a tag, or the text in its braces."""
         return [tag.argument if name in IN_BRACES else tag.text for tag in self.of(name)]
 
     def one(self, name: str) -> str:
@@ -153,7 +153,7 @@ def code_of(text: str) -> str:
 
 
 def comment_tokens(text: str) -> Iterator[tuple[int, bool, str]]:
-    """Each ``//`` and ``/* */``: its line, whether code stands before it, and the comment."""
+    """Each ``//`` and ``/* */``: its line, whether code is before it, and the comment."""
     line, at = 1, 0
     for token in TOKENS.finditer(text):
         written = token["comment"]
@@ -166,7 +166,7 @@ def comment_tokens(text: str) -> Iterator[tuple[int, bool, str]]:
 def read_comments(file: str, text: str) -> Iterator[Comment]:
     """The comments of a file that are documentation."""
     block: list[str] = []
-    start, behind = 0, False  # line of the block, and whether it stands behind what it describes
+    start, behind = 0, False  # line of the block, and whether it is behind its declaration
     for line, after_code, written in comment_tokens(text):
         slashes = SLASHES.fullmatch(written)
         follows = bool(block) and line == start + len(block) and not after_code

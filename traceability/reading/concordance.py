@@ -55,7 +55,7 @@ def _paper(root: Path, entries: Entries) -> Concordance:
     lines = (root / PAPER).read_text(encoding="utf-8").splitlines()
     needs = {"id": str, "kind": str, "title": str}
     for item, header in entries.tables(root / PAPER, "place", needs, {"names": dict}, own="id"):
-        start = header.line  # the id stands below the header
+        start = header.line  # the id is below the header
         place = Place(str(PAPER), start + 1)
         found.places.append(PaperPlace(item["id"], item["kind"], item["title"], place))
         own = (item["kind"], item["id"])
@@ -88,6 +88,6 @@ def _entries(root: Path, entries: Entries) -> list[PaperElement]:
 
 
 def _line(lines: list[str], name: str, start: int) -> int:
-    """The number of the line on which a name stands, at or after a line."""
+    """The number of the line with a name, at or after a line."""
     wanted = re.compile(rf'"{re.escape(name)}"')
     return next((n + 1 for n in range(start, len(lines)) if wanted.search(lines[n])), start + 1)

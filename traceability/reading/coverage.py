@@ -1,6 +1,6 @@
 """Which lines and branches of the design each test executed, on this machine and on the K64.
 
-On this machine the counters of gcc tell it, see ``arcs``. On the virtual K64 each test leaves one
+On this machine the counters of gcc show it, see ``arcs``. On the virtual K64 each test leaves one
 bit for each half-word of the flash that it executed, see ``board_coverage``: lines, no branches.
 """
 
@@ -20,13 +20,13 @@ from traceability.schema import HOST, VIRTUAL_K64
 from traceability.sources import DESIGN, file_hash
 
 HOST_BUILD = SOURCES[HOST].executable.parents[1]
-# Folders of programs that may lie beside that of the tests: no test runs what only they hold.
+# Folders of programs that may be next to that of the tests: no test runs what only they hold.
 OTHER_PROGRAMS = r".*/(usual_design_tests|change_\w+_tests|weeding_robot_host)\.dir"
 
 
 @dataclass
 class Coverage:
-    """What there is to execute on a binding, and what each recording executed of it."""
+    """What there is to execute on a target, and what each recording executed of it."""
 
     whole: Covered = field(default_factory=Covered)
     recordings: dict[str, Covered] = field(default_factory=dict)
@@ -49,7 +49,7 @@ class Coverage:
 
 
 def read_coverage(root: Path, cache: Path) -> dict[str, Coverage]:
-    """The coverage of each binding, as the last run of its tests left it."""
+    """The coverage of each target, as the last run of its tests left it."""
     readers = {HOST: _read_host, VIRTUAL_K64: _read_board}
     found: dict[str, Coverage] = {}
     for binding, reader in readers.items():

@@ -137,7 +137,7 @@ class Declared:
     safety: SafetyCase = field(default_factory=SafetyCase)
 
 
-# The files of a whole design, beside its trees and state machines.
+# The files of a whole design, besides its trees and state machines.
 FILES = (
     *("applications", "architecture", "board_beliefs", "board_findings", "changes"),
     *("clauses", "closed_loop"),
@@ -404,7 +404,7 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
         depth = len(match[1]) // 2
         label = f"{match[3]}::{match[4]}"
         if depth > (stack[-1][0] + 1 if stack else 0):
-            text = f"{label} stands too far to the right"
+            text = f"{label} is too far to the right"
             declared.tree_errors.append(
                 (place, text, "put it two blanks to the right of its caller")
             )

@@ -1,6 +1,6 @@
 """Which lines and branches of the design each test executed on this machine.
 
-gcc counts some arcs of the flow graph of each function, and leaves the graphs beside the objects.
+gcc counts some arcs of the flow graph of each function, and leaves the graphs next to the objects.
 The counters of the other arcs follow: what enters a block leaves it.
 """
 

@@ -16,7 +16,7 @@ Result = TypeVar("Result")
 def kept(path: Path, parts: Iterable[object], make: Callable[[], Result]) -> Result:
     """What the file keeps if it was made from these parts; else it is made, and kept.
 
-    The parts tell by their ``repr`` what they are.
+    The ``repr`` of each part identifies it.
     """
     key = hashlib.sha256("\0".join(map(repr, parts)).encode()).hexdigest()
     if path.exists():

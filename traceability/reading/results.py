@@ -17,7 +17,7 @@ from traceability.sources import file_hash, source_hash
 T = TypeVar("T")
 RECORDS = cattrs.Converter(forbid_extra_keys=True)
 RESULTS = Path("build/results")
-RUNS = {HOST: "trace", VIRTUAL_K64: "board"}  # the run of the tests that tells for a binding
+RUNS = {HOST: "trace", VIRTUAL_K64: "board"}  # the run of the tests that counts for a target
 TASKS = {HOST: task_record.TESTS_TRACE, VIRTUAL_K64: task_record.TESTS_BOARD}
 TYPE = re.compile(r"/\d+$")  # of a suite of typed tests
 PLAIN = "plain"  # the run without records
@@ -36,7 +36,7 @@ class Result:
     milliseconds: float
     message: str
     recordings: list[str] = field(default_factory=list)  # names of the files of recorded calls
-    measured: str = ""  # what the test itself tells: its property of this name
+    measured: str = ""  # what the test itself reports: its property of this name
     instances: dict[str, str] = field(default_factory=dict)  # of a parameterised test -> result
     images: list[str] = field(default_factory=list)  # products whose images the test ran
 
@@ -59,7 +59,7 @@ def read_record(path: Path, kind: type[T]) -> T | None:
 
 
 def bindings_of(file: str) -> list[str]:
-    """The bindings that a test of the firmware is built for, by its folder."""
+    """The targets that a test of the firmware is built for, by its folder."""
     if file.startswith(COMPARED):
         return []
     if file.startswith(BOARD_ONLY):

@@ -71,7 +71,7 @@ class Facts:
         }
 
     def user(self, owner: str, place: Place) -> str:
-        """The class that code belongs to: what stands beside a class is its detail."""
+        """The class that code belongs to: code next to a class is its detail."""
         outer = owner.split("::", maxsplit=1)[0]
         return outer if outer in self.with_file else self.written_in.get(place.file, outer)
 
@@ -239,7 +239,7 @@ class References:
                     work.append(target)
 
     def objects(self, places: list[str], kind: str = "") -> set[Object]:
-        """What places may refer to: objects of a class and its heirs, or all."""
+        """What places may refer to: objects of a class and its subclasses, or all."""
         family = {kind, *self.facts.heirs.get(kind, [])}
         found = {one for place in places for one in self.known.get(place, set())}
         return {one for one in found if not kind or one.kind in family}

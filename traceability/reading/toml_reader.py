@@ -55,7 +55,7 @@ class Entries:
         self.problems.append(Problem(place, f"{place.file} is no TOML: {said}", "correct the line"))
 
     def value(self, path: Path, name: str, missing: Any) -> Any:
-        """What stands under a name of its own."""
+        """The value of a name."""
         self._asked.setdefault(path, set()).add(name)
         return self.whole(path).get(name, missing)
 
@@ -121,7 +121,7 @@ class Entries:
         """Notes the tables and names of the files that nothing asked for."""
         for path, asked in self._asked.items():
             for name in self._read.get(path, {}).keys() - asked:
-                text = f"nothing reads what stands under {name}"
+                text = f"nothing reads the values under {name}"
                 self.problems.append(Problem(self.place_of(path, name), text, "correct the name"))
 
     def absent(self, files: Iterable[Path]) -> None:
@@ -132,7 +132,7 @@ class Entries:
             self.problems.append(Problem(place, text, fix))
 
     def place_of(self, path: Path, name: str) -> Place:
-        """Where a name of its own first stands."""
+        """The first place of a name."""
         begins = re.compile(rf"\s*(\[\[?\s*)?{re.escape(name)}\b")
         lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
         line = next((n for n, one in enumerate(lines, 1) if begins.match(one)), 1)

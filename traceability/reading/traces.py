@@ -21,7 +21,7 @@ from traceability.sources import file_hash
 
 @dataclass(frozen=True)
 class Source:
-    """Where the recordings of a binding lie, and what holds the names of their addresses."""
+    """Where the recordings of a target lie, and what holds the names of their addresses."""
 
     executable: Path
     folder: Path
@@ -55,7 +55,7 @@ class Row:
 
 @dataclass
 class Traces:
-    """The recordings of a binding."""
+    """The recordings of a target."""
 
     folder: Path
     state: str = ""  # names the run of the tests, and what ran
@@ -77,7 +77,7 @@ class Traces:
     ) -> Iterator[tuple[str, bool]]:
         """The calls of the named functions in order, each with whether it is entered or left.
 
-        The same calls without one of those of ``turning`` are told again after such a one only.
+        The same calls without one of those of ``turning`` are listed again only after one of them.
         """
         events = self.events(test)
         told = {address: [(name, True)] for address, name in names.items()}
@@ -174,7 +174,7 @@ def _state(folder: Path, executable: Path) -> str:
 
 
 def _symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
-    """Address -> method. On the K64 without the bit that tells the instruction set."""
+    """Address -> method. On the K64 without the bit that marks the instruction set."""
     state = executable.stat()
     key = f"{state.st_mtime_ns} {state.st_size} {file_hash(Path(__file__))}"
     if cache.exists():

@@ -27,7 +27,7 @@ struct Instruction {
     return inBlock ? kPlace : kDecoded;
   }
 
-  /// @brief Tells whether it was decoded for its place.
+  /// @brief Returns whether it was decoded for its place.
   [[nodiscard]] bool isDecoded(bool inBlock) const { return (form & kPlace) == place(inBlock); }
   [[nodiscard]] bool isWide() const { return (form & 4U) != 0; }
   [[nodiscard]] std::uint32_t bytes() const { return form & 6U; }

@@ -262,7 +262,7 @@ void loadExclusive(Core& core, const Instruction& in) {
   }
 }
 
-// Register m tells whether it was stored.
+// Register m shows whether it was stored.
 template <typename Value>
 void storeExclusive(Core& core, const Instruction& in) {
   Registers& x = core.registers;
@@ -321,7 +321,7 @@ Instruction exclusiveOrTable(Encoding code) {
   }
 }
 
-// Many registers: value is their list, d their number, and bit 16 of value tells that register n
+// Many registers: value is their list, d their number, and bit 16 of value shows that register n
 // keeps the address.
 constexpr std::uint32_t kKeeps = 1U << 16;
 constexpr std::uint32_t kList = 0xFFFF;

@@ -59,7 +59,7 @@ class Memory {
     std::uint32_t loads = 0;    ///< how many bytes can be loaded
     std::uint32_t stores = 0;   ///< how many can be stored
 
-    /// @brief Tells whether words are among the first ones of so many bytes.
+    /// @brief Returns whether words are among the first ones of so many bytes.
     [[nodiscard]] bool holds(std::uint32_t count, std::uint32_t place, std::uint32_t wanted) const {
       const std::uint32_t offset = place - address;
       return offset < count && count - offset >= wanted && (place & 3U) == 0;

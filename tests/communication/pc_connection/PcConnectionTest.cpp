@@ -89,7 +89,7 @@ struct PcConnectionTest : testing::Test {
 
   [[nodiscard]] std::uint8_t lastSession() const { return sent().back()[3]; }
 
-  /// @brief Does something that must change no count but the one that it tells.
+  /// @brief Does something that must change no count but the one that it returns.
   template <class Action>
   void expectCounted(std::uint16_t LinkCounts::*count, int times, Action action) {
     LinkCounts expected = connection.counts();
@@ -145,7 +145,7 @@ TEST_F(PcConnectionTest, FR30_TheBuildIdIsHexadecimal) {
 }
 
 /// @brief The Welcome holds the cause of the reset and the kind, number and address of the fault.
-/// Each Welcome of a start tells the same.
+/// Each Welcome of a start has the same content.
 /// @verifies FR-76
 TEST_F(PcConnectionTest, FR76_EachWelcomeTellsCauseAndFault) {
   start = {ResetCause::Software, FaultKind::UnexpectedInterrupt, 0x0150, 0x89ABCDEF};
@@ -722,7 +722,7 @@ TEST_F(PcConnectionTest, FR49_SequenceNumbersWrap) {
   EXPECT_EQ(connection.counts().sequenceGaps, 0);
 }
 
-/// @brief A Hello starts the count of the sequence anew.
+/// @brief A Hello restarts the count of the sequence.
 /// @verifies FR-49
 TEST_F(PcConnectionTest, FR49_AHelloStartsTheSequenceAnew) {
   handshake();
@@ -734,7 +734,7 @@ TEST_F(PcConnectionTest, FR49_AHelloStartsTheSequenceAnew) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief The bytes that the port lost are told as the port counts them.
+/// @brief The bytes that the port lost are reported as the port counts them.
 /// @verifies FR-49
 TEST_F(PcConnectionTest, FR49_LostBytesAreTold) {
   port.lost = 321;
@@ -967,7 +967,7 @@ TEST_F(PcConnectionTest, FR40_TheConnectionAcceptsEachExample) {
   EXPECT_FALSE(orders.stopOrdered());
 }
 
-/// @brief The Welcome of the examples that tells a fault is what the firmware makes of the same start.
+/// @brief The Welcome of the examples that reports a fault is what the firmware makes of the same start.
 /// @verifies FR-76
 TEST_F(PcConnectionTest, FR76_TheWelcomeAfterAFaultAgreesWithTheExample) {
   start = {ResetCause::Software, FaultKind::Assertion, 3, 0x4A6E};
@@ -983,7 +983,7 @@ TEST_F(PcConnectionTest, FR76_TheWelcomeAfterAFaultAgreesWithTheExample) {
   EXPECT_EQ(compared, 1);
 }
 
-/// @brief What the report of cycle 7 of the examples tells.
+/// @brief Content of the report of cycle 7 of the examples.
 ReportData reportOfCycle7() {
   ReportData data;
   data.cycle = 7;
@@ -1003,7 +1003,7 @@ ReportData reportOfCycle7() {
   return data;
 }
 
-/// @brief What the report of cycle 8 of the examples tells.
+/// @brief Content of the report of cycle 8 of the examples.
 ReportData reportOfCycle8() {
   ReportData data = reportOfCycle7();
   data.cycle = 8;

@@ -206,7 +206,7 @@ TEST_F(SerialReaderTest, FR170_NumbersAreLittleEndian) {
   EXPECT_TRUE(reader.finish());
 }
 
-/// @brief A read beyond the end gives 0, is told at the finish, and does not spoil the next read.
+/// @brief A read beyond the end gives 0, is reported at the finish, and does not spoil the next read.
 /// @verifies FR-45
 TEST_F(SerialReaderTest, AReadBeyondTheEndFails) {
   offer(orderBytes(1, 0, 0, 0, 1));

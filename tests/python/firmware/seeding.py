@@ -27,7 +27,7 @@ at 2000 end
 
 @dataclass(frozen=True)
 class Change:
-    """A piece of a source of src/k64, and what stands there instead."""
+    """A piece of a source of src/k64, and its replacement."""
 
     file: str
     before: str

@@ -137,7 +137,7 @@ def test_the_image_names_the_version_and_the_sources_of_the_project(tmp_path: Pa
     (place,) = [one for one in symbols(ELF) if one.name.endswith("firmwareIdentityE")]
     expected = bytes(map(int, version.groups())) + build_id.encode()
     expected += bytes(1) + SCHEMA_HASH.to_bytes(4, "little")
-    assert BIN.read_bytes()[place.address :][: len(expected)] == expected, "build it anew"
+    assert BIN.read_bytes()[place.address :][: len(expected)] == expected, "build it again"
 
 
 def test_the_binary_holds_what_the_program_does(image: bytes, tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""What a change may affect, and the command that tells it."""
+"""What a change may affect, and the command that shows it."""
 
 from __future__ import annotations
 

@@ -49,7 +49,7 @@ def write_trace(root: Path, calls: list[str]) -> None:
     """A recording in which each call lies within the one before it."""
     executable = root / SOURCES[HOST].executable
     executable.parent.mkdir(parents=True, exist_ok=True)
-    executable.write_text("stands for a program")
+    executable.write_text("is no program")
     state = executable.stat()
     known = {
         "key": f"{state.st_mtime_ns} {state.st_size} {file_hash(Path(traces.__file__))}",

@@ -22,9 +22,9 @@ def test_a_vendored_file_is_the_published_one() -> None:
 
 
 def test_a_term_of_the_glossary_is_found() -> None:
-    source = ".. glossary::\n\n   cut off\n      Of a wheel: its driver is off\n      for now.\n"
+    source = ".. glossary::\n\n   coast\n      Of a wheel: its driver is off\n      for now.\n"
     (term,) = terms_of(Entry("docs/glossary", "Glossary", "docs/glossary.html"), source)
-    assert (term.title, term.address) == ("cut off", "docs/glossary.html#term-cut-off")
+    assert (term.title, term.address) == ("coast", "docs/glossary.html#term-coast")
     assert term.text == "Of a wheel: its driver is off for now."
 
 

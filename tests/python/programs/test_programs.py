@@ -86,7 +86,7 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
 ) -> None:
     """It decides the same, a decision that hangs on a measured value at most one cycle earlier or
     later. What it measures and applies differs by at most 1 % of the range in 94 of 100 cycles, and
-    by more than 8 % only in a cycle beside such a decision; while pulses order, by at most 8 %.
+    by more than 8 % only in a cycle next to such a decision; while pulses order, by at most 8 %.
     At the end of a connection, and at that of the scenario, one may have sent a report more."""
     reports = []
     for binding in ("host", "board"):
@@ -113,7 +113,7 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
 
 
 def shifted_decisions(common: list[tuple[Row, Row]]) -> list[int]:
-    """The cycles in which the two decided differently; each value is that of a cycle beside."""
+    """The cycles in which the two decided differently; each value is of a neighbouring cycle."""
     found = []
     for index, (first, second) in enumerate(common):
         one, other = decided(first), decided(second)

@@ -1,4 +1,4 @@
-"""What a patch touches, and what is made of the figures of the two designs."""
+"""What a patch touches, and the comparison of the numbers of the two designs."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""The figures of the bench, from what the board program measured."""
+"""The times of the bench, from what the board program measured."""
 
 from dataclasses import replace
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Curves and figures of the runs in closed loop."""
+"""Curves and values of the runs in closed loop."""
 
 import json
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""The seeded faults: each check has one, each can be seeded; the record tells of this state only.
+"""The seeded faults: each check has one, each can be seeded; the record is of this state only.
 
 Whether the checks find them is tried by ``./wr check --drift``, which ``./wr test`` runs.
 """

@@ -62,7 +62,7 @@ TEST_F(SensorCollectorTest, FR121_TellsTheDirection) {
   EXPECT_EQ(unclear(), 0U);
 }
 
-/// @brief The record tells when the last edge came.
+/// @brief The record has the time when the last edge came.
 /// @verifies FR-120
 TEST_F(SensorCollectorTest, FR120_TellsTheLastEdge) {
   edge(0);

@@ -59,7 +59,7 @@ struct TurningWheel {
     active.serve();
   }
 
-  /// @brief Measures, and tells what is then in the pipe [0.1 rpm].
+  /// @brief Measures, and returns the value in the pipe [0.1 rpm].
   double measure() {
     velocity.measure();
     return pipe.read().value().value.count();

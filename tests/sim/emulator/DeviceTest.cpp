@@ -186,7 +186,7 @@ TEST(PinOfBoard, FallingLevelRaisesInterrupt) {
   EXPECT_EQ(told(board, 0), 1U);
 }
 
-/// @brief The program is told the cause of the reset; memory outlives all but the loss of power.
+/// @brief The program can read the cause of the reset; memory outlives all but the loss of power.
 TEST(ResetOfBoard, CauseIsToldAndMemoryStays) {
   VirtualBoard board(Guest("tellsCauseOfReset").image());
   ASSERT_TRUE(board.runToSleep(1ms));
@@ -202,7 +202,7 @@ TEST(ResetOfBoard, CauseIsToldAndMemoryStays) {
   EXPECT_EQ(board.resets(), 2);
 }
 
-/// @brief A reset that is no finding starts the program anew.
+/// @brief A reset that is no finding restarts the program.
 TEST(ResetOfBoard, RequestStartsAnew) {
   VirtualBoard board(Guest("stopsWatchdogThenRequestsReset").image(), {.resetsAreFindings = false});
   ASSERT_TRUE(board.runUntil(1ms));

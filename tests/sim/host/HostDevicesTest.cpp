@@ -27,7 +27,7 @@ TEST(HostPwmOutputTest, KeepsWithinTheLimits) {
   EXPECT_EQ(output.dutyCycle(), DutyCycle(0));
 }
 
-/// @brief An output tells each time that it goes on, and not when it stays on.
+/// @brief An output reports each time that it goes on, and not when it stays on.
 TEST(HostDigitalOutputTest, TellsWhenItGoesOn) {
   host::HostDigitalOutput output;
   output.set(true);

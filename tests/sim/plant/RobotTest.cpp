@@ -243,7 +243,7 @@ TEST_F(RobotTest, SixtyEdgesInATurn) {
   EXPECT_NEAR(netEdges(1) - forwards, 60 * back, 0.02 * 60 * std::abs(back));
 }
 
-/// @brief At a steady speed edges come evenly, each within the step that tells it.
+/// @brief At a steady speed edges come evenly, each within the step that reports it.
 TEST_F(RobotTest, EdgesAreEven) {
   drive({.duty = 0.5, .backwards = false, .enabled = true});
   run(4000);

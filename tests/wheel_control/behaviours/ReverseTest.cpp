@@ -116,7 +116,7 @@ TEST_F(ReverseTest, FR87_BackToForwards) {
   EXPECT_EQ(log.back(), (CommandLog::value_type{"tension", 3000}));
 }
 
-/// @brief A demand that agrees again ends the stop; a later reverse counts its slow cycles anew.
+/// @brief A demand that agrees again ends the stop; a later reverse counts its slow cycles again.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_AgreementEndsTheStop) {
   apply(-5000, 0);

@@ -18,12 +18,12 @@ inline volatile std::uint32_t& wordAt(std::uint32_t address) {
   return *reinterpret_cast<volatile std::uint32_t*>(address);
 }
 
-/// What a program tells its test.
+/// Results that a program reports to its test.
 inline volatile std::uint32_t& told(std::uint32_t number) {
   return wordAt(0x20000000 + 4 * number);
 }
 
-/// Notes a number behind those noted before; their count stands first.
+/// Notes a number behind those noted before; their count comes first.
 inline void note(std::uint32_t number) {
   const std::uint32_t count = wordAt(0x20000100);
   wordAt(0x20000104 + 4 * count) = number;

@@ -56,7 +56,7 @@ class FaultTest : public testing::TestWithParam<Case> {
   Core core_{Timing::NoWaitStates};
 };
 
-/// @brief An instruction that faults tells why, and leaves all registers as they were.
+/// @brief An instruction that faults reports the reason, and leaves all registers as they were.
 TEST_P(FaultTest, InstructionFaultsAndDoesNothing) {
   for (std::uint32_t i = 0; i < 13; ++i) {
     core_.registers.r.at(i) = i == 1 ? GetParam().base : 0;
@@ -167,7 +167,7 @@ TEST_F(FaultTest, FaultInBlockKeepsTheBlock) {
   EXPECT_EQ(core_.registers.it, 0x08);
 }
 
-/// @brief A store-exclusive stores after a load-exclusive only, and tells so.
+/// @brief A store-exclusive stores after a load-exclusive only, and returns whether it did.
 TEST_F(FaultTest, StoreExclusiveNeedsLoadExclusive) {
   core_.registers.r[1] = kUpper;
   core_.registers.r[2] = 7;

@@ -1,0 +1,90 @@
+"""The linter of prose: which words it finds, and where."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tools.prose import GLOSSARY, lint_prose, read_terms
+
+TERMS = """\
+Glossary
+========
+
+.. glossary::
+
+   subclass
+      A class that derives from another one.
+      Not: nabob, has nabobs.
+
+Plain words
+-----------
+
+* ``anew``, ``once more``: again
+"""
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    (tmp_path / GLOSSARY).parent.mkdir()
+    (tmp_path / GLOSSARY).write_text(TERMS)
+    return tmp_path
+
+
+def found(root: Path, file: str, text: str) -> list[str]:
+    (root / file).parent.mkdir(parents=True, exist_ok=True)
+    (root / file).write_text(text)
+    return [str(finding) for finding in lint_prose(root)]
+
+
+def test_the_terms_are_those_of_the_glossary() -> None:
+    assert [(term.words, term.better) for term in read_terms(TERMS)] == [
+        ("nabob", '"subclass"'),
+        ("has nabobs", '"subclass"'),
+        ("anew", "again"),
+        ("once more", "again"),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "line"),
+    [
+        ("docs/a.rst", "Modes\n=====\n\nRC is a nabob of Mode.\n", 4),
+        ("src/a.hpp", "int x;\n/// @brief A nabob of Mode.\nclass RC;\n", 2),
+        ("src/a.cpp", '#include "nabob.hpp"\nauto x = "there is no nabob here";\n', 2),
+        ("tools/a.py", 'def f():\n    """Finds the nabob."""\n', 2),
+        ("tools/a.py", 'def f():\n    return f"the nabob {x} is gone"\n', 2),
+        ("design/a.toml", "# A nabob.\n", 1),
+        ("design/a.toml", 'says = "It has a nabob."\n', 1),
+        ("requirements/a.dox", "/**\n@rationale The nabob may differ.\n*/\n", 2),
+        ("site/templates/a.html", "<p>\n  A nabob.\n</p>\n", 2),
+        ("README.md", "# Title\n\nAn\nNABOB.\n", 4),
+    ],
+)
+def test_a_word_in_a_text_is_found(root: Path, file: str, text: str, line: int) -> None:
+    word = "NABOB" if "NABOB" in text else "nabob"
+    assert found(root, file, text) == [f'{file}:{line}: [prose] "{word}": write "subclass"']
+
+
+@pytest.mark.parametrize(
+    ("file", "text"),
+    [
+        ("docs/a.rst", "The field ``nabob``, and :module:`nabob`.\n"),
+        ("src/a.cpp", "int nabob = nabobs.at(0);\n"),
+        ("tools/a.py", 'nabob = names["nabob"]\n'),
+        (
+            "site/templates/a.html",
+            "{% for nabob in nabobs %}{{ nabob }}{% endfor %}",
+        ),
+        ("docs/a.rst", "A nabobish, and src/nabob.cpp.\n"),
+    ],
+)
+def test_a_name_is_no_word(root: Path, file: str, text: str) -> None:
+    assert found(root, file, text) == []
+
+
+def test_words_may_be_on_two_lines(root: Path) -> None:
+    assert found(root, "docs/a.rst", "It is read once\nmore.\n") == [
+        'docs/a.rst:1: [prose] "once more": write again'
+    ]

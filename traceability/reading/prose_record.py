@@ -1,0 +1,34 @@
+"""What the linter of prose found, and in which texts."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from traceability.reading.results import RESULTS, read_json
+from traceability.sources import files_below, hash_of
+
+RECORD = RESULTS / "prose.json"
+FOLDERS = (
+    *("docs", "requirements", "design", "src", "extensions", "sim", "client", "tests"),
+    *("tools", "traceability", "site/portal", "site/templates", "setup", "README.md", "wr"),
+)
+
+
+def texts_hash(root: Path) -> str:
+    return hash_of(root, files_below(root, FOLDERS))
+
+
+def write_prose(root: Path, findings: int) -> None:
+    """Keeps the number of findings, with the hash of the texts that have them."""
+    content = {"findings": findings, "texts": texts_hash(root)}
+    (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
+    (root / RECORD).write_text(json.dumps(content), encoding="utf-8")
+
+
+def read_prose(root: Path) -> int | None:
+    """The number of findings in the present texts; none when they were not read."""
+    record = read_json(root / RECORD)
+    if not isinstance(record, dict) or record.get("texts") != texts_hash(root):
+        return None
+    return int(record["findings"])
