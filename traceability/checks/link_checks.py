@@ -18,6 +18,9 @@ from traceability.sources import files_below
 # A path of the project, as it is written; or as a link of the README.
 NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^)]*)?\)")
 URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # in a sheet of styles
+COMMAND = re.compile(r"\./wr ([a-z][a-z-]*)((?: +(?:--?[a-z][a-z-]*|[A-Z.\d/_a-z]+))*)")
+HELP = '"--help"'  # which each command has
+PROGRAMS = ("tools", "client", "setup")
 QUESTIONS = "design/questions.toml"
 CLICK = re.compile(r'"([^"]+)"')
 SOURCES = (".rst", ".dox", ".toml", ".tree", ".hpp", ".cpp", ".py")
@@ -194,10 +197,28 @@ def missing_paths(root: Path) -> list[Finding]:
                 continue
             for named in filter(None, sum(NAMED.findall(line), ())):
                 top, name = named.split("/")[0], root / named
-                known = (root / top).is_dir() or name.suffix in SOURCES
+                listed = path.name == "README.md" and named.endswith("/")
+                known = (root / top).is_dir() or name.suffix in SOURCES or listed
                 if known and top != "build" and not name.exists():
                     text, fix = f"there is no {named}", "name a file that exists"
                     found.append(Finding(Place(file, number), "link-doc", text, fix))
+    return found
+
+
+def missing_commands(root: Path) -> list[Finding]:
+    """Commands of ./wr and options that a page or the README names, and that there are not."""
+    code = "".join(
+        path.read_text(encoding="utf-8") for path in files_below(root, PROGRAMS, (".py",))
+    )
+    found: list[Finding] = []
+    for path in files_below(root, ("README.md", "docs") if code else (), (".md", ".rst")):
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            for command, options in COMMAND.findall(line):
+                words = [command, *re.findall(r"--[a-z-]+", options)]
+                for word in [word for word in words if f'"{word}"' not in code + HELP]:
+                    place = Place(str(path.relative_to(root)), number)
+                    text, fix = f"./wr has no {word}", "name what ./wr --help lists"
+                    found.append(Finding(place, "link-doc", text, fix))
     return found
 
 

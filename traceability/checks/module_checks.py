@@ -50,7 +50,47 @@ def check(model: Model, facts: Facts) -> list[Finding]:
             if method.access == "public":
                 found += _specification(method)
     found += _folders(model, facts) + _written(model, facts) + _nested(facts)
+    found += _unused(model, facts) + _behaviour(model, facts)
     return [*found, *_silent(facts, found), *_units(model, facts)]
+
+
+def _unused(model: Model, facts: Facts) -> list[Finding]:
+    """Modules that no composition leads to, by the names in the code and by bases."""
+    named: dict[str, set[str]] = {}  # module, or "" for a composition -> what its code names
+    for name in facts.syntax.names:
+        user = facts.user(name.by, name.place)
+        owner = user if user in model.modules else ""
+        named.setdefault(owner, set()).add(name.target.split("::")[0])
+    used, work = set[str](), [""]
+    while work:
+        reached = named.get(work.pop(), set()) - used
+        used |= reached
+        work += reached
+    return [
+        Finding(
+            module.place,
+            "module-used",
+            f"no composition leads to {module.name}: no product has it",
+            "let a builder make it, or remove it",
+        )
+        for module in model.modules.values()
+        if not module.datatype and module.name not in used and named.get("")
+    ]
+
+
+def _behaviour(model: Model, facts: Facts) -> list[Finding]:
+    """A method of a data type that decides or repeats."""
+    return [
+        Finding(
+            body.place,
+            "module-data",
+            f"{body.id} decides or repeats, and {body.owner} is a data type",
+            "move the behaviour into a module",
+        )
+        for body in facts.syntax.bodies
+        if (module := model.modules.get(body.owner)) and module.datatype
+        if body.branches
+    ]
 
 
 def _place_and_name(module: Module, facts: Facts) -> list[Finding]:

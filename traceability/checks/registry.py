@@ -161,6 +161,20 @@ _FIXED = [
         "remove the module, mark a value type with @datatype, or change the design.",
     ),
     Check(
+        "module-used",
+        "Each design module is part of a product",
+        "The names in the code lead from a composition to every design module.",
+        "whether the product runs the code of the module; whether CMake builds the composition.",
+        "let a builder make the module, or remove it.",
+    ),
+    Check(
+        "module-data",
+        "A data type has no behaviour",
+        "No method of a data type has a condition, a switch or a loop.",
+        "a computation without them; what a free function does with the data.",
+        "move the behaviour into a module.",
+    ),
+    Check(
         "pattern-known",
         "Known pattern applications",
         "Every @patternapp has an id and a pattern of design/applications.toml, a title, @why and "
@@ -602,7 +616,8 @@ _FIXED = [
     Check(
         "req-passed",
         "Verifying tests ran and passed",
-        "Every test that verifies a requirement ran in the last test run and passed.",
+        "Every test that verifies a requirement ran in the last test run and passed, and every "
+        "other test ran. The build of the tests names every folder that has some.",
         "results are not compared while they are stale.",
         "correct the code or the test, then run ./wr test.",
     ),
@@ -623,7 +638,8 @@ _FIXED = [
     Check(
         "req-stale",
         "Results belong to these sources",
-        "The last test run was made with exactly the present sources.",
+        "The last test run was made with exactly the present sources, and so was the image whose "
+        "size and stack are compared.",
         "nothing: it compares contents, not dates.",
         "run ./wr test.",
     ),
@@ -784,7 +800,8 @@ _FIXED = [
         "link-doc",
         "Links of hand-written pages",
         "Every reference in docs/ has a target, and every file that a page of docs/, the README or "
-        "a text of design/ names by its path is there.",
+        "a text of design/ names by its path is there. Each command of ./wr that a page or the "
+        "README names exists, with its options.",
         "whether the target is the right one.",
         "correct the target.",
     ),

@@ -17,6 +17,7 @@ from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.model.reviews import BASELINE, NAMES_OF_TEXTS
 from traceability.reading.ast_facts import ANY_CLASS
 from traceability.reading.gtest_cases import unknown_macros
+from traceability.reading.image_record import TOTALS, read_image
 from traceability.reading.products import PRODUCTS
 from traceability.reading.results import RESULTS, RUNS
 from traceability.reading.source_facts import Facts
@@ -24,6 +25,7 @@ from traceability.schema import HOST, SOURCE_KINDS, Finding, Justified, Place, R
 from traceability.sources import files_below
 
 TAGGED = ("src", "extensions", "tests")
+TEST_BUILD = "tests/CMakeLists.txt"
 PRIORITIES = ("high", "medium", "low")
 LEVELS = ("system", "software", "driver")
 _VERBS = {"method": "satisfies", "test": "verifies"}
@@ -56,6 +58,8 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         *_attributes(model, facts),
         *_sources(model, facts),
         *_uncalled(model, facts),
+        *_unbuilt(model, facts),
+        *_old_image(facts),
     ]
 
 
@@ -240,6 +244,14 @@ def _stale(model: Model) -> list[Finding]:
     ]
 
 
+def _old_image(facts: Facts) -> list[Finding]:
+    """The checks of the image and of its stack look at nothing while it is older."""
+    if not (facts.root / TOTALS).exists() or read_image(facts.root) is not None:
+        return []
+    text = "the image is older than the sources, so its size and its stack are not compared"
+    return [Finding(Place(str(TOTALS), 1), "req-stale", text, "run ./wr firmware")]
+
+
 def _requirements(model: Model) -> list[Finding]:
     found: list[Finding] = []
     for requirement in model.requirements.values():
@@ -285,14 +297,40 @@ def _results(model: Model) -> list[Finding]:
         Finding(
             test.place,
             "req-passed",
-            f"{test.id} {words[one.result]} on the {binding}, and it verifies "
-            f"{', '.join(test.verifies)}",
+            f"{test.id} {words[one.result]} on the {binding}"
+            + (f", and it verifies {', '.join(test.verifies)}" if test.verifies else ""),
             "correct the code or the test, then run ./wr test",
         )
         for test in model.tests.values()
         for binding, one in test.results.items()
-        if test.verifies and one.result != "passed" and not one.stale
+        if one.result != "passed" and (test.verifies or one.result is None) and not one.stale
     ]
+
+
+def _unbuilt(model: Model, facts: Facts) -> list[Finding]:
+    """Folders of tests that no program of the tests has."""
+    build = facts.root / TEST_BUILD
+    text = build.read_text(encoding="utf-8") if build.exists() else ""
+    words = {word.strip("./") for word in re.findall(r"[\w./]+", text)}
+    folders: dict[str, Place] = {}
+    for test in model.tests.values():
+        folders.setdefault(str(Path(test.place.file).parent), Place(test.place.file, 1))
+    return [
+        Finding(
+            place,
+            "req-passed",
+            f"{TEST_BUILD} has no program with the tests of {folder}",
+            "name the folder there",
+        )
+        for folder, place in folders.items()
+        if words and not _built(Path(folder), words)
+    ]
+
+
+def _built(folder: Path, words: set[str]) -> bool:
+    """Whether the folder, or one above it, is named."""
+    above = [folder, *folder.parents]
+    return any(str(one.relative_to("tests")) in words for one in above if one.parts[1:])
 
 
 def _unknown(model: Model, facts: Facts) -> list[Finding]:

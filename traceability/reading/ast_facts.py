@@ -100,6 +100,7 @@ class BodyFact:
     assigns: list[tuple[str, int]] = field(default_factory=list)  # Class::field, line
     touches: dict[str, bool] = field(default_factory=dict)  # Class::field -> whether it is changed
     floats: int = 0  # the first line with a floating-point number; 0 without one
+    branches: bool = False  # whether a statement decides or repeats
     loops: list[int] = field(default_factory=list)  # lines of loops that count no rounds
 
 

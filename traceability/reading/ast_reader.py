@@ -390,6 +390,7 @@ class Reader:
         kind = cursor.type.get_canonical().kind
         if kind in _FLOATS and not body.floats:
             body.floats = place.line
+        body.branches = body.branches or cursor.kind in flow.CHANCES
         if cursor.kind in _UNCOUNTED or _has_no_condition(cursor):
             body.loops.append(place.line)
 

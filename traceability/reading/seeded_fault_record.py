@@ -21,6 +21,8 @@ SOURCES = (
         "design",
         "docs",
         "traceability/doxygen",
+        "tools",
+        "client",
     ),
     *("README.md", "CMakeLists.txt", "CMakePresets.json", "setup/k64-toolchain.cmake"),
 )
