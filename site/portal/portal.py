@@ -14,6 +14,7 @@ from markupsafe import Markup
 
 from portal import diagrams, names
 from portal.calls import CallGraph
+from portal.glossary_links import GlossaryLinks
 from portal.highlight import Highlighter
 from portal.links import Links, paper_anchor, slug
 from portal.navigation import Navigation, hand_written
@@ -43,6 +44,7 @@ from traceability.schema import (
 
 SITE = Path(__file__).resolve().parents[1]
 
+WITHOUT_TERMS = ("source_file", "home")  # code, and the page that says what to read first
 LATER = {"doc-warning", "link-doc", "link-site"}  # known after Sphinx and on the finished site
 # They need results of these sources.
 DYNAMIC = {"tree-dynamic", "req-passed", "req-line", "fsm-seen", "hazard-scenario"}
@@ -89,6 +91,7 @@ class Portal:
         self.calls = CallGraph(model, self.links)
         self.code = Highlighter(root, root / "build" / "pages-cache" / "code")
         self.impacts = Impacts(model)
+        self.glossary = GlossaryLinks(root)
         self.docs = hand_written(root / "docs")
         self.navigation = Navigation(model, self.docs, len(self.checks), len(model.faults))
         self.metrics = metrics(model, report)
@@ -147,6 +150,8 @@ class Portal:
     def page(self, name: str, title: str, nav: str, template: str, **values: Any) -> Page:
         wide = values.pop("wide", False)
         body = self.templates.get_template(f"{template}.html").render(**values)
+        if template not in WITHOUT_TERMS:
+            body = self.glossary.link(body)
         return Page(name, title, body, nav, wide)
 
     def view(self, name: str, values: Callable[[Portal], dict[str, Any]]) -> Page:

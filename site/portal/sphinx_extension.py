@@ -14,6 +14,7 @@ from sphinx.environment import BuildEnvironment
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxRole
 
+from portal.glossary_links import GLOSSARY, GlossaryLinks
 from portal.links import ROOT, depth_prefix
 
 LOGGER = logging.getLogger(__name__)
@@ -77,10 +78,20 @@ def mark(app: Sphinx, _doctree: nodes.document) -> None:
     app.env.metadata[name].update(nav=name, prose=True, orphan="")
 
 
+def link_terms(
+    app: Sphinx, name: str, _template: str, context: dict[str, Any], doctree: nodes.document | None
+) -> None:
+    """Links the terms on a hand-written page; the generated ones have their links."""
+    if doctree is not None and name.startswith("docs/") and name != GLOSSARY.id:
+        glossary = GlossaryLinks(Path(app.srcdir))
+        context["body"] = glossary.link(context["body"], depth_prefix(name))
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
     app.add_domain(DesignDomain)
     app.add_config_value("read_all_docs", True, "")
     app.connect("builder-inited", load)
     app.connect("env-get-outdated", hand_written)
     app.connect("doctree-read", mark)
+    app.connect("html-page-context", link_terms)
     return {"version": "3", "parallel_read_safe": True, "parallel_write_safe": True}

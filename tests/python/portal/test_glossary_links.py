@@ -1,0 +1,67 @@
+"""The links of a page to the glossary."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from portal.glossary_links import GlossaryLinks
+
+TERMS = """\
+.. glossary::
+
+   control cycle
+      Read one order, measure, control. Then report.
+
+   cycle
+      One turn.
+"""
+
+
+@pytest.fixture
+def glossary(tmp_path: Path) -> GlossaryLinks:
+    (tmp_path / "docs").mkdir()
+    (tmp_path / "docs/glossary.rst").write_text(TERMS)
+    return GlossaryLinks(tmp_path)
+
+
+def linked(glossary: GlossaryLinks, html: str) -> list[tuple[str, str]]:
+    """The address and the words of each link to the glossary."""
+    page = glossary.link(html, "../")
+    assert re.sub(r'<a class="term"[^>]*>([^<]*)</a>', r"\1", page) == html
+    return re.findall(r'<a class="term" href="([^"]*)" title="[^"]*">([^<]*)</a>', page)
+
+
+def test_the_first_use_of_a_term_is_linked(glossary: GlossaryLinks) -> None:
+    html = "<p>Control cycles follow each other. A control cycle, a cycle, one more cycle.</p>"
+    assert linked(glossary, html) == [
+        ("../docs/glossary.html#term-control-cycle", "Control cycles"),
+        ("../docs/glossary.html#term-cycle", "cycle"),
+    ]
+
+
+def test_the_link_shows_the_first_sentence(glossary: GlossaryLinks) -> None:
+    assert 'title="Read one order, measure, control"' in glossary.link("a control cycle")
+
+
+@pytest.mark.parametrize(
+    "html",
+    [
+        '<a href="x">control cycle</a>',
+        "<h2>Control cycle</h2>",
+        "<pre>cycle</pre><code>cycle</code>",
+        "<svg><text>cycle</text></svg>",
+        "<p>MainController::cycle, cycle-time, bicycle, cycle_</p>",
+        '<p title="cycle"></p>',
+    ],
+)
+def test_links_code_headings_and_pictures_stay_as_they_are(
+    glossary: GlossaryLinks, html: str
+) -> None:
+    assert linked(glossary, html) == []
+
+
+def test_a_project_without_a_glossary_has_no_links(tmp_path: Path) -> None:
+    assert GlossaryLinks(tmp_path).link("a cycle") == "a cycle"
