@@ -22,10 +22,33 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     )
     parser.add_argument(
         "--drift",
-        action="store_true",
-        help="first seed each fault of tests/drift in a copy, and see whether the checks find it",
+        nargs="*",
+        metavar="CHECK",
+        help="first seed each fault of tests/drift in a copy, and see whether the checks find it; "
+        "with names of checks: seed only the faults of these, and check nothing else",
     )
-    parser.set_defaults(run=lambda root, options: check(root, drift=options.drift))
+    parser.set_defaults(run=run)
+
+
+def run(root: Path, options: argparse.Namespace) -> int:
+    if options.drift:
+        return seed_some(root, options.drift)
+    return check(root, drift=options.drift is not None)
+
+
+def seed_some(root: Path, checks: list[str]) -> int:
+    """Seeds the faults of some checks, and prints what became of each."""
+    from tools.seed_faults import seed
+
+    with only_one(root, "check"):
+        outcomes = seed(root, checks)
+    for outcome in outcomes:
+        print(f"{'found ' if outcome.caught else 'MISSED'}  [{outcome.check}] {outcome.says}")
+        for text in [] if outcome.caught else outcome.said or ["nothing was found"]:
+            print(f"        {text}")
+    missed = sum(not outcome.caught for outcome in outcomes)
+    print(f"{len(outcomes) - missed} of {len(outcomes)} faults found")
+    return 1 if missed else 0
 
 
 def check(root: Path, *, drift: bool = False) -> int:

@@ -10,6 +10,7 @@ from multiprocessing import get_context
 from pathlib import Path
 
 from portal.site_build import build_site
+from tools.steps import FailureError
 from traceability.checks import message, run_checks, run_link_checks
 from traceability.model.build import build, commit
 from traceability.reading.seeded_fault_record import SOURCES, Outcome, write_record
@@ -18,7 +19,7 @@ from traceability.schema import Finding
 
 NEAR = 2  # lines between the expected place and the finding: a comment is above its declaration
 WORKERS = 2
-BUILT = ("build/model", "build/results")
+BUILT = ("build/model", "build/results", "build/tasks.json")
 LINKED = ("build/trace", "build/host", "build/k64")  # only read
 PAGES = ("build/pages", "build/pages-cache", "build/site", "build/diagrams")
 
@@ -34,6 +35,15 @@ def seed_all(root: Path) -> list[Outcome]:
     outcomes = list(_outcomes(root, tried))
     write_record(root, outcomes, len(faults) - len(tried), commit(root))
     return outcomes
+
+
+def seed(root: Path, checks: list[str]) -> list[Outcome]:
+    """Seeds the faults of some checks. Records nothing: the record is of all faults."""
+    faults = read_faults(root)
+    unknown = sorted(set(checks) - {fault.check for fault in faults})
+    if unknown:
+        raise FailureError(f"no fault is seeded for the check {', '.join(unknown)}")
+    return list(_outcomes(root, [fault for fault in faults if fault.check in checks]))
 
 
 def _outcomes(root: Path, faults: list[Fault]) -> Iterator[Outcome]:

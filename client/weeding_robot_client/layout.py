@@ -297,6 +297,11 @@ def _field(
 ) -> Field:
     if one["type"] not in CODES:
         raise LayoutError(f"{one['name']}: there is no type {one['type']}")
+    if one.get("unit", "") not in ("", BY_QUANTITY, *ENDS):
+        known_units = ", ".join(ENDS)
+        raise LayoutError(
+            f"{one['name']}: ENDS in layout.py has no unit {one['unit']}: {known_units}"
+        )
     return Field(
         name=one["name"] if wheel is None else f"{one['name']}{wheel}",
         type=one["type"],

@@ -39,9 +39,9 @@ def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
     for path in model.files:
         yield partial(source_page, portal, path)
     yield partial(home_page, portal)
-    for name, values in VIEWS.items():
-        if name in portal.navigation.entries:
-            yield partial(portal.view, name, values)
+    for name in portal.navigation.entries:
+        if not name.startswith("docs/"):
+            yield partial(portal.view, name, view_of(name))
     for change in model.changes.values():
         yield partial(change_page, portal, change)
     if model.safety.goals:
@@ -56,6 +56,12 @@ def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
         yield partial(requirement_page, portal, requirement)
     for check in portal.checks.values():
         yield partial(portal.page, f"checks/{check.id}", check.id, "checks", "check", check=check)
+
+
+def view_of(name: str) -> Callable[[Portal], dict[str, Any]]:
+    if name not in VIEWS:
+        raise LookupError(f"VIEWS in site/portal/pages.py has no line for the entry {name}")
+    return VIEWS[name]
 
 
 def home_page(portal: Portal) -> Page:

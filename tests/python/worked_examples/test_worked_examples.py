@@ -49,7 +49,7 @@ def run(root: Path, *words: str | Path, text: str | None = None) -> str:
     done = subprocess.run(
         words, cwd=root, input=text, env=env, capture_output=True, text=True, check=False
     )
-    assert done.returncode == 0, done.stdout + done.stderr
+    assert done.returncode == 0, f"update {PAGE.relative_to(ROOT)}: {done.stdout}{done.stderr}"
     return done.stdout
 
 
