@@ -721,7 +721,8 @@ class Transition:
 class StateMachine:
     """``states`` maps a state's name to the module that realises it.
 
-    ``events`` maps an event to the operation of the state that the Context calls then.
+    ``events`` maps an event to the operation of the state that the Context calls then, ``guards``
+    a guard or an event to what the code asks, and ``actions`` an action to what it calls.
     """
 
     id: str
@@ -732,6 +733,8 @@ class StateMachine:
     transitions: Sequence[Transition]
     place: Place
     events: Mapping[str, str] = field(default_factory=dict)
+    guards: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    actions: Mapping[str, Sequence[str]] = field(default_factory=dict)
     # "from operation to" of changes that tests made and nobody declared -> the tests
     undeclared: Mapping[str, list[str]] = field(default_factory=dict)
 

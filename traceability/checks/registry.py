@@ -420,8 +420,11 @@ _FIXED = [
         "states that call it, and each successor to the object that the builder gave. The builder "
         "begins with the initial state, and an operation that always changes the state has no "
         "transition that stays. The only transition of an operation has a guard exactly when the "
-        "code makes it under a condition.",
-        "whether the words of a guard are those of the code; states that extensions add.",
+        "code makes it under a condition. Before each change the code asks the questions that "
+        "[guards] states for its guard, and the operations of a state call the methods that "
+        "[actions] states for their actions, and no others of these.",
+        "whether the words of a guard or an action mean what the code asks or calls; whether a "
+        "question is to be true or false; states that extensions add.",
         "correct the code, or the transition in design/fsm.",
     ),
     Check(

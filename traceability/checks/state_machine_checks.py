@@ -5,7 +5,13 @@ from __future__ import annotations
 import re
 
 from traceability.model.design_model import Model
-from traceability.model.state_machines import Change, MachineCode, is_stay, read_machine
+from traceability.model.state_machines import (
+    Change,
+    MachineCode,
+    is_stay,
+    matching,
+    read_machine,
+)
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Requirement, StateMachine, Transition
 
@@ -26,6 +32,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         if not problems:
             code = read_machine(machine, facts)
             found += _code(machine, code, facts)
+            found += _conditions(machine, code) + _actions(machine, code, facts)
             found += [] if model.results_stale else _seen(machine) + _shown(machine, model, facts)
     return found
 
@@ -230,6 +237,77 @@ def _differs(row: Transition, change: Change) -> bool:
     if row.guard.startswith("in "):
         return False
     return change.sometimes != bool(row.guard or _WITH_UNIT.search(row.event))
+
+
+def _rows(machine: StateMachine, state: str, operation: str) -> list[Transition]:
+    return [
+        row
+        for row in machine.transitions
+        if row.source == state and machine.events[row.event] == operation
+    ]
+
+
+def _asked(machine: StateMachine, row: Transition) -> set[str]:
+    """What the code asks by the guard and by the event of a transition."""
+    return {*machine.guards.get(row.guard, ()), *machine.guards.get(row.event, ())}
+
+
+def _known_before(machine: StateMachine, code: MachineCode, change: Change) -> set[str]:
+    """The questions of the guards of a change and of those before it in the operation."""
+    changes = code.of(change.source, change.operation)
+    before = changes[: changes.index(change) + 1]
+    known = {way for other in changes for way in other.path}
+    for row in _rows(machine, change.source, change.operation):
+        made = matching(machine, row, code)
+        if any(other in before for other in made) or is_stay(row):
+            known |= _asked(machine, row)
+    return known
+
+
+def _conditions(machine: StateMachine, code: MachineCode) -> list[Finding]:
+    """The questions of the code before a change are those of the declared guards."""
+    found: list[Finding] = []
+    for row in [row for row in machine.transitions if not is_stay(row)]:
+        if row.guard and row.guard not in machine.guards and not row.guard.startswith("in "):
+            text = f"[guards] does not state what the code asks for '{row.guard}'"
+            found.append(Finding(row.place, "fsm-code", text, "write it, or correct the guard"))
+        for change in matching(machine, row, code):
+            for question in sorted(_asked(machine, row) - set(change.asked)):
+                text = f"{words(row)} needs '{question}', and the code does not ask it"
+                fix = "correct the guard, or the code"
+                found.append(Finding(change.place, "fsm-code", text, fix))
+    for change in code.changes:
+        known = _known_before(machine, code, change)
+        for question in sorted(set(change.asked) - known):
+            change_text = f"the change from {change.source} to {change.target}"
+            text = f"{change_text} asks '{question}', and no guard has it"
+            fix = f"declare it in [guards] of {machine.place.file}, or remove it"
+            found.append(Finding(change.place, "fsm-code", text, fix))
+    return found
+
+
+def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Finding]:
+    """The operation of a state calls what the actions of its transitions are, and no others."""
+    found: list[Finding] = []
+    for state, operations in code.runs.items():
+        for operation, method in operations.items():
+            rows = _rows(machine, state, operation)
+            ways = {way for change in code.of(state, operation) for way in change.path}
+            bodies = [body for one in (method, *ways) for body in facts.bodies.get(one, [])]
+            called = {call.target for body in bodies for call in body.calls}
+            for row in [row for row in rows if row.action]:
+                for name in machine.actions.get(row.action, ["an entry in [actions]"]):
+                    if name not in called:
+                        text = f"the action '{row.action}' of {words(row)} lacks {name}"
+                        fix = "correct the action, [actions], or the code"
+                        found.append(Finding(row.place, "fsm-code", text, fix))
+            declared = {name for row in rows for name in machine.actions.get(row.action, ())}
+            every = {name for names in machine.actions.values() for name in names}
+            for name in sorted((every & called) - declared) if rows else []:
+                text = f"{method} calls {name}, and no transition has it as an action"
+                fix = "declare the action, or remove the call"
+                found.append(Finding(bodies[0].place, "fsm-code", text, fix))
+    return found
 
 
 def _guarded(row: Transition, change: Change) -> Finding:

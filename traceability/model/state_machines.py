@@ -29,6 +29,7 @@ class Change:
     place: Place
     path: tuple[str, ...]  # methods of the state between its operation and the change
     sometimes: bool
+    asked: list[str]  # by the conditions on the way to it
 
 
 @dataclass
@@ -132,26 +133,26 @@ class _Changes:
         if method is None:
             return []
         return [
-            Change(state, operation, target, place, path, sometimes)
-            for target, place, path, sometimes in self._below(method, (), {})
+            Change(state, operation, target, place, path, sometimes, asked)
+            for target, place, path, sometimes, asked in self._below(method, (), {})
         ]
 
     def _below(
         self, method: str, path: tuple[str, ...], given: dict[str, list[str]]
-    ) -> Iterator[tuple[str, Place, tuple[str, ...], bool]]:
-        """Target, place, way and whether it is made sometimes only, of each change."""
+    ) -> Iterator[tuple[str, Place, tuple[str, ...], bool, list[str]]]:
+        """Target, place, way, whether it is made sometimes only, and questions, of each change."""
         for body in self.references.own_bodies(method):
             for call in body.calls:
                 args = [[p for one in arg for p in given.get(one, [one])] for arg in call.args]
                 if call.target in self.changers:
                     for target in self._targets(args[0] if args else []):
-                        yield target, call.place, path, call.sometimes
+                        yield target, call.place, path, call.sometimes, call.asked
                 elif self._is_own(call, body.place.file) and call.target not in path:
                     inner = {f"param {call.target} {k}": arg for k, arg in enumerate(args)}
-                    for target, place, way, rarely in self._below(
+                    for target, place, way, rarely, asked in self._below(
                         call.target, (*path, call.target), inner
                     ):
-                        yield target, place, way, rarely or call.sometimes
+                        yield target, place, way, rarely or call.sometimes, call.asked + asked
 
     def _is_own(self, call: CallFact, file: str) -> bool:
         """A call of the state on itself, of a method that no subclass may replace; or of a function

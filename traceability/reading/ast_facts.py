@@ -84,6 +84,7 @@ class CallFact:
     sometimes: bool = False  # below a condition, or after one that may have left the function
     repeated: bool = False  # below a loop
     end: int = 0  # offset in the file: a call ends behind those in its arguments
+    asked: list[str] = field(default_factory=list)  # what these conditions ask, see conditions
 
 
 @dataclass

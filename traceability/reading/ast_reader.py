@@ -40,6 +40,7 @@ from traceability.reading.clang_names import (
     namespace_of,
     qualified_name,
 )
+from traceability.reading.conditions import questions
 from traceability.reading.constants import constant_names, constants_of, evaluated
 from traceability.schema import Place
 
@@ -105,6 +106,8 @@ class Reader:
         self.loops = 0
         self.initialised = ""  # the constant or member whose first value is read
         self.left = False  # whether a condition before it may have left the function
+        self.asked: list[list[str]] = []  # by the conditions around the statement
+        self.left_by: list[str] = []  # questions of those that may have left the function
 
     def relative(self, name: str) -> str | None:
         return name.removeprefix(self.root) if name.startswith(self.root) else None
@@ -155,6 +158,7 @@ class Reader:
                 self.facts.bodies.append(body)
                 self.function = self.flow.function(cursor)
                 self.chances, self.loops, self.left = 0, 0, False
+                self.asked, self.left_by = [], []
         elif kind == CursorKind.CXX_BASE_SPECIFIER:
             self.name(owner, cursor.referenced, "base", place)
             return
@@ -173,10 +177,20 @@ class Reader:
             self.touch(cursor, body)
             self.run_time(cursor, body, place)
             self.branch(cursor, owner, place)
-            self.left = self.left or (kind == CursorKind.RETURN_STMT and self.chances > 0)
-        self.loops += kind in flow.LOOPS
-        self.walk(cursor, body, owner, flow.sure_parts(cursor) if body else None)
-        self.loops -= kind in flow.LOOPS
+            self.leave(cursor)
+        self.below(cursor, body, owner)
+
+    def below(self, cursor: Cursor, body: BodyFact | None, owner: str) -> None:
+        """Walks the parts of a statement, with its condition and its loop around them."""
+        if body is None:
+            self.walk(cursor, body, owner)
+            return
+        decides, turns = cursor.kind in flow.CHANCES, cursor.kind in flow.LOOPS
+        self.asked += [self.questions(cursor)] if decides else []
+        self.loops += turns
+        self.walk(cursor, body, owner, flow.sure_parts(cursor))
+        self.loops -= turns
+        del self.asked[len(self.asked) - decides :]
 
     def declaration(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
         """A call outside functions gives the first value of the last constant or member."""
@@ -186,6 +200,18 @@ class Reader:
             self.initialised = constant_names(cursor, place.file)[-1]
         elif cursor.kind.is_declaration() or cursor.kind == CursorKind.STATIC_ASSERT:
             self.initialised = ""
+
+    def leave(self, cursor: Cursor) -> None:
+        """Notes the conditions under which a statement leaves the function."""
+        if cursor.kind == CursorKind.RETURN_STMT and self.chances > 0:
+            self.left = True
+            self.left_by += [question for asked in self.asked for question in asked]
+
+    def questions(self, cursor: Cursor) -> list[str]:
+        """What the condition of a statement asks."""
+        parts = [part for part in cursor.get_children() if part.kind.is_expression()]
+        own = lambda target: target is not None and self.place(target) is not None  # noqa: E731
+        return questions(parts[0], own) if parts else []
 
     def values(self, cursor: Cursor, place: Place) -> None:
         """Notes the constants of a declaration under all names that a text can use."""
@@ -294,6 +320,8 @@ class Reader:
                 call.on, call.args = self.flow.receiver(cursor), args
                 call.sometimes = self.chances > 0 or self.left
                 call.repeated, call.end = self.loops > 0, cursor.extent.end.offset
+                asked = [question for asked in self.asked for question in asked]
+                call.asked = list(dict.fromkeys([*self.left_by, *asked]))
 
     def made_by_library(self, cursor: Cursor, target: Cursor, owner: str, place: Place) -> None:
         """The library makes what it holds by value, and the types that it is given."""

@@ -353,9 +353,10 @@ def _machine(place: Place, path: Path, entries: Entries) -> StateMachine | None:
     if place.file in entries.unreadable:
         return None
     needs = {"id": str, "title": str, "application": str, "initial": str, "states": dict}
-    data = {name: entries.value(path, name, None) for name in (*needs, "events")}
-    data["events"] = data["events"] or {}
-    if not entries.fits(data, place, needs, {"events": dict}):
+    may = ("events", "guards", "actions")
+    data = {name: entries.value(path, name, None) for name in needs}
+    data |= {name: entries.value(path, name, {}) for name in may}
+    if not entries.fits(data, place, needs, dict.fromkeys(may, dict)):
         return None
     return StateMachine(transitions=transitions, place=place, **data)
 

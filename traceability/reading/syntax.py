@@ -31,7 +31,7 @@ from traceability.sources import DESIGN, file_hash, include_options
 
 READERS = (
     *("syntax", "translation_units", "ast_reader", "ast_facts", "clang_names", "constants"),
-    "flow",
+    *("flow", "conditions"),
 )
 
 

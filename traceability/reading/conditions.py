@@ -1,0 +1,78 @@
+"""The questions of a condition: the operations, members and comparisons that decide on a branch."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from clang.cindex import Cursor, CursorKind
+
+from traceability.reading.clang_names import FUNCTIONS, class_name, function_id
+
+COMPARISONS = ("==", "!=", "<=", ">=", "<", ">")
+JOINED = ("&&", "||", "and", "or")
+NUMBERS = {CursorKind.INTEGER_LITERAL, CursorKind.FLOATING_LITERAL}
+IsOwn = Callable[[Cursor | None], bool]  # whether a declaration is one of the project
+
+
+def questions(condition: Cursor, is_own: IsOwn) -> list[str]:
+    """``Class::operation``, or ``Class::member >= 3``; a local variable is its first value."""
+    variable = _local(condition)
+    if variable is not None:
+        return questions(variable, is_own)
+    parts = list(condition.get_children())
+    words = [token.spelling for token in condition.get_tokens()]
+    if len(parts) == 1 and condition.kind in (CursorKind.UNEXPOSED_EXPR, CursorKind.PAREN_EXPR):
+        return questions(parts[0], is_own)
+    if condition.kind == CursorKind.UNARY_OPERATOR and words[:1] in (["!"], ["not"]):
+        return questions(parts[0], is_own)
+    two = condition.kind == CursorKind.BINARY_OPERATOR and len(parts) > 1
+    if two and _between(condition, parts[0]) in JOINED:
+        return [*questions(parts[0], is_own), *questions(parts[1], is_own)]
+    names = list(_names(condition, is_own))
+    sign = next((word for word in words if word in COMPARISONS), "")
+    return [f" {sign} ".join(names)] if sign and len(names) > 1 else names
+
+
+def _local(cursor: Cursor) -> Cursor | None:
+    """The first value of a local variable that an expression is."""
+    while cursor.kind in (CursorKind.UNEXPOSED_EXPR, CursorKind.PAREN_EXPR):
+        inner = list(cursor.get_children())
+        if len(inner) != 1:
+            return None
+        cursor = inner[0]
+    target = cursor.referenced if cursor.kind == CursorKind.DECL_REF_EXPR else None
+    if target is None or target.kind != CursorKind.VAR_DECL or class_name(target.semantic_parent):
+        return None
+    inside = target.semantic_parent is not None and target.semantic_parent.kind in FUNCTIONS
+    values = [part for part in target.get_children() if part.kind.is_expression()]
+    return values[-1] if values and inside else None
+
+
+def _between(cursor: Cursor, left: Cursor) -> str:
+    end = left.extent.end.offset
+    after = (token for token in cursor.get_tokens() if token.extent.start.offset >= end)
+    return str(next((token.spelling for token in after), ""))
+
+
+def _names(cursor: Cursor, is_own: IsOwn) -> Iterator[str]:
+    """What an expression asks, in the order of the text: no argument of an operation."""
+    variable = _local(cursor)
+    if variable is not None:
+        yield from _names(variable, is_own)
+        return
+    target = cursor.referenced
+    if cursor.kind == CursorKind.CALL_EXPR and is_own(target) and target is not None:
+        if target.kind == CursorKind.CXX_METHOD and not target.spelling.startswith("operator"):
+            yield function_id(target)
+            return
+    elif cursor.kind == CursorKind.MEMBER_REF_EXPR and target is not None:
+        if target.kind == CursorKind.FIELD_DECL:
+            yield f"{class_name(target.semantic_parent)}::{cursor.spelling}"
+            return
+    elif cursor.kind in NUMBERS:
+        digits = next((token.spelling for token in cursor.get_tokens()), "").rstrip("uUlL")
+        if digits[:1].isdigit():  # the compiler writes a comparison with 0 in terms of an operator
+            yield digits
+        return
+    for part in cursor.get_children():
+        yield from _names(part, is_own)
