@@ -256,6 +256,7 @@ def _known_before(machine: StateMachine, code: MachineCode, change: Change) -> s
     """The questions of the guards of a change and of those before it in the operation."""
     changes = code.of(change.source, change.operation)
     before = changes[: changes.index(change) + 1]
+    before += [other for other in changes if other.place == change.place]  # one call, two targets
     known = {way for other in changes for way in other.path}
     for row in _rows(machine, change.source, change.operation):
         made = matching(machine, row, code)

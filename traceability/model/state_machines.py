@@ -29,7 +29,7 @@ class Change:
     place: Place
     path: tuple[str, ...]  # methods of the state between its operation and the change
     sometimes: bool
-    asked: list[str]  # by the conditions on the way to it
+    asked: list[str] = field(default_factory=list)  # by the conditions on the way to it
 
 
 @dataclass

@@ -1,0 +1,33 @@
+"""The numbers that requirements state, and their constants."""
+
+from fractions import Fraction
+
+from traceability.model.requirement_numbers import (
+    Quantity,
+    is_same,
+    quantity_of,
+    stated_numbers,
+)
+from traceability.reading.ast_facts import ConstantFact
+from traceability.schema import Place
+
+
+def constant(number: int, unit: str = "") -> Quantity:
+    return quantity_of(ConstantFact("kTime", number, unit, Place("src/A.hpp", 1)))
+
+
+def test_digits_and_words_with_a_unit_are_read() -> None:
+    text = "shall end after 200 ms, in five cycles, between 21 and 29 V, as FR-12 says at 3 places"
+    assert list(stated_numbers(text)) == ["200 ms", "five cycles", "21 V", "29 V"]
+
+
+def test_a_number_is_compared_in_the_unit_of_the_constant() -> None:
+    time = stated_numbers("200 ms")["200 ms"]
+    assert is_same(time, constant(200_000, "us"))
+    assert is_same(time, constant(200))
+    assert not is_same(time, constant(200, "us"))
+    assert not is_same(time, constant(201))
+
+
+def test_a_part_of_a_unit_is_exact() -> None:
+    assert stated_numbers("0.05 degrees")["0.05 degrees"] == Quantity("angle", Fraction(5))
