@@ -283,7 +283,7 @@ def unmet(model: Model, measured: Mapping[str, float | None]) -> list[Finding]:
             evidence.place,
             "req-evidence",
             f"{requirement.id} is not met: {reason}",
-            "correct what is measured, or let the tool measure it in this run",
+            "run ./wr test, which measures it; when it was measured, correct the code",
         )
         for requirement in model.requirements.values()
         for evidence in requirement.evidence
