@@ -14,6 +14,7 @@ from portal.sections import Section, terms_of
 GLOSSARY = Entry("docs/glossary", "Glossary", "docs/glossary.html")
 PARTS = re.compile(r"<(/?)([a-zA-Z][\w-]*)([^>]*)>|<!--.*?-->|[^<]+", re.DOTALL)
 # Where a link would be in a link, in code, in a picture, or in a control.
+OTHER_SENSES = {"function", "target"}  # words that texts use in a second sense as well
 APART = {
     *("a", "button", "code", "h1", "h2", "h3", "h4", "input", "kbd", "label", "option", "pre"),
     *("script", "select", "style", "summary", "svg", "th", "title"),
@@ -26,7 +27,8 @@ class GlossaryLinks:
     def __init__(self, root: Path) -> None:
         path = root / f"{GLOSSARY.id}.rst"
         source = path.read_text(encoding="utf-8") if path.exists() else ""
-        self.terms = {term.title.lower(): term for term in terms_of(GLOSSARY, source)}
+        terms = {term.title.lower(): term for term in terms_of(GLOSSARY, source)}
+        self.terms = {words: term for words, term in terms.items() if words not in OTHER_SENSES}
         words = sorted(map(re.escape, self.terms), key=len, reverse=True)
         self.pattern = re.compile(rf"(?<![\w.:/@-])({'|'.join(words)})(s?)(?![\w-])", re.IGNORECASE)
 

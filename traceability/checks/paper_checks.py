@@ -201,25 +201,23 @@ def _name_here(target: str, model: Model) -> str:
 
 def check_pages(model: Model, facts: Facts, site: Path) -> list[Finding]:
     """The generated pages that entries name exist in the built site, and so do their anchors."""
-    return [
-        Finding(
-            facts.declared.entries.line_in(entry.place, target),
-            "paper-stale",
-            f"the paper's {entry.kind} {entry.name} is said to be on {target}, which is no page",
-            "name the page that shows it",
-        )
+    named = [
+        (entry.place, target, "paper-stale", f"the paper's {entry.kind} {entry.name}")
         for entry in model.paper
         for target in entry.here
-        if target.startswith("view:") and not has_page(site, _page_of(target))
     ] + [
-        Finding(
-            facts.declared.entries.line_in(statement.place, target),
-            "paper-statement",
-            f"{target} is no page",
-            "name the page that shows it",
-        )
+        (statement.place, target, "paper-statement", f"a statement of {statement.where}")
         for statement in model.statements
         for target in statement.here
+    ]
+    return [
+        Finding(
+            facts.declared.entries.line_in(place, target),
+            check,
+            f"{what} is said to be on {target}, which is no page",
+            "name the page that shows it",
+        )
+        for place, target, check, what in named
         if target.startswith("view:") and not has_page(site, _page_of(target))
     ]
 

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from clang.cindex import Cursor, CursorKind
 
 from traceability.reading.clang_names import FUNCTIONS, class_name, function_id
+from traceability.reading.flow import operator_of
 
 COMPARISONS = ("==", "!=", "<=", ">=", "<", ">")
 JOINED = ("&&", "||", "and", "or")
@@ -26,7 +27,7 @@ def questions(condition: Cursor, is_own: IsOwn) -> list[str]:
     if condition.kind == CursorKind.UNARY_OPERATOR and words[:1] in (["!"], ["not"]):
         return questions(parts[0], is_own)
     two = condition.kind == CursorKind.BINARY_OPERATOR and len(parts) > 1
-    if two and _between(condition, parts[0]) in JOINED:
+    if two and operator_of(condition, parts[0]) in JOINED:
         return [*questions(parts[0], is_own), *questions(parts[1], is_own)]
     names = list(_names(condition, is_own))
     sign = next((word for word in words if word in COMPARISONS), "")
@@ -46,12 +47,6 @@ def _local(cursor: Cursor) -> Cursor | None:
     inside = target.semantic_parent is not None and target.semantic_parent.kind in FUNCTIONS
     values = [part for part in target.get_children() if part.kind.is_expression()]
     return values[-1] if values and inside else None
-
-
-def _between(cursor: Cursor, left: Cursor) -> str:
-    end = left.extent.end.offset
-    after = (token for token in cursor.get_tokens() if token.extent.start.offset >= end)
-    return str(next((token.spelling for token in after), ""))
 
 
 def _names(cursor: Cursor, is_own: IsOwn) -> Iterator[str]:

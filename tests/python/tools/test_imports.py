@@ -17,7 +17,7 @@ WRONG = [
     ("site/portal/names.py", "from tools import steps"),
     ("traceability/reading/clang_names.py", "from traceability.reading import flow"),
     ("site/portal/navigation.py", "if TYPE_CHECKING:\n    from portal.portal import Portal"),
-    ("tools/steps.py", "from tools import cli"),
+    ("tools/usb_drive.py", "from tools import flash"),
 ]
 
 
