@@ -1,4 +1,5 @@
-// What Main Control and one wheel do, in the baseline design and in that of the robot: the same tests.
+// What Main Control and one wheel do, in the baseline design and in that of the robot: the same
+// tests.
 
 #include <array>
 #include <cstdlib>
