@@ -520,7 +520,7 @@ def _with_measures(model: Model, root: Path, coverage: dict[str, Coverage]) -> M
 
 def _covered(module: Module, coverage: Coverage) -> Module:
     """The module with what the tests executed of its files."""
-    whole, covered = coverage.whole, coverage.all()
+    whole, covered = coverage.whole, coverage.all
     files = [
         one for one in (module.header, module.source) if one is not None and one in whole.lines
     ]
@@ -545,7 +545,7 @@ def _board_lines(model: Model, coverage: Coverage) -> dict[str, dict[int, bool]]
     """The lines of the drivers, which this machine does not run."""
     if model.stale_on(VIRTUAL_K64) or not coverage.recordings:
         return None
-    covered = coverage.all()
+    covered = coverage.all
     return {
         file: {line: line in covered.lines.get(file, set()) for line in sorted(lines)}
         for file, lines in sorted(coverage.whole.lines.items())

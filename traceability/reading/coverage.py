@@ -44,7 +44,9 @@ class Coverage:
                 union.merge(self.recordings[name])
         return union
 
+    @functools.cached_property
     def all(self) -> Covered:
+        """What all recordings executed together."""
         return self.of(list(self.recordings))
 
 

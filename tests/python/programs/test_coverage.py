@@ -58,7 +58,7 @@ def test_both_saw_the_same_lines_executed(counted: dict[str, Lines], recorded: C
         file: {line for line, found in lines.items() if any(one["count"] for one in found)}
         for file, lines in counted.items()
     }
-    assert differences(executed, recorded.all().lines) == []
+    assert differences(executed, recorded.all.lines) == []
 
 
 def test_both_saw_the_same_branches_taken(counted: dict[str, Lines], recorded: Coverage) -> None:
@@ -66,7 +66,7 @@ def test_both_saw_the_same_branches_taken(counted: dict[str, Lines], recorded: C
 
     Of a line that several functions share, gcov reports the branches of each, or of none.
     """
-    taken = recorded.all()
+    taken = recorded.all
     compared = 0
     for file, lines in counted.items():
         for line, found in lines.items() if file.endswith(".cpp") else []:
