@@ -13,8 +13,8 @@ from portal.sections import Section, terms_of
 
 GLOSSARY = Entry("docs/glossary", "Glossary", "docs/glossary.html")
 PARTS = re.compile(r"<(/?)([a-zA-Z][\w-]*)([^>]*)>|<!--.*?-->|[^<]+", re.DOTALL)
-# Where a link would be in a link, in code, in a picture, or in a control.
 OTHER_SENSES = {"function", "target"}  # words that texts use in a second sense as well
+# Where a link would be in a link, in code, in a picture, or in a control.
 APART = {
     *("a", "button", "code", "h1", "h2", "h3", "h4", "input", "kbd", "label", "option", "pre"),
     *("script", "select", "style", "summary", "svg", "th", "title"),

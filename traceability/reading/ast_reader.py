@@ -210,8 +210,10 @@ class Reader:
     def questions(self, cursor: Cursor) -> list[str]:
         """What the condition of a statement asks."""
         parts = [part for part in cursor.get_children() if part.kind.is_expression()]
-        own = lambda target: target is not None and self.place(target) is not None  # noqa: E731
-        return questions(parts[0], own) if parts else []
+        return questions(parts[0], self.is_own) if parts else []
+
+    def is_own(self, target: Cursor | None) -> bool:
+        return target is not None and self.place(target) is not None
 
     def values(self, cursor: Cursor, place: Place) -> None:
         """Notes the constants of a declaration under all names that a text can use."""
