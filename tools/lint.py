@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import TextIO
 
 from tools.cmake_build import build
+from tools.prose import check_prose
 from tools.steps import FailureError, Steps, run
 from traceability.model.build import logic_of
 from traceability.reading.translation_units import clang_arguments, is_board
@@ -45,14 +46,14 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "lint",
         description="Checks the format of all sources, compiles everything with clang without "
         "warnings or forbidden includes and each header alone, runs clang-tidy on the design and "
-        "sim, and checks the Python sources with ruff and mypy, and the directions of their "
-        "imports.",
+        "sim, checks the Python sources with ruff and mypy, and the directions of their "
+        "imports, and finds the words that docs/glossary.rst replaces in all texts.",
     )
     parser.set_defaults(run=lambda root, _options: lint(root))
 
 
 def lint(root: Path) -> int:
-    steps = Steps(root, 7)
+    steps = Steps(root, 8)
     tools = root / ".venv" / "bin"
     python = ["traceability", "site", "tools", "client", "sim", "tests/python"]
     steps.run("clang-format", lambda log: check_format(root, log))
@@ -75,6 +76,7 @@ def lint(root: Path) -> int:
     steps.run("ruff", ruff)
     steps.run("mypy", mypy)
     steps.run("imports", lambda log: check_imports(root, log))
+    steps.run("prose", lambda log: check_prose(root, log))
     return 1 if steps.failed else 0
 
 

@@ -12,7 +12,7 @@ from traceability.model.report import Report
 from traceability.reading.bench_record import bench_metrics
 from traceability.reading.image_record import read_image
 from traceability.reading.products import HAS, intruders
-from traceability.reading.results import read_recording_factor, read_totals
+from traceability.reading.results import RESULTS, read_json, read_recording_factor, read_totals
 from traceability.reading.traces import nodes_of
 from traceability.schema import HOST, Clause, Requirement, SafetyCase
 
@@ -22,7 +22,7 @@ OF_OTHER_STEPS = (  # metrics that are null until a step measures them
     *("firmware.ram_bytes", "firmware.forbidden_parts", "firmware.needless_modules"),
     *("bench.scenarios", "drift.seeded", "drift.caught"),
     *("site.pages", "site.dead_links", "build.first_page_s"),
-    *("build.cold_s", "build.edit_s"),
+    *("build.cold_s", "build.edit_s", "prose.findings"),
 )
 
 
@@ -32,7 +32,7 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
     if not model.stale_on(HOST):
         tests |= coverage(root)
     times = {"bench.scenarios": bench_metrics(model.bench)}
-    return drift(model) | image(root) | times | forbidden(model) | tests
+    return drift(model) | image(root) | times | forbidden(model) | tests | prose(root)
 
 
 def coverage(root: Path) -> dict[str, Any]:
@@ -41,6 +41,12 @@ def coverage(root: Path) -> dict[str, Any]:
     if totals is None:
         return {}
     return {"coverage.line": totals["line_percent"], "coverage.branch": totals["branch_percent"]}
+
+
+def prose(root: Path) -> dict[str, Any]:
+    """The findings of the prose linter in its last run."""
+    record = read_json(root / RESULTS / "prose.json")
+    return {"prose.findings": record["findings"]} if isinstance(record, dict) else {}
 
 
 def drift(model: Model) -> dict[str, Any]:
