@@ -6,7 +6,7 @@ An entry of ``docs/glossary.rst`` may end with up to three lines:
 * ``Except: tension order.`` lists phrases in which such a word is right.
 * ``Say: the noun.`` names the replacement, when it is not the term itself.
 
-``^`` before a phrase limits it to the start of a sentence. Identifiers and quotations in backquotes
+``^`` before a phrase limits it to the start of a sentence, ``#`` is any number. Identifiers and quotations in backquotes
 are never findings. A question may use question words.
 """
 
@@ -49,9 +49,11 @@ SHORTEST_MESSAGE = 3  # words; a shorter literal is a name
 CODE = "\0"  # stands in the place of each character that is no prose
 
 TERM = re.compile(r"^   (\S.*)\n((?:\n? {6}.*\n)+)", re.MULTILINE)
+HEADING = re.compile(r"^   \S.*(?=\n {6})", re.MULTILINE)
 FIELD = re.compile(r"^ {6}(Not|Except|Say): (.*(?:\n {6}(?!\w+: ).+)*?)\.$", re.MULTILINE)
 QUESTION = re.compile(r"\b(?:what|who)\b(?=[^.?!:;\0]*\?)", re.IGNORECASE)
-QUOTED = re.compile(r"``.*?``|`[^`\n]*`|@\w+\{[^}]*\}", re.DOTALL)
+QUOTED = re.compile(r"``.*?``|`[^`\n]*`|@\w+\{[^}]*\}|@param\s+\w+|'[\w-]+'", re.DOTALL)
+NAME_ONLY = re.compile(r"/\*\s*\w+\s*\*/")  # of a parameter
 MARKER = re.compile(r"^[ \t]*(?://[/!]?<?|/\*+|\*/|\*(?= )|#+:?)|\*/$", re.MULTILINE)
 # Of pages: a literal block; a role without a text of its own; a directive; an option.
 BLOCK = re.compile(
@@ -111,6 +113,7 @@ def pattern(phrases: list[str], *, at_head: bool = False) -> re.Pattern[str]:
     """Returns a pattern of any of the phrases, as whole words that are no part of a name."""
     ordered = sorted(phrases, key=len, reverse=True)
     words = "|".join(r"\s+".join(map(re.escape, phrase.split())) for phrase in ordered)
+    words = words.replace(r"\#", r"\d+")
     head = r"(?:\A|[.:;!?(\0]|\n\s*\n|@\w+)\s*" if at_head else r"(?<![\w@\\./&$<-])"
     return re.compile(rf"{head}({words or '(?!)'})(?![\w/(=\[-]|::|\.\w|\s=\s)", re.IGNORECASE)
 
@@ -144,7 +147,7 @@ def prose_of(name: str, text: str) -> str:
     elif path.suffix == ".html":
         text = TAG.sub(lambda tag: shown(tag[0]), text)
     else:
-        for mask in (BLOCK, FIELD, ROLE):
+        for mask in (BLOCK, FIELD, ROLE, *([HEADING] if path.name == GLOSSARY.name else [])):
             text = mask.sub(lambda part: blank(part[0]), text)
     text = QUOTED.sub(lambda part: blank(part[0]), text)
     return QUESTION.sub(lambda part: blank(part[0]), text)
@@ -179,7 +182,7 @@ def prose_of_source(lexer: Lexer, text: str, *, toml: bool) -> str:
             depth += 1 if value == "{" else -1
         elif depth:
             continue
-        elif is_comment(token):
+        elif is_comment(token) and not NAME_ONLY.fullmatch(value):
             finish()
             kept = MARKER.sub(lambda mark: " " * len(mark[0]), value)
             parts[index : index + len(value)] = kept
