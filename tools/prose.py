@@ -6,8 +6,8 @@ An entry of ``docs/glossary.rst`` may end with up to three lines:
 * ``Except: tension order.`` lists phrases in which such a word is right.
 * ``Say: the noun.`` names the replacement, when it is not the term itself.
 
-``^`` before a phrase limits it to the start of a sentence, ``#`` is any number. Identifiers and quotations in backquotes
-are never findings. A question may use question words.
+``^`` before a phrase limits it to the start of a sentence, ``#`` is any number. Identifiers and
+quotations in backquotes are never findings. A question may use question words.
 """
 
 from __future__ import annotations

@@ -103,7 +103,7 @@ std::uint32_t Adc::clocksOfConversion() const {
   return (longSample ? 3 : 5) + times * each;
 }
 
-// What PG and MG should hold: half the sum of six results of the calibration.
+// The right values of PG and MG: half the sum of six results of the calibration.
 std::uint32_t Adc::gain(std::uint32_t firstResult) const {
   std::uint32_t sum = 0;
   for (std::uint32_t i = 0; i < 6; ++i) {
@@ -191,7 +191,7 @@ void Adc::calibrate() {
   checkClock(1'000'000, 4'000'000, "calibrates");
   at(kSc1a) &= ~kComplete;
   update();
-  // The longest time that the manual tells: 14000 clocks of the conversion and 100 of the bus.
+  // The longest time in the manual: 14000 clocks of the conversion and 100 of the bus.
   begin(Doing::Calibrates, 100 + std::uint64_t{14'000} * busClocksOfClock());
 }
 
@@ -201,7 +201,7 @@ void Adc::finish() {
   } else {
     calibrated_ = calibrates_;
     at(kSc3) = (at(kSc3) & ~kCalibrates) | (calibrates_ ? 0 : kFailed);
-    // Results a little beside those that the registers hold after a reset.
+    // Results near the values of the registers after a reset.
     at(kClps) = 0x24;
     at(kClms) = 0x22;
   }

@@ -21,14 +21,14 @@ namespace wr::emulator {
 /// bus clock.
 class Adc final : public Peripheral {
  public:
-  /// @brief What the pin of a channel is.
+  /// @brief State of the pin of a channel.
   enum class Input { None, Digital, Analog };
 
   /// @param number 0 or 1
   /// @param calibrates whether the calibration succeeds
   Adc(Microcontroller& board, unsigned number, bool calibrates);
 
-  /// @brief Sets what tells the pin of a channel.
+  /// @brief Sets the function that returns the pin of a channel.
   void connectPins(std::function<Input(unsigned channel)> input);
 
   /// @brief Puts a voltage on an input.

@@ -76,7 +76,7 @@ void CortexM4::writeSystem(std::uint32_t address, unsigned size, std::uint32_t v
   reevaluate();
 }
 
-// What the core must know of system control.
+// Values of system control that the core needs.
 void CortexM4::systemChanged() {
   core_.fpu = {
       .on = system_.fpuOn(), .activates = system_.fpuStacks(), .defaults = system_.fpDefaults()};
@@ -367,7 +367,7 @@ void CortexM4::breakpoint() {
   fault(kHardFault, 0, at, "unhandled-fault", "breakpoint");
 }
 
-// Faults of ARMv7-M ARM, B1.5.14, that an instruction causes by what it is or where it is.
+// Faults of ARMv7-M ARM, B1.5.14, that an instruction causes by its kind or its address.
 void CortexM4::instructionFault(Trap trap) {
   const std::uint32_t at = core_.at();
   const auto usage = [this](std::uint32_t status, std::uint32_t pc, const char* id,
@@ -383,7 +383,7 @@ void CortexM4::instructionFault(Trap trap) {
       return;
     case Trap::InvalidState:
       usage(SystemControl::kInvalidState, core_.next, "unhandled-fault",
-            "branch to " + hex(core_.next) + " without the bit that tells Thumb code");
+            "branch to " + hex(core_.next) + " without the bit that marks Thumb code");
       return;
     case Trap::Unaligned:
       usage(SystemControl::kUnaligned, at, "unhandled-fault",

@@ -19,10 +19,10 @@ class ExecutedCode {
     }
   }
 
-  /// @brief Tells whether the instruction at an address was executed.
+  /// @brief Returns whether the instruction at an address was executed.
   [[nodiscard]] bool noted(std::uint32_t address) const { return timesOf(address) != 0; }
 
-  /// @brief Tells how often the instruction at an address was executed.
+  /// @brief Returns how often the instruction at an address was executed.
   [[nodiscard]] std::uint64_t timesOf(std::uint32_t address) const {
     const std::size_t half = address / 2;
     return half < counts_.size() ? counts_[half] : 0;

@@ -114,7 +114,7 @@ void Ftm::show() {
   }
 }
 
-// Tells whether the write protection keeps a field as it is.
+// Returns whether the write protection keeps a field as it is.
 bool Ftm::isProtected(std::uint32_t before, std::uint32_t after, const char* what) {
   if (protectionOff_ || before == after) {
     return false;

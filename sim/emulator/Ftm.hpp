@@ -15,14 +15,14 @@ namespace wr::emulator {
 /// K64P144M120SF5RM, chapter FlexTimer Module (FTM).
 ///
 /// Not modelled: all other modes, interrupts, the flags of channels (they read 0), and MODE.FTMEN
-/// with the registers that it opens: those can only be written with what they hold after a reset.
+/// with the registers that it opens: those can only be written with their values after a reset.
 class Ftm final : public Peripheral {
  public:
   /// @param number 0 to 3
   /// @param channels 8, or 2 for the timers 1 and 2
   Ftm(Microcontroller& board, unsigned number, unsigned channels);
 
-  /// @brief Sets what tells whether a pin is connected to a channel.
+  /// @brief Sets the function that returns whether a pin is connected to a channel.
   void connectPins(std::function<bool(unsigned channel)> connected);
 
   void reset(Reset cause) override;
@@ -34,10 +34,10 @@ class Ftm final : public Peripheral {
   /// @brief Share of the period in which the pin of a channel is high; 0 without one.
   [[nodiscard]] double duty(unsigned channel) const;
 
-  /// @brief Tells whether the counter runs.
+  /// @brief Returns whether the counter runs.
   [[nodiscard]] bool counts() const { return (control_ >> 3 & 3U) != 0; }
 
-  /// @brief Tells the channels whose share has changed. For the board, when the pins may have.
+  /// @brief Reports the channels whose share has changed. For the board, when the pins may have.
   void show();
 
  private:
@@ -78,11 +78,11 @@ class Ftm final : public Peripheral {
   bool protectionOff_ = true;  ///< MODE.WPDIS
   bool protectionSeen_ = false;
   std::uint64_t from_ = 0;  ///< count of the bus clock at which the counter was 0
-  std::uint32_t held_ = 0;  ///< the counter while it stands
+  std::uint32_t held_ = 0;  ///< the counter while it is stopped
   std::uint64_t overflowsBefore_ = 0;
   std::uint64_t overflowsSeen_ = 0;
   bool flagRead_ = false;
-  std::uint64_t takesAt_ = 0;  ///< count of the bus clock at which what was written takes effect
+  std::uint64_t takesAt_ = 0;  ///< count of the bus clock at which a written value takes effect
   bool waits_ = false;
 };
 

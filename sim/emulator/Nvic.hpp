@@ -24,16 +24,16 @@ class Nvic {
   void unpend(unsigned exception);
   [[nodiscard]] bool isPending(unsigned exception) const { return pending_[exception]; }
   [[nodiscard]] bool isActive(unsigned exception) const { return active_[exception]; }
-  /// @brief Tells how many exceptions are active.
+  /// @brief Returns how many exceptions are active.
   [[nodiscard]] unsigned activeCount() const { return activeCount_; }
 
   /// @brief A pending exception becomes active.
   void activate(unsigned exception);
 
-  /// @brief An exception has returned; a line that is still high pends it again.
+  /// @brief An exception has returned; a line that is still high triggers it again.
   void deactivate(unsigned exception);
 
-  /// @brief Sets the level of an interrupt line; a rising level pends it.
+  /// @brief Sets the level of an interrupt line; a rising level triggers it.
   /// @return true when it did.
   bool setLine(unsigned line, bool high);
 
@@ -53,7 +53,7 @@ class Nvic {
     return priority < 0 ? priority : priority & ~((2 << priorityGroup_) - 1);
   }
 
-  /// @brief The priority that the active exceptions give to what runs.
+  /// @brief The priority of the running code, by the active exceptions.
   [[nodiscard]] int activePriority() const;
 
   void setPriority(unsigned exception, std::uint8_t value);
@@ -67,7 +67,7 @@ class Nvic {
 
   [[nodiscard]] unsigned lines() const { return lines_; }
 
-  /// @brief Tells whether there is a register of the interrupt lines at an offset from 0xE000E000.
+  /// @brief Returns whether there is a register of the interrupt lines at an offset from 0xE000E000.
   [[nodiscard]] static bool owns(std::uint32_t offset);
 
   /// @brief Reads a word of the registers at 0xE000E000.

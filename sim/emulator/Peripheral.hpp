@@ -9,7 +9,7 @@
 
 namespace wr::emulator {
 
-/// @brief What a peripheral sees of its microcontroller.
+/// @brief The part of the microcontroller that a peripheral can see.
 class Microcontroller {
  public:
   Microcontroller(const Microcontroller&) = delete;
@@ -37,7 +37,7 @@ class Microcontroller {
   /// @brief Resets the microcontroller; a finding when resets are.
   virtual void requestReset(Reset cause, std::string id, std::string what) = 0;
 
-  /// @brief Tells an event.
+  /// @brief Reports an event.
   virtual void tell(Event::Kind kind, std::uint32_t number, std::uint32_t value) = 0;
 
  protected:
@@ -45,7 +45,7 @@ class Microcontroller {
   ~Microcontroller() = default;
 };
 
-/// @brief A block of registers and what they do.
+/// @brief A block of registers and their function.
 class Peripheral {
  public:
   Peripheral(const Peripheral&) = delete;
@@ -66,10 +66,10 @@ class Peripheral {
   /// @brief When something happens by itself; kNever when nothing does.
   [[nodiscard]] virtual Time nextEvent() const { return kNever; }
 
-  /// @brief Does what has happened by itself up to now.
+  /// @brief Updates the state to the present time.
   virtual void advance() {}
 
-  /// @brief What nextEvent() told last.
+  /// @brief Last result of nextEvent().
   [[nodiscard]] Time due() const { return due_; }
 
   /// @brief Asks nextEvent() again. For the board, after all that may have changed it.

@@ -14,15 +14,15 @@ struct PinState {
   std::uint32_t direction = 0;              ///< PDDR
   std::uint32_t driven = 0;                 ///< pins on which something outside puts a level
   std::uint32_t outside = 0;                ///< those levels
-  std::uint32_t shown = 0;                  ///< levels of the outputs that were told
-  std::uint32_t shownOutputs = 0;           ///< outputs that were told
+  std::uint32_t shown = 0;                  ///< levels of the outputs that were reported
+  std::uint32_t shownOutputs = 0;           ///< outputs that were reported
   std::uint32_t filters = 0;                ///< pins whose digital filter is on
   std::uint32_t passed = 0;                 ///< levels that the filters have passed
 
   /// @brief Function of a pin, field MUX: 0 none, 1 digital input or output, 2 to 7 peripherals.
   [[nodiscard]] unsigned function(unsigned pin) const { return control[pin] >> 8 & 7U; }
 
-  /// @brief Tells whether the program drives the pin.
+  /// @brief Returns whether the program drives the pin.
   [[nodiscard]] bool isOutput(unsigned pin) const {
     return function(pin) == 1 && (direction >> pin & 1U) != 0;
   }
@@ -63,7 +63,7 @@ class Port final : public Peripheral {
   [[nodiscard]] Time nextEvent() const override;
   void advance() override;
 
-  /// @brief Something may have changed the levels: tells outputs, raises interrupts.
+  /// @brief Reports changed outputs and raises interrupts, after a possible change of the levels.
   /// @param which pins whose levels or control may have changed
   void settle(std::uint32_t which = ~std::uint32_t{0});
 

@@ -11,7 +11,7 @@ namespace wr::emulator {
 /// K64P144M120SF5RM, chapter System Integration Module (SIM).
 class Sim final : public Peripheral {
  public:
-  /// @brief What the core and the buses divide the output of the clock generator by.
+  /// @brief Divisors of the clock generator's output for the core and the buses.
   struct Dividers {
     unsigned core;
     unsigned bus;
@@ -26,7 +26,7 @@ class Sim final : public Peripheral {
   std::uint32_t read(std::uint32_t offset, unsigned size) override;
   void write(std::uint32_t offset, unsigned size, std::uint32_t value) override;
 
-  /// @brief Tells whether a clock gate is open.
+  /// @brief Returns whether a clock gate is open.
   /// @param group number of the register SCGC, 1 to 7
   [[nodiscard]] bool gateIsOpen(unsigned group, unsigned bit) const;
 

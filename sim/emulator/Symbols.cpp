@@ -17,7 +17,7 @@ namespace wr::emulator {
 
 namespace {
 
-/// @brief A piece of the file as what it is.
+/// @brief A piece of the file with its type.
 template <typename Part>
 Part partAt(const std::vector<char>& file, std::size_t offset) {
   Part part{};
@@ -95,7 +95,8 @@ std::string Symbols::placeOf(std::uint32_t address) const {
   // The command is that of the toolchain, with a path of the project and a number.
   // NOLINTNEXTLINE(bugprone-command-processor,cert-env33-c)
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
-  // The last line tells the place in the function itself, those before in what is inlined there.
+  // The last line is the place in the function itself, the others are in the functions inlined
+  // there.
   std::array<char, 1024> line{};
   while (pipe && std::fgets(line.data(), line.size(), pipe.get()) != nullptr) {
   }

@@ -77,11 +77,11 @@ class HostFirmware {
   /// @param direction the value
   void rcDirection(Angle direction);
 
-  /// @brief Lets the second timer beat once.
+  /// @brief Runs one tick of the second timer.
   void beat();
 
   /// @brief The pins of the firmware.
-  /// @return the pins, to which whoever has the robot connects what is around it
+  /// @return the pins, to which the owner of the robot connects its surroundings
   [[nodiscard]] HostPins& pins();
 
   /// @brief The period of the clock pulses.

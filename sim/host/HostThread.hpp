@@ -14,7 +14,7 @@ class HostThread final : public ControlThread {
   /// @param priority 1 is the lowest
   HostThread(HostScheduler& scheduler, int priority);
 
-  /// @brief Tells whether an activation waits to be run.
+  /// @brief Returns whether an activation waits to be run.
   /// @return true from post() to runPended().
   [[nodiscard]] bool pended() const;
 

@@ -9,15 +9,15 @@ namespace wr::host {
 
 class HostScheduler;
 
-/// @brief A periodic timer on the host; whoever drives the host tells it when a period has passed.
+/// @brief A periodic timer on the host; the simulation reports to it when a period has passed.
 class HostTimer final : public PeriodicTimer {
  public:
   /// @brief Binds the timer to the scheduler that serves its interrupt.
   /// @param scheduler serves the interrupt
   explicit HostTimer(HostScheduler& scheduler);
 
-  /// @brief Sets what the interrupt executes.
-  /// @param vector what to execute
+  /// @brief Sets the vector of the interrupt.
+  /// @param vector command of the interrupt
   void connect(std::function<void()> vector);
 
   /// @brief Raises the interrupt. A timer that is stopped raises none.
@@ -27,7 +27,7 @@ class HostTimer final : public PeriodicTimer {
   /// @return period of the running timer, 0 if it is stopped.
   [[nodiscard]] Microseconds period() const;
 
-  /// @brief Tells whether the interrupt was raised and not acknowledged.
+  /// @brief Returns whether the interrupt was raised and not acknowledged.
   /// @return true while the interrupt flag is set.
   [[nodiscard]] bool pending() const;
 

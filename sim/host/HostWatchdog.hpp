@@ -8,7 +8,7 @@
 
 namespace wr::host {
 
-/// @brief A watchdog on the host. It resets nothing; it notes what a watchdog would have done.
+/// @brief A watchdog on the host. It resets nothing; it records that a watchdog would have reset the robot.
 class HostWatchdog final : public Watchdog {
  public:
   /// @brief Starts the watchdog, as a reset does.
@@ -19,7 +19,7 @@ class HostWatchdog final : public Watchdog {
   /// @return refreshes since start.
   [[nodiscard]] std::uint32_t refreshes() const;
 
-  /// @brief Tells whether the watchdog would have reset the system.
+  /// @brief Returns whether the watchdog would have reset the system.
   /// @return true once the time-out has passed without a refresh, also when one came later.
   [[nodiscard]] bool missed() const;
 

@@ -16,8 +16,9 @@ namespace wr::host_robot {
 /// @brief The firmware on the host in the simulated robot, in stepped time.
 ///
 /// Things happen in the order of time: at each ms since power-on the physics take a step; at each
-/// ms since the firmware has started the second timer beats, and each 100 ms the clock pulse comes;
-/// between, the edges of the Hall sensors and of the remote control come at their own times.
+/// ms since the start of the firmware the second timer ticks, and each 100 ms there is a clock
+/// pulse; between them, the edges of the Hall sensors and of the remote control occur at their own
+/// times.
 class HostSimulation {
  public:
   /// @brief Puts a robot on its wheels. Its firmware does not run yet.
@@ -34,7 +35,7 @@ class HostSimulation {
   /// @param cause cause that the firmware finds
   void reset(ResetCause cause);
 
-  /// @brief Lets time pass up to an instant; what comes at the instant has come then.
+  /// @brief Advances to an instant, including events due at it.
   /// @param instant the instant
   void runUntil(Instant instant);
 

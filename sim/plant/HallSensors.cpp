@@ -9,7 +9,7 @@ namespace wr::plant {
 
 namespace {
 
-// At start the shaft stands in the middle between two edges.
+// At start the shaft is in the middle between two edges.
 constexpr double kStart = 0.5;
 
 // Sensor a is high from edge 1 of four to edge 3, sensor b from edge 2 to edge 4: with edge 1 +

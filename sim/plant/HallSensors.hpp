@@ -14,7 +14,7 @@ class HallSensors {
   /// Half of the way, in edges, that the shaft must turn back until an edge is taken back.
   static constexpr double kHysteresis = 0.05;
 
-  /// @brief Tells where the sensors sit.
+  /// @brief Sets the positions of the sensors.
   /// @param misplaced how far each is from its place, in edges
   void place(const std::array<double, 2>& misplaced) { misplaced_ = misplaced; }
 

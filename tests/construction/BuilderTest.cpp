@@ -66,7 +66,7 @@ class BuilderTest : public testing::Test {
   MainControllerBuilder builder{devices};
   RobotDirector director{poolBuilder, builder};
 
-  // The whole robot, started, after the beats of its second timer that the steering needs to
+  // The whole robot, started, after the ticks of its second timer that the steering needs to
   // measure.
   void startRobot() {
     director.construct();
@@ -136,7 +136,7 @@ TEST_F(BuilderTest, FR74_CyclesRefreshTheWatchdogOfThePlatform) {
   EXPECT_EQ(watchdog.refreshes(), 1U);
 }
 
-/// @brief The Welcome of the robot that is built tells the start that the platform recorded.
+/// @brief The Welcome of the built robot reports the start that the platform recorded.
 /// @verifies FR-76
 TEST_F(BuilderTest, FR76_WelcomeTellsTheStartOfThePlatform) {
   startRobot();
@@ -161,8 +161,8 @@ TEST_F(BuilderTest, FR78_EveryPartIsMadeOnce) {
   EXPECT_TRUE(poolBuilder.pool().completed(1));
 }
 
-/// @brief The second timer beats from the start on, and executes the commands of wheels and steering at
-/// each beat: both ask for a sample.
+/// @brief The second timer ticks from the start on, and executes the commands of wheels and steering at
+/// each tick: both request a sample.
 /// @verifies FR-100
 TEST_F(BuilderTest, FR100_SecondTimerExecutesTheCommandsOfTheSystems) {
   director.construct();

@@ -20,7 +20,7 @@ class MockCommand : public Command {
   MOCK_METHOD(void, execute, (), (override));
 };
 
-/// @brief The timer beats once in each cycle period of 100 ms.
+/// @brief The timer has one clock pulse in each cycle period of 100 ms.
 /// @verifies FR-1
 TEST(FirstTimer, FR1_BeatsEvery100Milliseconds) {
   testing::StrictMock<MockTimer> timer;
@@ -30,7 +30,7 @@ TEST(FirstTimer, FR1_BeatsEvery100Milliseconds) {
   firstTimer.start();
 }
 
-/// @brief Each beat acknowledges the timer first, so that a beat during the command is not lost,
+/// @brief Each clock pulse acknowledges the timer first, so that a pulse during the command is not lost,
 /// and then executes the command once.
 /// @verifies FR-1
 TEST(FirstTimer, FR1_EachBeatExecutesTheCommandOnce) {

@@ -36,14 +36,14 @@ class SecondTimerTest : public testing::Test {
   SecondTimer secondTimer{timer};
 };
 
-/// @brief The timer beats once in each tick period of 1 ms.
+/// @brief The timer ticks once in each tick period of 1 ms.
 /// @verifies FR-100
 TEST_F(SecondTimerTest, FR100_BeatsEveryMillisecond) {
   secondTimer.start();
   EXPECT_EQ(timer.started, milliseconds(1));
 }
 
-/// @brief Each beat acknowledges the timer first, so that a beat during the commands is not lost,
+/// @brief Each tick acknowledges the timer first, so that a tick during the commands is not lost,
 /// and then executes each command once, in the sequence in which they were added.
 /// @verifies FR-100
 TEST_F(SecondTimerTest, FR100_EachBeatExecutesAllCommands) {
@@ -59,14 +59,14 @@ TEST_F(SecondTimerTest, FR100_EachBeatExecutesAllCommands) {
   EXPECT_EQ(events, twice);
 }
 
-/// @brief A beat without commands is acknowledged.
+/// @brief A tick without commands is acknowledged.
 /// @verifies FR-100
 TEST_F(SecondTimerTest, FR100_BeatWithoutCommands) {
   secondTimer.expired();
   EXPECT_EQ(events, std::vector<std::string>{"acknowledge"});
 }
 
-/// @brief The timer takes as many commands as it says; one more ends the program.
+/// @brief The timer accepts its maximum number of commands; one more ends the program.
 /// @verifies FR-100
 /// @verifies FR-176
 TEST_F(SecondTimerTest, FR100_OneCommandTooMany) {

@@ -59,7 +59,7 @@ TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeTheClockIsSetUp) {
   EXPECT_EQ(unsafe, "");
 }
 
-/// @brief When the outputs become safe after a reset, memory still holds what it held before it.
+/// @brief When the outputs become safe after a reset, memory is unchanged.
 /// @verifies FR-71
 TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeMemoryIsInitialised) {
   BoardRobot robot;
@@ -85,7 +85,7 @@ TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeMemoryIsInitialised) {
 }
 
 /// @brief In a start no output leaves its safe level, but for the lights when the cycles run. The first
-/// cycle switches the drivers of the wheels on, without tension: that brakes the wheels.
+/// cycle switches the drivers of the wheels on, without voltage: that brakes the wheels.
 /// @verifies FR-71
 /// @verifies FR-141
 TEST(K64BoardOnBoard, FR71_NoOutputLeavesItsSafeLevel) {
@@ -313,8 +313,8 @@ std::string nameOf(const testing::TestParamInfo<Ending>& ending) {
 
 class K64BoardEnds : public testing::TestWithParam<Ending> {};
 
-/// @brief Whatever ends the firmware: the outputs become safe, then comes a reset, and the Welcome of the
-/// next start tells what it was, and where. It is told for one start only.
+/// @brief Whatever ends the firmware: the outputs become safe, a reset follows, and the Welcome of the
+/// next start reports the fault and its address. It is reported for one start only.
 /// @verifies FR-75
 /// @verifies FR-76
 /// @verifies FR-77
@@ -327,7 +327,7 @@ TEST_P(K64BoardEnds, FR75_SafelyWithRecordAndReset) {
   EXPECT_EQ(welcome.fault, kNoFault);
   robot.confirm();
   robot.cycles(2);
-  EXPECT_NE(robot.unsafePins(), "") << "the lights tell that cycles run";
+  EXPECT_NE(robot.unsafePins(), "") << "the lights show that cycles run";
 
   robot.board.raise(static_cast<int>(ending.exception));
   EXPECT_EQ(unsafeAtReset(robot), "");

@@ -206,7 +206,7 @@ TEST(ProductOfThePc, NFR2_ReadsFromThePcOnly) {
   robot.commandByPc();
 }
 
-/// @brief Signed orders over the second serial port command the product with Bluetooth, and the report tells it.
+/// @brief Signed orders over the second serial port command the product with Bluetooth, and the report shows it.
 /// @verifies FR-150
 /// @verifies FR-260
 TEST(ProductWithBluetooth, FR150_DeviceCommandsOverTheSecondPort) {

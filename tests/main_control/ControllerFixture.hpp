@@ -21,7 +21,7 @@
 
 namespace wr::test {
 
-/// A mode that does as it is told, and notes what is asked of it.
+/// A mode under the control of the test, which records its calls.
 class FakeMode final : public Mode {
  public:
   explicit FakeMode(ModeId id) : Mode(id) {}
@@ -47,7 +47,7 @@ class FakeMode final : public Mode {
   [[nodiscard]] bool stopOrdered() const override { return stop; }
 };
 
-/// A state that notes the steps of the cycle, and changes to the state that it is given.
+/// A state that records the steps of the cycle, and changes to a given state.
 class FakeState final : public OperationState {
  public:
   explicit FakeState(OperationStateId id) : OperationState(id) {}

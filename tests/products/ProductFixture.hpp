@@ -20,7 +20,7 @@
 
 namespace wr::test {
 
-/// Gives a control system that notes its orders, and does nothing at a beat of the second timer.
+/// Builds a control system that records its orders, and does nothing at a tick of the second timer.
 class SpyBuilder final : public ControlSystemBuilder, public Command {
  public:
   SpySystem spy;

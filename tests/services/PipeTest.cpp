@@ -40,7 +40,7 @@ TEST(Pipe, TellsTheNewestValue) {
   EXPECT_EQ(pipe.read()->value, 6);
 }
 
-/// @brief Where the newest value stands it stays, also during a write, until it is read anew.
+/// @brief The newest value stays in its place, also during a write, until the next read.
 /// @verifies FR-173
 TEST(Pipe, NewestValueStandsUntilTheNextRead) {
   Pipe<int> pipe;

@@ -9,7 +9,7 @@
 
 namespace wr::test {
 
-/// @brief Output that keeps its level, and tells who listens of each change to on.
+/// @brief Output that keeps its level, and calls back at each change to on.
 class FakeOutput final : public DigitalOutput {
  public:
   void set(bool level) override {

@@ -63,7 +63,7 @@ class FakeAngleInput final : public AnalogInput {
   std::optional<std::uint16_t> sample_;
 };
 
-/// @brief Timer whose beats the test makes.
+/// @brief Timer whose ticks the test triggers.
 class FakePeriodicTimer final : public PeriodicTimer {
  public:
   void start(Microseconds /*period*/) override {}

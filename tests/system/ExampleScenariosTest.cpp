@@ -30,7 +30,7 @@ void playWithThePapersDesign(const std::string& example) {
   play(example);
 }
 
-/// @brief In closed loop with the robot the tension of an order stands in its cycle.
+/// @brief In closed loop with the robot the voltage of an order is applied in its cycle.
 /// @verifies FR-80
 TEST(ClosedLoopOfRobot, FR80_TensionStandsInTheCycleOfItsOrder) {
   play("tension_step");
@@ -115,7 +115,7 @@ TEST(ClosedLoopOfRobot, FR91_BrokenSensorsSwitchTheirWheelsOff) {
 
 class ExampleScenarios : public testing::TestWithParam<const char*> {};
 
-/// @brief The robot does what each other example of a scenario expects. That of ten minutes is played by
+/// @brief The robot meets each other example of a scenario. That of ten minutes is played by
 /// the tests of the programs.
 /// @verifies NFR-6
 TEST_P(ExampleScenarios, RobotDoesWhatIsExpected) {

@@ -60,7 +60,7 @@ TEST_F(OperationStatesOfRobot, FR16_FailedReadsLeadThroughTheWaitingStates) {
   EXPECT_EQ(robot.report().mode, kPc);
 }
 
-/// @brief A wait that a message ended begins anew with the next failed read.
+/// @brief A wait that a message ended restarts with the next failed read.
 /// @verifies FR-16
 TEST_F(OperationStatesOfRobot, FR16_MessageStartsTheCountAnew) {
   robot.silentCycles(kN - 1);

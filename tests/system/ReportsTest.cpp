@@ -21,7 +21,7 @@ constexpr int kSteeringTurning = 2;
 
 class ReportsOfRobot : public testing::Test {
  protected:
-  // Orders the same tension for all wheels in some cycles.
+  // Orders the same voltage for all wheels in some cycles.
   static void orderTensions(SteppedRobot& robot, std::int16_t millivolts, int cycles) {
     scenario::PcOrder order{.id = 100};
     order.wheels.fill({.quantity = 1, .value = millivolts});
@@ -122,7 +122,7 @@ TEST_F(ReportsOfRobot, FR62_MissingValuesAreMarked) {
   EXPECT_EQ(robot.report().steering, 0);
 }
 
-/// @brief The report tells that the steering is off, turns, and holds, each while it does so.
+/// @brief The report shows that the steering is off, turns, and holds, each while it does so.
 /// @verifies FR-65
 TEST_F(ReportsOfRobot, FR65_StateOfTheSteeringIsTold) {
   robot.connect();
@@ -139,7 +139,7 @@ TEST_F(ReportsOfRobot, FR65_StateOfTheSteeringIsTold) {
   EXPECT_NEAR(robot.physics().steeringDegrees(), 5.0, 0.5);
 }
 
-/// @brief The report tells which end stop is reached; somebody has pushed the steering there.
+/// @brief The report shows which end stop is reached; somebody has pushed the steering there.
 /// @verifies FR-66
 TEST_F(ReportsOfRobot, FR66_EndStopThatIsReachedIsTold) {
   for (const bool left : {true, false}) {
@@ -156,7 +156,7 @@ TEST_F(ReportsOfRobot, FR66_EndStopThatIsReachedIsTold) {
   }
 }
 
-/// @brief The report tells that a wheel was cut off, and no other one. Safety functions limit the current before that.
+/// @brief The report shows the overcurrent trip of a wheel, and of no other one. Safety functions limit the current before that.
 /// @verifies FR-67
 TEST_F(ReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
   onlyWith("weeding_robot_paper");
@@ -167,7 +167,7 @@ TEST_F(ReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
   EXPECT_EQ(robot.report().cutOffs, 0b0100);
 }
 
-/// @brief The report tells that a wheel is blind, and no other one: with both of its Hall sensors
+/// @brief The report shows missing motion feedback of a wheel, and of no other one: with both of its Hall sensors
 /// broken, or with one. Safety functions stop the robot before that.
 /// @verifies FR-68
 TEST_F(ReportsOfRobot, FR68_BlindWheelIsTold) {

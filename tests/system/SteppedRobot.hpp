@@ -16,11 +16,11 @@ namespace wr::test {
 
 using std::chrono::microseconds;
 
-/// Switches a new robot on, and returns when it listens to its line. What it runs on is chosen when
+/// Switches a new robot on, and returns when it listens to its line. Its target is chosen when
 /// the tests are linked.
 [[nodiscard]] std::unique_ptr<scenario::RobotSession> switchOn();
 
-/// Sequences of the comparison with the reference that this binding runs in reasonable time.
+/// Sequences of the comparison with the reference that this target runs in reasonable time.
 [[nodiscard]] int referenceSequences();
 
 // Numbers in reports.

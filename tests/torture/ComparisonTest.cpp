@@ -53,7 +53,7 @@ TEST(TortureComparisonTest, AShorterRunDiffers) {
   EXPECT_THAT(context({kEntered, kLeft}, {kEntered}, 1), HasSubstr("nothing more"));
 }
 
-/// @brief The context of a difference shows what led there and both records.
+/// @brief The context of a difference shows the events before it and both records.
 TEST(TortureComparisonTest, TheContextShowsBothRecords) {
   const std::string text = context({kEntered, kLeft}, {kEntered, kEnd}, 1);
   EXPECT_THAT(text, HasSubstr("0         enters exception 20"));
@@ -61,7 +61,7 @@ TEST(TortureComparisonTest, TheContextShowsBothRecords) {
   EXPECT_THAT(text, HasSubstr("1 right acted end"));
 }
 
-/// @brief A record tells its numbers with the names that they have in its kind.
+/// @brief A record prints its numbers with the names that they have in its kind.
 TEST(TortureComparisonTest, EachKindNamesItsNumbers) {
   constexpr std::array<std::uint32_t, 5> kWords{1, 2, 3, 4, 5};
   EXPECT_THAT(described({Kind::Entered, 20, 1, 0xE9, kWords}),
@@ -75,14 +75,14 @@ TEST(TortureComparisonTest, EachKindNamesItsNumbers) {
   EXPECT_THAT(described({Kind::FpMode, 3, 1, 0xE9, kWords}), HasSubstr(", FPSCR 1"));
 }
 
-/// @brief A check of the program that failed is told with what was wanted and found.
+/// @brief A failed check of the program is reported with the wanted and the found value.
 TEST(TortureComparisonTest, FailedChecksAreTold) {
   EXPECT_EQ(failedChecks({kEntered, kLeft, kEnd}), "");
   EXPECT_THAT(failedChecks({kEntered, {Kind::CheckFailed, 4, 1, 0xE9, {0xAB, 0xCD}}}),
               HasSubstr("check failed register 4, link E9, wanted AB, found CD"));
 }
 
-/// @brief A run is complete only when its last record says so.
+/// @brief A run is complete only when its last record is its end.
 TEST(TortureComparisonTest, ARunWithoutItsEndIsNotComplete) {
   EXPECT_TRUE(complete({kEntered, kLeft, kEnd}));
   EXPECT_FALSE(complete({kEntered, kLeft}));

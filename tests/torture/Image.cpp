@@ -21,7 +21,7 @@ Image image(std::uint32_t seed, std::uint32_t actions) {
 
 Records recordsIn(const std::vector<std::uint8_t>& bytes) {
   if (bytes.size() % sizeof(Record) != 0) {
-    throw std::runtime_error("the torture program was cut off within a record");
+    throw std::runtime_error("the output of the torture program ends within a record");
   }
   Records records(bytes.size() / sizeof(Record));
   std::memcpy(static_cast<void*>(records.data()), bytes.data(), bytes.size());

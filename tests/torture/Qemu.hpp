@@ -7,11 +7,11 @@ namespace wr::torture {
 /// @brief QEMU's Cortex-M4, as a machine that has memory at 0 and at 0x20000000.
 class Qemu {
  public:
-  /// @brief Tells whether QEMU is installed.
+  /// @brief Returns whether QEMU is installed.
   [[nodiscard]] static bool installed();
 
   /// @brief Runs a program to its end.
-  /// @return what it recorded
+  /// @return its records
   /// @throws std::runtime_error when it does not end in a minute
   [[nodiscard]] static Records run(const Image& image);
 };

@@ -24,7 +24,7 @@ class TortureTest : public testing::Test {
     }
   }
 
-  // Tells the result of the test how much was compared.
+  // Returns the result of the test how much was compared.
   void TearDown() override {
     if (compared_ != 0) {
       RecordProperty("measured", std::to_string(compared_) + " entries and exits compared");

@@ -126,7 +126,7 @@ constexpr Row kStackLoads{loadStack<Place::Offset>, loadStack<Place::Before>,
 constexpr Row kPcLoads{loadPc<Place::Offset>, loadPc<Place::Before>, loadPc<Place::After>,
                        loadPc<Place::Indexed>, loadPc<Place::Literal>};
 
-/// What is loaded or stored: as opB of A5.2.4 counts.
+/// Size and sign of the access: as opB of A5.2.4 counts.
 enum class Access : std::uint8_t {
   StoreWord,
   StoreHalf,
@@ -262,7 +262,7 @@ void loadExclusive(Core& core, const Instruction& in) {
   }
 }
 
-// Register m tells whether it was stored.
+// Register m shows whether it was stored.
 template <typename Value>
 void storeExclusive(Core& core, const Instruction& in) {
   Registers& x = core.registers;
@@ -321,7 +321,7 @@ Instruction exclusiveOrTable(Encoding code) {
   }
 }
 
-// Many registers: value is their list, d their number, and bit 16 of value tells that register n
+// Many registers: value is their list, d their number, and bit 16 of value is set when register n
 // keeps the address.
 constexpr std::uint32_t kKeeps = 1U << 16;
 constexpr std::uint32_t kList = 0xFFFF;

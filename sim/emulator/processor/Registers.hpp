@@ -41,7 +41,7 @@ struct Registers {
   std::array<std::uint32_t, 32> s{};
   std::uint32_t fpscr = 0;
 
-  /// @brief Tells whether a condition holds: A7.3.
+  /// @brief Returns whether a condition holds: A7.3.
   [[nodiscard]] bool passes(unsigned condition) const {
     const bool holds = passesFirst(condition >> 1);
     return (condition & 1U) != 0 && condition != 15 ? !holds : holds;

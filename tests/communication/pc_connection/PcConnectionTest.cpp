@@ -89,7 +89,7 @@ struct PcConnectionTest : testing::Test {
 
   [[nodiscard]] std::uint8_t lastSession() const { return sent().back()[3]; }
 
-  /// @brief Does something that must change no count but the one that it tells.
+  /// @brief Runs an action that must change only the count that it returns.
   template <class Action>
   void expectCounted(std::uint16_t LinkCounts::*count, int times, Action action) {
     LinkCounts expected = connection.counts();
@@ -144,8 +144,8 @@ TEST_F(PcConnectionTest, FR30_TheBuildIdIsHexadecimal) {
               testing::MatchesRegex("[0-9a-f]+"));
 }
 
-/// @brief The Welcome holds the cause of the reset and the kind, number and address of the fault.
-/// Each Welcome of a start tells the same.
+/// @brief The Welcome contains the cause of the reset and the kind, number and address of the fault.
+/// Each Welcome of one start has the same values.
 /// @verifies FR-76
 TEST_F(PcConnectionTest, FR76_EachWelcomeTellsCauseAndFault) {
   start = {ResetCause::Software, FaultKind::UnexpectedInterrupt, 0x0150, 0x89ABCDEF};
@@ -655,7 +655,7 @@ TEST_F(PcConnectionTest, FR45_PayloadsThatAreTooShortAreCounted) {
   EXPECT_FALSE(orders.available());
 }
 
-/// @brief A longer payload is accepted, up to 200 bytes, and what follows the known fields is ignored.
+/// @brief A longer payload is accepted, up to 200 bytes, and bytes after the known fields are ignored.
 /// @verifies FR-248
 TEST_F(PcConnectionTest, FR248_LongerPayloadsAreAccepted) {
   const auto longer = [](Bytes payload, std::size_t size) {
@@ -722,7 +722,7 @@ TEST_F(PcConnectionTest, FR49_SequenceNumbersWrap) {
   EXPECT_EQ(connection.counts().sequenceGaps, 0);
 }
 
-/// @brief A Hello starts the count of the sequence anew.
+/// @brief A Hello restarts the count of the sequence.
 /// @verifies FR-49
 TEST_F(PcConnectionTest, FR49_AHelloStartsTheSequenceAnew) {
   handshake();
@@ -734,7 +734,7 @@ TEST_F(PcConnectionTest, FR49_AHelloStartsTheSequenceAnew) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief The bytes that the port lost are told as the port counts them.
+/// @brief The report has the port's own count of lost bytes.
 /// @verifies FR-49
 TEST_F(PcConnectionTest, FR49_LostBytesAreTold) {
   port.lost = 321;
@@ -849,7 +849,7 @@ TEST_F(PcConnectionTest, FR30_AWelcomeWithoutRoomIsDropped) {
   EXPECT_EQ(lastSession(), 1);
 }
 
-/// @brief The first frame after start follows a zero byte, which ends what a firmware before may have left on
+/// @brief The first frame after start follows a zero byte, which ends a frame that an earlier firmware may have left on
 /// the line. The frames after it do not.
 /// @verifies FR-247
 TEST_F(PcConnectionTest, FR247_TheFirstFrameFollowsAZeroByte) {
@@ -967,7 +967,7 @@ TEST_F(PcConnectionTest, FR40_TheConnectionAcceptsEachExample) {
   EXPECT_FALSE(orders.stopOrdered());
 }
 
-/// @brief The Welcome of the examples that tells a fault is what the firmware makes of the same start.
+/// @brief The firmware builds the Welcome with a fault of the examples from the same start.
 /// @verifies FR-76
 TEST_F(PcConnectionTest, FR76_TheWelcomeAfterAFaultAgreesWithTheExample) {
   start = {ResetCause::Software, FaultKind::Assertion, 3, 0x4A6E};
@@ -983,7 +983,7 @@ TEST_F(PcConnectionTest, FR76_TheWelcomeAfterAFaultAgreesWithTheExample) {
   EXPECT_EQ(compared, 1);
 }
 
-/// @brief What the report of cycle 7 of the examples tells.
+/// @brief Content of the report of cycle 7 of the examples.
 ReportData reportOfCycle7() {
   ReportData data;
   data.cycle = 7;
@@ -1003,7 +1003,7 @@ ReportData reportOfCycle7() {
   return data;
 }
 
-/// @brief What the report of cycle 8 of the examples tells.
+/// @brief Content of the report of cycle 8 of the examples.
 ReportData reportOfCycle8() {
   ReportData data = reportOfCycle7();
   data.cycle = 8;
@@ -1034,7 +1034,7 @@ ReportData reportOfCycle8() {
   return data;
 }
 
-/// @brief The reports of the examples are what the firmware makes of the same data.
+/// @brief The firmware builds the reports of the examples from the same data.
 /// @verifies FR-61
 /// @verifies FR-62
 /// @verifies FR-65

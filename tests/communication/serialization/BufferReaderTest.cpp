@@ -61,7 +61,7 @@ TEST_F(BufferReaderTest, FR50_NeitherSignalMayBeOld) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief After a read both signals must hold a new value.
+/// @brief After a read both signals must have a new value.
 /// @verifies FR-20
 /// @verifies FR-50
 TEST_F(BufferReaderTest, FR50_BothSignalsMustBeNew) {
@@ -140,7 +140,7 @@ TEST_F(BufferReaderTest, FR50_AFailedReadConsumes) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief A field that such an order does not have is read as 0, and told at the finish.
+/// @brief A field that such an order does not have is read as 0, and reported at the finish.
 /// @verifies FR-51
 TEST_F(BufferReaderTest, UnknownFieldsFail) {
   velocitySignal(1);

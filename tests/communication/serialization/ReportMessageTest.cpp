@@ -129,7 +129,7 @@ ReportData randomData(std::mt19937& random) {
   return data;
 }
 
-/// @brief Two reports tell the same only when each of their values is the same.
+/// @brief Two reports are equal only when each of their values is the same.
 TEST(ReportData, DiffersInEachValue) {
   SetPoints setPoints;
   setPoints.orderId = 1;
@@ -282,7 +282,7 @@ TEST(ReportMessage, FR63_EachCountHasItsPlace) {
   EXPECT_EQ(u16(bytes, 128), 12U);
 }
 
-/// @brief The state of the steering is told by its number.
+/// @brief The state of the steering is reported by its number.
 /// @verifies FR-65
 TEST(ReportMessage, FR65_TheStateOfTheSteeringHasItsNumber) {
   using enum SteeringState;
@@ -307,7 +307,7 @@ TEST(ReportMessage, FR66_EachEndStopHasItsBit) {
   EXPECT_EQ(written(data)[97], 2);
 }
 
-/// @brief Each wheel has a bit that tells that it is cut off.
+/// @brief Each wheel has a bit for its overcurrent trip.
 /// @verifies FR-67
 TEST(ReportMessage, FR67_EachWheelThatIsCutOffHasItsBit) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -318,7 +318,7 @@ TEST(ReportMessage, FR67_EachWheelThatIsCutOffHasItsBit) {
   }
 }
 
-/// @brief Each wheel has a bit that tells that it is blind.
+/// @brief Each wheel has a bit for missing motion feedback.
 /// @verifies FR-68
 TEST(ReportMessage, FR68_EachBlindWheelHasItsBit) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -404,7 +404,7 @@ TEST(ReportMessage, AnIncompleteReportIsNotRead) {
   EXPECT_FALSE(report.readFrom(reader));
 }
 
-/// @brief A report for which there is no room is told.
+/// @brief A report without room is an error.
 /// @verifies FR-64
 TEST(ReportMessage, AReportWithoutRoomIsTold) {
   SerialWriter writer;

@@ -40,7 +40,7 @@ TEST_F(SerialReaderTest, FR20_HoldsNothingAfterStart) {
 /// @verifies FR-170
 TEST_F(SerialReaderTest, ReadsWhatWasSent) {
   auto bytes = orderBytes(0xFFFE, -3200, 0, -3000, 0, 0xFEDCBA98);
-  bytes[11] = 1;  // wheel 1: tension 24000 mV
+  bytes[11] = 1;  // wheel 1: voltage 24000 mV
   bytes[12] = 0xC0;
   bytes[13] = 0x5D;
   ASSERT_TRUE(offer(bytes));
@@ -206,7 +206,7 @@ TEST_F(SerialReaderTest, FR170_NumbersAreLittleEndian) {
   EXPECT_TRUE(reader.finish());
 }
 
-/// @brief A read beyond the end gives 0, is told at the finish, and does not spoil the next read.
+/// @brief A read beyond the end gives 0, is reported at the finish, and does not spoil the next read.
 /// @verifies FR-45
 TEST_F(SerialReaderTest, AReadBeyondTheEndFails) {
   offer(orderBytes(1, 0, 0, 0, 1));

@@ -22,7 +22,7 @@ TEST(SerialWriter, FR170_NumbersAreLittleEndian) {
                                           0xFD, 0xFF, 0xFF, 0xFF));
 }
 
-/// @brief A cleared writer begins anew: the next field is the first one.
+/// @brief A cleared writer restarts: the next field is the first one.
 /// @verifies FR-170
 TEST(SerialWriter, BeginsAnew) {
   SerialWriter writer;
@@ -33,7 +33,7 @@ TEST(SerialWriter, BeginsAnew) {
   EXPECT_THAT(writer.bytes(), ElementsAre(0x34, 0x12));
 }
 
-/// @brief A field that does not fit is not written in part, and is told at the finish.
+/// @brief A field that does not fit is not written in part, and is reported at the finish.
 /// @verifies FR-64
 TEST(SerialWriter, TellsThatAFieldDidNotFit) {
   SerialWriter writer;

@@ -1,5 +1,5 @@
-// A composition without a robot: the devices of the board do what bytes from the PC tell. Each
-// answer is a row of numbers of 16 bits, the low byte first.
+// A composition without a robot: the devices of the board execute commands in bytes from the PC.
+// Each answer is a row of numbers of 16 bits, the low byte first.
 
 #include <algorithm>
 #include <array>

@@ -12,7 +12,7 @@ namespace {
 
 const int kN = SystemConstants::instance().waitingCycles();
 
-// Each state stands between fake successors, which tell by their steps whether they are current.
+// Each state is between fake successors, whose steps show whether they are current.
 class OperationStateTest : public ControllerFixture {
  protected:
   // Makes a state current, and the given mode the one that is read.
@@ -67,7 +67,7 @@ TEST_F(OperationStateTest, FR16_WaitingCountsFailedReads) {
   EXPECT_TRUE(isCurrent(other));
 }
 
-/// @brief Waiting reads a message, sets Working, and counts anew when it is entered again.
+/// @brief Waiting reads a message, sets Working, and restarts its count when it is entered again.
 /// @verifies FR-13
 /// @verifies FR-16
 TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterAMessage) {
@@ -86,7 +86,7 @@ TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterAMessage) {
   EXPECT_TRUE(isCurrent(other));
 }
 
-/// @brief Waiting counts anew after it has handed over to WaitingN.
+/// @brief Waiting restarts its count after a change to WaitingN.
 /// @verifies FR-16
 TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterItsEnd) {
   Waiting waiting(state, other, SystemConstants::instance().waitingCycles());

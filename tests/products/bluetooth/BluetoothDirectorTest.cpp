@@ -82,7 +82,7 @@ TEST_F(BluetoothRobot, FR150_ModesFollowEachOtherWithoutOrders) {
   EXPECT_EQ(cycleWithPc().mode, kBluetooth);
 }
 
-/// @brief An order of the device reaches the set-points, and the report tells that it is of Bluetooth.
+/// @brief An order of the device reaches the set-points, and the report shows that its source is Bluetooth.
 /// @verifies FR-150
 TEST_F(BluetoothRobot, FR150_OrderOfTheDeviceIsApplied) {
   waitForMode(kBluetooth);

@@ -58,7 +58,7 @@ TEST_F(WaitingKTest, FR152_FailedReadSetsTheNextState) {
   EXPECT_TRUE(isCurrent(other));
 }
 
-/// @brief The report tells the state by its number.
+/// @brief The report contains the number of the state.
 /// @verifies FR-152
 TEST_F(WaitingKTest, FR152_ReportTellsTheState) {
   connect();

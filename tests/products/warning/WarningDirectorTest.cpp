@@ -52,7 +52,7 @@ TEST_F(WarningRobot, FR152_WarnsOneCycleBeforeTheLastWaitingState) {
   EXPECT_FALSE(warning.isOn());
 }
 
-/// @brief A message ends the warning at once, and the next failed reads are counted anew.
+/// @brief A message ends the warning at once, and the next failed reads are counted from 0.
 /// @verifies FR-152
 TEST_F(WarningRobot, FR152_MessageEndsTheWarning) {
   for (int round = 0; round < 2; ++round) {

@@ -18,7 +18,7 @@
 namespace wr::test {
 namespace {
 
-/// The timer beats when the test says so.
+/// The test controls the ticks of the timer.
 class BeatTimer final : public PeriodicTimer {
  public:
   void start(Microseconds /*period*/) override {}
@@ -63,7 +63,7 @@ class CurrentTest : public testing::Test {
   CntSensor sensor{collector, function, pipe};
 };
 
-/// @brief Each beat of the second timer takes the sample of the beat before and asks for the next.
+/// @brief Each tick of the second timer reads the sample of the tick before and requests the next.
 /// @verifies FR-100
 /// @verifies FR-125
 TEST_F(CurrentTest, FR100_EachBeatSamples) {
@@ -76,7 +76,7 @@ TEST_F(CurrentTest, FR100_EachBeatSamples) {
   EXPECT_EQ(collector.record().at, time.now());
 }
 
-/// @brief The record is told anew with each eighth sample, with the time of that sample.
+/// @brief The record is published with each eighth sample, with the time of that sample.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_RecordInGroupsOfEight) {
   ticks(64 + 7, 2049);
@@ -114,7 +114,7 @@ TEST_F(CurrentTest, FR125_SumsMayWrap) {
   }
 }
 
-/// @brief A beat at which no conversion has ended has no sample, and asks again.
+/// @brief A tick at which no conversion has ended has no sample, and asks again.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_BeatWithoutSample) {
   ticks(71, 2048);
@@ -256,7 +256,7 @@ TEST_F(CurrentTest, FR128_FiveInARow) {
   }
 }
 
-/// @brief One sample within 15 A begins the count anew.
+/// @brief One sample within 15 A restarts the count.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_NotInARow) {
   ticks(64, 2048);
@@ -342,7 +342,7 @@ class FakeSwitch final : public DigitalOutput {
   bool on = false;
 };
 
-/// @brief From the beat of the timer to the driver: the fifth sample switches it off, before any
+/// @brief From the tick of the timer to the driver: the fifth sample switches it off, before any
 /// control cycle.
 /// @verifies FR-128
 TEST(Overcurrent, FR128_SwitchesTheDriverOff) {

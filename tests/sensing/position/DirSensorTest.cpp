@@ -49,7 +49,7 @@ TEST_F(DirSensorTest, FR129_SamplesAtEachTick) {
 }
 
 /// @brief There is no angle before 8 samples have come; then there is a new one at each 8th tick, with
-/// its time, and the sensor tells that it came.
+/// its time, and the sensor reports it.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_OneAngleInEightTicks) {
   for (int measurement = 1; measurement <= 3; ++measurement) {

@@ -59,13 +59,13 @@ struct TurningWheel {
     active.serve();
   }
 
-  /// @brief Measures, and tells what is then in the pipe [0.1 rpm].
+  /// @brief Measures, and returns the value in the pipe [0.1 rpm].
   double measure() {
     velocity.measure();
     return pipe.read().value().value.count();
   }
 
-  /// @brief Levels where the wheel stands.
+  /// @brief Levels at the position of the wheel.
   [[nodiscard]] unsigned phase() const {
     static constexpr std::array<unsigned, 4> kForwards = {0, 1, 3, 2};
     return kForwards.at(static_cast<std::size_t>(passed & 3));

@@ -66,7 +66,7 @@ TEST(AloneTest, UnmodelledRegisterIsNamed) {
   EXPECT_THAT(text, testing::ContainsRegex("at pc 0x[0-9A-F]+, 1[0-9][.][0-9]{3} ms"));
 }
 
-/// @brief As a warning the same access does nothing, and is told once.
+/// @brief As a warning the same access does nothing, and is reported once.
 TEST(AloneTest, UnmodelledRegisterCanBeAWarning) {
   emulator::VirtualBoard board = switchedOn({.unmodelledIsFinding = false});
   ASSERT_TRUE(board.runUntil(10ms));

@@ -38,7 +38,7 @@ TEST(ClockOfBoard, StaysWithoutExternalClock) {
   EXPECT_EQ(board.clockHz(), 20'971'520U);
 }
 
-/// @brief The core stands when its clock goes, and time passes on.
+/// @brief The core stops with its clock, and time goes on.
 TEST(ClockOfBoard, CoreStandsWithoutItsClock) {
   VirtualBoard board(Guest("runsAt120MHz").image());
   ASSERT_TRUE(board.runToSleep(10ms));
@@ -152,7 +152,7 @@ TEST(SerialPortOfBoard, FifoTakesEightBytes) {
   EXPECT_THAT(board.takeSent(), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7));
 }
 
-/// @brief An output shows what the program puts out, once it is one.
+/// @brief A pin shows the level of the program, once it is an output.
 TEST(PinOfBoard, OutputIsShown) {
   VirtualBoard board(Guest("drivesPin").image());
   EXPECT_FALSE(board.isOutput('B', 22));
@@ -186,7 +186,7 @@ TEST(PinOfBoard, FallingLevelRaisesInterrupt) {
   EXPECT_EQ(told(board, 0), 1U);
 }
 
-/// @brief The program is told the cause of the reset; memory outlives all but the loss of power.
+/// @brief The program can read the cause of the reset; memory survives all resets but the loss of power.
 TEST(ResetOfBoard, CauseIsToldAndMemoryStays) {
   VirtualBoard board(Guest("tellsCauseOfReset").image());
   ASSERT_TRUE(board.runToSleep(1ms));
@@ -202,7 +202,7 @@ TEST(ResetOfBoard, CauseIsToldAndMemoryStays) {
   EXPECT_EQ(board.resets(), 2);
 }
 
-/// @brief A reset that is no finding starts the program anew.
+/// @brief A reset that is no finding restarts the program.
 TEST(ResetOfBoard, RequestStartsAnew) {
   VirtualBoard board(Guest("stopsWatchdogThenRequestsReset").image(), {.resetsAreFindings = false});
   ASSERT_TRUE(board.runUntil(1ms));

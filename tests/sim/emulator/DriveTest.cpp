@@ -47,8 +47,8 @@ double clocksBetween(nanoseconds from, nanoseconds to) {
   return static_cast<double>((to - from).count()) / kBusClock;
 }
 
-/// @brief A pin is high for the share of the period that its channel's value is, and the event
-/// tells it; a channel without pin is not high.
+/// @brief A pin is high for a share of the period, the value of its channel, and the event
+/// reports it; a channel without pin is not high.
 TEST(PulsesOfBoard, PinIsHighForTheShareOfItsValue) {
   VirtualBoard board(Guest("pulses").image());
   EXPECT_EQ(board.pwmDuty(0, 0), 0.0);
@@ -98,7 +98,7 @@ TEST(PulsesOfBoard, PeriodAndValueChangeTogether) {
   EXPECT_EQ(board.pwmDuty(0, 0), 0.2);
 }
 
-/// @brief A counter without clock stands, and there are no pulses.
+/// @brief A counter without clock is stopped, and there are no pulses.
 TEST(PulsesOfBoard, StandingCounterGivesNone) {
   VirtualBoard board(Guest("stopsPulses").image());
   const auto pulses = pulsesOf(board, 1ms);
@@ -109,7 +109,7 @@ TEST(PulsesOfBoard, StandingCounterGivesNone) {
   EXPECT_EQ(pulses[1].share, 0U);
 }
 
-/// @brief A pin that is taken from the timer gets no pulses, and the event tells it.
+/// @brief A pin that is taken from the timer gets no pulses, and the event reports it.
 TEST(PulsesOfBoard, PinOfAnotherFunctionGetsNone) {
   VirtualBoard board(Guest("takesPinFromTimer").image());
   const auto pulses = pulsesOf(board, 1ms);
@@ -176,7 +176,7 @@ TEST(ConverterOfBoard, CalibrationTakesItsTime) {
   EXPECT_NEAR(clocksBetween(0ns, board.now()), 14'000 * 8 + 100, 1'000);
 }
 
-/// @brief A calibration that fails is told.
+/// @brief A calibration that fails is reported.
 TEST(ConverterOfBoard, FailedCalibrationIsFlagged) {
   VirtualBoard board(Guest("convertsInputs").image(), {.calibrates = {false, false}});
   EXPECT_FALSE(board.runUntil(100ms));
@@ -298,7 +298,7 @@ TEST(WorldOfBoard, LevelsOfOneTimeComeInTheirOrder) {
   EXPECT_TRUE(board.pin('D', 6));
 }
 
-/// @brief Each pin interrupts at the edges that it was told; one without digital function never, and
+/// @brief Each pin interrupts at the chosen edges; one without digital function never, and
 /// that a pin becomes digital is no edge.
 TEST(WorldOfBoard, PinsInterruptAtTheirEdges) {
   Guest guest("watchesEdges");
@@ -328,7 +328,7 @@ TEST(WorldOfBoard, LevelInterruptsUntilItGoes) {
   EXPECT_LT(notes(board).size(), 20U);
 }
 
-/// @brief What is called at times is called at each multiple of the period, before the instructions
+/// @brief A periodic callback is called at each multiple of the period, before the instructions
 /// of that time, also while the program sleeps.
 TEST(WorldOfBoard, CallsComeAtMultiplesOfTheirPeriod) {
   VirtualBoard board(Guest("emptyProgram").image());

@@ -68,7 +68,7 @@ class Guest {
   std::vector<std::uint8_t> image_;
 };
 
-/// What a program told its test.
+/// Output of a program for its test.
 inline std::uint32_t told(const emulator::VirtualBoard& board, unsigned number) {
   return board.word(0x20000000 + 4 * number);
 }

@@ -111,7 +111,7 @@ TEST(ProcessorOfBoard, RaisedFaultIsDelivered) {
   EXPECT_EQ(told(board, 3), 3U);
 }
 
-/// @brief Each instruction takes one cycle, and the cycle counter tells so.
+/// @brief Each instruction takes one cycle, and the cycle counter counts it.
 TEST(ProcessorOfBoard, CycleCounterCountsInstructions) {
   VirtualBoard board(Guest("measures100Instructions").image());
   ASSERT_TRUE(board.runUntil(1ms));

@@ -27,7 +27,7 @@ TEST(HostPwmOutputTest, KeepsWithinTheLimits) {
   EXPECT_EQ(output.dutyCycle(), DutyCycle(0));
 }
 
-/// @brief An output tells each time that it goes on, and not when it stays on.
+/// @brief An output calls back each time that it goes on, and not when it stays on.
 TEST(HostDigitalOutputTest, TellsWhenItGoesOn) {
   host::HostDigitalOutput output;
   output.set(true);
@@ -128,7 +128,7 @@ TEST_F(HostWiresTest, WheelsTurnAsTheirPinsSay) {
   EXPECT_EQ(converted(pins.wheels[2].current), 2048);
 }
 
-/// @brief Each pulse is a step to the side that the direction says, while the motor is on.
+/// @brief Each pulse is a step to the side of the direction output, while the motor is on.
 TEST_F(HostWiresTest, PulsesTurnTheSteering) {
   const auto pulses = [this](int count) {
     for (int i = 0; i < count; ++i) {

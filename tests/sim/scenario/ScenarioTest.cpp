@@ -74,7 +74,7 @@ TEST(ScenarioTest, OrderNamesWheelsTogetherOrOneByOne) {
   EXPECT_TRUE(single.stop);
 }
 
-/// @brief What is wrong is told with its file and line.
+/// @brief An error is reported with its file and line.
 TEST(ScenarioTest, ErrorsNameFileAndLine) {
   const std::vector<std::pair<std::string, std::string>> wrong{
       {"at 0 hello\n", "text:1: the last line must be 'at TIME end'"},
@@ -135,7 +135,7 @@ TEST(ScenarioTest, ErrorsNameFileAndLine) {
   }
 }
 
-/// @brief Sticks of the remote control are told in the units of orders, faults by name and wheel.
+/// @brief Sticks of the remote control are written in the units of orders, faults by name and wheel.
 TEST(ScenarioTest, ActionsOfTheWorld) {
   const scenario::Scenario scenario = scenarioOf(
       "seed 9\nat 0 rc velocity -1500 steering 1600\nat 1 rc off\nat 2 slope -2.5\n"
@@ -258,7 +258,7 @@ TEST(ScenarioPlayerTest, HostHasNoExternalClock) {
   EXPECT_THROW(static_cast<void>(played("at 0 clock lost\nat 10 end\n")), std::runtime_error);
 }
 
-/// @brief What the world does reaches the robot, and true values can be expected of it.
+/// @brief Events of the world reach the robot, and its true values can be expected.
 TEST(ScenarioPlayerTest, WorldActsOnTheRobot) {
   const auto outcome = played(
       "seed 5\nat 0 noise off\nat 100 slope 20\nat 2200 expect way between -3000 -10\n"
@@ -270,7 +270,7 @@ TEST(ScenarioPlayerTest, WorldActsOnTheRobot) {
   EXPECT_EQ(outcome.failures, std::vector<std::string>{});
 }
 
-/// @brief A value out of its range is told, of a report and of the robot.
+/// @brief A value out of its range is an error, of a report and of the robot.
 TEST(ScenarioPlayerTest, RangesThatDoNotHoldAreTold) {
   const auto outcome = played(
       "at 0 connect\nat 350 expect cycle between 4 5\nat 350 expect cycle between 1 2\n"
@@ -282,7 +282,7 @@ TEST(ScenarioPlayerTest, RangesThatDoNotHoldAreTold) {
                                   "text:5: distance is 0.0, not between -2 and -1, at 350 ms"}));
 }
 
-/// @brief A connected PC gets reports, which hold what is expected of them.
+/// @brief A connected PC gets reports, which meet the expectations.
 TEST(ScenarioPlayerTest, ExpectationsLookAtTheLastReport) {
   const auto outcome = played(
       "at 0 connect\nat 250 order velocity 300\nat 360 expect cycle 3\nat 360 expect held yes\n"
@@ -291,7 +291,7 @@ TEST(ScenarioPlayerTest, ExpectationsLookAtTheLastReport) {
   EXPECT_EQ(outcome.reports, 2U);
 }
 
-/// @brief An expectation that does not hold is told with its line, and the scenario goes on.
+/// @brief An expectation that fails is reported with its line, and the scenario goes on.
 TEST(ScenarioPlayerTest, FailedExpectationsAreTold) {
   const auto outcome = played(
       "at 50 expect state Working\nat 50 expect session 1\nat 50 confirm\nat 60 connect\n"

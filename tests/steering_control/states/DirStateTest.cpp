@@ -28,7 +28,7 @@ TEST_F(DirStateTest, FR106_OffStaysOffWithoutAnOrderToFollow) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief An order to follow switches the motor on, even when the steering stands right; it stays
+/// @brief An order to follow switches the motor on, even when the steering is at the target; it stays
 /// on.
 /// @verifies FR-106
 TEST_F(DirStateTest, FR106_AnOrderToFollowSwitchesOn) {

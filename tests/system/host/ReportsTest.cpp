@@ -13,7 +13,7 @@ class ReportsOfRobotOnHost : public testing::Test {
   HostSteppedRobot robot;
 };
 
-/// @brief The report tells the conditions of the steering and of the wheels that the control systems give.
+/// @brief The report contains the conditions of steering and wheels from the control systems.
 /// @verifies FR-65
 /// @verifies FR-66
 /// @verifies FR-67

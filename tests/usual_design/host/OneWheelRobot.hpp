@@ -29,8 +29,8 @@ struct DesignName {
   }
 };
 
-/// At which failed read in a row the mode changes first, and then at each one that follows. The
-/// usual design changes it when its counter reaches N, as the figure of nested ifs does. In the
+/// Failed read in a row the mode changes first, and again at each later one. The
+/// baseline design changes it when its counter reaches N, as in Figure 7, the nested ifs. In the
 /// state machine the N-th failed read leads to the last waiting state, the next one to
 /// Reconnecting, and the one after it changes the mode.
 template <class Design>

@@ -19,7 +19,7 @@
 
 namespace wr {
 
-/// Main Control and one wheel in the usual design: one class, variables that tell the state, and
+/// Main Control and one wheel in the baseline design: one class, variables for the state, and
 /// conditions on them. Interrupts collect; the main loop runs a control cycle at each clock pulse.
 class UsualDesign {
  public:
@@ -29,13 +29,13 @@ class UsualDesign {
 
   void start();
 
-  // What the interrupts call.
+  // Called by the interrupts.
   void cycleTimerExpired();
   void tickTimerExpired();
   void hallEdge();
   void remoteControlEdge();
 
-  // What the main loop calls after each interrupt.
+  // Called by the main loop after each interrupt.
   void run() {
     if (pulses_.load(std::memory_order_relaxed) != begun_) {
       cycle();

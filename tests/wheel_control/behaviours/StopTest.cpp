@@ -12,7 +12,7 @@ class StopTest : public testing::Test, protected SpiedCommands {
   Stop stop{setTension, stopWheel};
 };
 
-/// @brief The tension falls by 2.4 V a cycle; when nothing is left the wheel is stopped.
+/// @brief The voltage falls by 2.4 V a cycle; when nothing is left the wheel is stopped.
 /// @verifies FR-88
 TEST_F(StopTest, FR88_TensionFallsStepByStep) {
   Tension applied(6000);
@@ -30,7 +30,7 @@ TEST_F(StopTest, FR88_MagnitudeFallsBackwards) {
   EXPECT_EQ(log, (CommandLog{{"tension", -600}, {"stop", 0}}));
 }
 
-/// @brief What another behaviour applied before does not count: each call tells what stands.
+/// @brief The voltage of another behaviour does not count: each call passes the present voltage.
 /// @verifies FR-88
 TEST_F(StopTest, FR88_StartsFromWhatItIsTold) {
   stop.resume(Tension(20000));

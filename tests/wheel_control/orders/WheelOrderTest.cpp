@@ -16,7 +16,7 @@ class WheelOrderTest : public testing::Test, protected SensedWheel {
   WheelWork work;
 };
 
-/// @brief The position is the count of Hall edges; the edges that were rejected are told with it.
+/// @brief The position is the count of Hall edges; the edges that were rejected are reported with it.
 /// @verifies FR-93
 TEST_F(WheelOrderTest, FR93_RegistersThePosition) {
   pass(true, kMiddle);
@@ -56,7 +56,7 @@ TEST_F(WheelOrderTest, FR93_OldCurrentIsMissing) {
   EXPECT_EQ(work.measured.current, std::nullopt);
 }
 
-/// @brief ApplyControl brings the set-point to the wheel, and tells what was applied.
+/// @brief ApplyControl brings the set-point to the wheel, and reports the applied voltage.
 /// @verifies FR-80
 /// @verifies FR-94
 TEST_F(WheelOrderTest, FR80_FR94_AppliesAndTells) {
@@ -84,7 +84,7 @@ TEST_F(WheelOrderTest, FR91_MissingPositionIsNoMotion) {
   EXPECT_TRUE(work.measured.blind);
 }
 
-/// @brief Too much current switches the driver off in the interrupt. It is on again, without tension, in
+/// @brief Too much current switches the driver off in the interrupt. It is on again, without voltage, in
 /// the second control cycle, and so it stays: the wheel brakes.
 /// @verifies FR-89
 /// @verifies FR-94

@@ -1,5 +1,5 @@
-// What the programs share. They name registers by their addresses, so that they share no mistake
-// with the drivers or with the models of the registers.
+// The common part of the programs. They name registers by their addresses, so that they share no
+// mistake with the drivers or with the models of the registers.
 
 #pragma once
 
@@ -18,12 +18,12 @@ inline volatile std::uint32_t& wordAt(std::uint32_t address) {
   return *reinterpret_cast<volatile std::uint32_t*>(address);
 }
 
-/// What a program tells its test.
+/// Output of a program for its test.
 inline volatile std::uint32_t& told(std::uint32_t number) {
   return wordAt(0x20000000 + 4 * number);
 }
 
-/// Notes a number behind those noted before; their count stands first.
+/// Records a number behind those recorded before; their count is the first word.
 inline void note(std::uint32_t number) {
   const std::uint32_t count = wordAt(0x20000100);
   wordAt(0x20000104 + 4 * count) = number;
