@@ -169,7 +169,7 @@ def by_keyboard(link: Link, recording: Recording, wheels: tuple[int, ...] | None
 
 
 def drop_output() -> None:
-    """Drops what a terminal that is gone cannot show: Python would exit with 120."""
+    """Drops the output for a closed terminal: Python would exit with 120."""
     if os.isatty(sys.stdin.fileno()):
         return
     nowhere = os.open(os.devnull, os.O_WRONLY)

@@ -1,4 +1,4 @@
-"""Shows what the robot reports, live."""
+"""Shows the reports of the robot, live."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ class Operator(Protocol):
     """Carries out actions by hand. ``idle`` is called while the operator is waited for."""
 
     reaction_s: float  # between the action and its start, as seen by the program
-    patience_s: float  # for what follows an action
+    patience_s: float  # for the effect of an action
 
     def perform(self, action: str, instruction: str, idle: Idle) -> None:
         """Asks for an action. Returns when the operator begins with it."""

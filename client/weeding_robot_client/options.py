@@ -21,7 +21,7 @@ def add_link(parser: argparse.ArgumentParser) -> None:
         type=Path,
         default=DEFAULT_LINK,
         metavar="PATH",
-        help="serial port, or what ./wr sim printed (default: build/pc-link)",
+        help="serial port, or the path that ./wr sim printed (default: build/pc-link)",
     )
     parser.add_argument("--csv", type=Path, metavar="FILE", help="write each report to this file")
     parser.add_argument(
@@ -58,7 +58,7 @@ def open_link(path: Path) -> Link | None:
 
 
 def open_recording(path: Path | None) -> Recording | None:
-    """Returns the recording, or None after a message that says why there is none."""
+    """Returns the recording, or None after a message with the reason."""
     try:
         return Recording(path)
     except OSError as error:
@@ -67,7 +67,7 @@ def open_recording(path: Path | None) -> Recording | None:
 
 
 def open_capture(path: Path | None) -> Capture | None:
-    """Returns the capture, or None after a message that says why there is none."""
+    """Returns the capture, or None after a message with the reason."""
     try:
         capture = Capture(path)
         if path is not None:

@@ -83,7 +83,7 @@ def connect(orders: Orders) -> Report | None:
 
 
 def not_connected(link: Link) -> str:
-    """Says why there is no connection, and the next action."""
+    """Prints why there is no connection, and the next action."""
     if link.incompatible:
         return link.incompatible
     return (

@@ -47,7 +47,7 @@ class Bluetooth final : public ModeDecorator {
   /// @isr{no}
   void read(MainController& mCtrl) override;
 
-  /// @brief Makes the controller read from the other mode.
+  /// @brief Lets the controller read from the other mode.
   /// @param mCtrl controller whose mode changes
   /// @satisfies FR-150
   /// @isr{no}

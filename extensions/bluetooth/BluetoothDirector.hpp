@@ -10,10 +10,10 @@
 
 namespace wr {
 
-/// @brief Has a robot made that the PC and a Bluetooth device command, and starts it.
+/// @brief Builds a robot that the PC and a Bluetooth device command, and starts it.
 ///
-/// @function Calls the steps of the builders in the right sequence, gives them the modes of this product
-/// in place of their own, and starts what they made.
+/// @function Calls the steps of the builders in the right sequence, passes them the modes of this
+/// product in place of their own, and starts the parts that they built.
 ///
 /// @secret Which steps make a robot with a Bluetooth device and without a remote control.
 ///
@@ -31,7 +31,7 @@ class BluetoothDirector final {
   BluetoothDirector(const BluetoothDirector&) = delete;
   BluetoothDirector& operator=(const BluetoothDirector&) = delete;
 
-  /// @brief Makes all parts of the robot. The mode at start is PC.
+  /// @brief Builds all parts of the robot. The mode at start is PC.
   /// @post start() can be called.
   /// @errors A second call ends the program with the assertion PartDouble.
   /// @satisfies FR-150

@@ -17,7 +17,8 @@ constexpr std::uint8_t kFromRobot = 'R';
 constexpr std::uint8_t kToRobot = 'D';
 constexpr std::uint8_t kErased = 0xFF;  // a byte of the flash that was never written
 
-// Writes a number as hexadecimal digits, the highest first: they hold no zero, which ends a frame.
+// Writes a number as hexadecimal digits, the highest first: they contain no zero, which ends a
+// frame.
 void writeDigits(std::uint64_t number, std::span<std::uint8_t> digits) {
   for (std::uint8_t& digit : digits) {
     number = std::rotl(number, kDigit);
@@ -85,7 +86,7 @@ bool SignedPort::write(std::span<const std::uint8_t> bytes) {
     return false;
   }
   const auto frame = bytes.first(bytes.size() - 1);
-  if (frame.empty()) {  // a zero byte alone ends what was sent before a reset
+  if (frame.empty()) {  // a zero byte alone ends a frame that a reset interrupted
     return port_.write(bytes);
   }
   Coded coded{};

@@ -19,11 +19,11 @@ namespace wr {
 /// @function Extends a serial port. Each frame on the line has a counter and a tag between its coded
 /// bytes and the zero that ends it. Received frames with a wrong tag, or with a counter that is not
 /// greater than the one before, are dropped; the others are given without counter and tag. Frames
-/// to send get both. A wrong frame is answered with a challenge, which shows an honest sender what
-/// its tags must contain.
+/// to send get both. A wrong frame is answered with a challenge, which contains the values that an
+/// honest sender needs for its tags.
 ///
-/// @secret How counter and tag are put on the line, and what the tag covers: a number that the robot draws
-/// at start, the direction, the counter and the coded frame.
+/// @secret How counter and tag are put on the line, and the content of the tag: a number that the
+/// robot draws at start, the direction, the counter and the coded frame.
 class SignedPort final : public SerialPort {
  public:
   /// @brief Type of the frame that challenges the sender: a random number (u64) and the last counter (u32).
@@ -38,7 +38,7 @@ class SignedPort final : public SerialPort {
   /// @param random draws the number of this start
   SignedPort(SerialPort& port, const SipHash::Key& key, RandomSource& random);
 
-  /// @brief Gives the bytes of at most one frame whose tag is right and whose counter is new.
+  /// @brief Returns the bytes of at most one frame whose tag is right and whose counter is new.
   /// @param bytes where the bytes are put
   /// @return how many bytes were put there; 0 when there is no such frame
   /// @isr{no}

@@ -17,7 +17,7 @@ namespace wr {
 /// @brief The third channel of the remote control, from its pin to the width of its pulses.
 /// @datatype
 struct EnableChannel {
-  /// @brief Makes the channel; its pin interrupts from now on.
+  /// @brief Constructs the channel, and enables the interrupt of its pin.
   /// @param input pin of the channel
   /// @param timebase gives the time of its edges
   EnableChannel(EdgeInput& input, const Timebase& timebase)

@@ -10,7 +10,7 @@
 
 namespace wr {
 
-/// @brief Gives the remote control a stop, and lets its operator choose the source of orders.
+/// @brief Adds a stop to the remote control, and lets its operator choose the source of orders.
 ///
 /// @function Reads the enable switch in every cycle. In its position "stop", or without its pulses, a stop
 /// is latched until the switch leaves that position while the velocity stick is centred. A stop

@@ -10,7 +10,7 @@ namespace {
 
 // The parameters are shares of the resistance and of the motor constant, divided by the share of
 // the supply, and the voltage of the current sensor's offset. These are their variances before the
-// first cycle, and the limits of what is learned.
+// first cycle, and the limits of the learned values.
 constexpr std::array<float, 3> kFirst{0.13F * 0.13F, 0.13F * 0.13F, 0.25F * 0.25F};
 constexpr float kGreatest = 0.5F;
 constexpr float kDrift = 1e-6F;  // growth of a variance in a cycle: temperature and battery

@@ -39,7 +39,7 @@ class LeadsWatch final {
   static constexpr std::size_t kParameters = 3;
   using Vector = std::array<float, kParameters>;
 
-  /// What a cycle shows.
+  /// The evidence of one cycle.
   struct Cycle {
     Vector inputs{};        // voltages of the nominal motor, and 1 V [V]
     Vector spread{};        // covariance of the parameters times the inputs

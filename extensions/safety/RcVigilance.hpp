@@ -13,8 +13,8 @@ namespace wr {
 /// @function Compares the pulses of all channels with those of the last change, and measures for how long
 /// the remote control moves the robot without a change.
 ///
-/// @secret Which change of a pulse shows that a person holds the remote control, and how often it is
-/// expected.
+/// @secret The change of a pulse that shows that a person holds the remote control, and how often
+/// it is expected.
 class RcVigilance final {
  public:
   static constexpr std::size_t kChannels = 3;  ///< velocity, direction, enable

@@ -15,7 +15,7 @@
 
 namespace wr {
 
-/// @brief Has a robot with safety functions built, and starts it.
+/// @brief Builds a robot with safety functions, and starts it.
 ///
 /// @function Calls the steps of the builders in the right sequence, gives them the reading modes with
 /// safety functions in place of their own, and starts their products.
@@ -48,7 +48,7 @@ class SafetyDirector final {
   SafetyDirector(const SafetyDirector&) = delete;
   SafetyDirector& operator=(const SafetyDirector&) = delete;
 
-  /// @brief Has a robot built that the PC and the remote control command.
+  /// @brief Builds a robot that the PC and the remote control command.
   /// @post start() can be called.
   /// @errors A second call ends the program with the assertion PartDouble.
   /// @satisfies FR-285

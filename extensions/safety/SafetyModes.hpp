@@ -17,7 +17,7 @@ namespace wr {
 /// @brief The reading modes of a robot with safety functions that the PC and the remote control command.
 /// @datatype
 struct SafetyModes {
-  /// @brief Makes the modes.
+  /// @brief Constructs the modes.
   /// @param pcReader reader of the PC's orders
   /// @param rcReader reader of the remote control's orders
   /// @param connection link to the PC

@@ -9,7 +9,7 @@
 
 namespace wr {
 
-/// @brief Has a robot with safety functions built that only the PC commands, and starts it.
+/// @brief Builds a robot with safety functions that only the PC commands, and starts it.
 ///
 /// @function Calls the steps of the builders in the right sequence, gives them the reading mode with
 /// safety functions in place of their own, and starts their products.
@@ -30,7 +30,7 @@ class SafetyPcDirector final {
   SafetyPcDirector(const SafetyPcDirector&) = delete;
   SafetyPcDirector& operator=(const SafetyPcDirector&) = delete;
 
-  /// @brief Has the robot built.
+  /// @brief Builds the robot.
   /// @post start() can be called.
   /// @errors A second call ends the program with the assertion PartDouble.
   /// @satisfies FR-293

@@ -14,7 +14,7 @@ namespace wr {
 /// @brief The reading mode of a robot with safety functions that only the PC commands.
 /// @datatype
 struct SafetyPcMode {
-  /// @brief Makes the mode.
+  /// @brief Constructs the mode.
   /// @param pcReader reader of the PC's orders
   /// @param connection link to the PC
   /// @param memory memory of the PC's stop

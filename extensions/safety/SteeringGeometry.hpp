@@ -5,7 +5,7 @@
 
 namespace wr {
 
-/// @brief Gives each wheel the velocity of its own circle.
+/// @brief Computes the velocity of each wheel on its own circle.
 ///
 /// @function Changes the set-points of a source that orders one velocity for all wheels: each wheel gets
 /// the share that its circle has of the circle of the fastest wheel, at the ordered steering angle.

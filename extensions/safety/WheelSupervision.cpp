@@ -26,9 +26,9 @@ constexpr std::int32_t kMarginShare = 4;  // and a quarter of the set-point
 constexpr Velocity kSlower(10);  // loss of speed in a cycle of a wheel that its control brakes
 constexpr std::uint8_t kTooFastCycles = 3;
 
-// Voltage, velocity and current do not match. The shares cover a supply of 21 to 29 V, and what the
-// resistance and the motor constant vary with temperature and from motor to motor.
-constexpr Tension kResidual(700);    // offset of the current, and what changes during a cycle
+// Voltage, velocity and current do not match. The shares cover a supply of 21 to 29 V, and the
+// variation of the resistance and the motor constant with temperature and from motor to motor.
+constexpr Tension kResidual(700);    // offset of the current, and changes during a cycle
 constexpr Tension kNotDriven(1500);  // 1 A in the winding; 1 V turns a wheel at bring-up
 constexpr std::int32_t kSupplyPercent = 20;
 constexpr std::int32_t kWindingPercent = 25;

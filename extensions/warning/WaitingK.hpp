@@ -11,7 +11,7 @@ namespace wr {
 /// the state in the report. A message ends the state, a failed read sets the next one. Meanwhile
 /// the control systems follow the set-points that were read last.
 ///
-/// @secret With what the robot warns.
+/// @secret The means of the warning.
 ///
 /// @role{operation-states, Concrete State}
 /// @role{read-orders, Concrete Class}

@@ -7,10 +7,10 @@
 
 namespace wr {
 
-/// @brief Has a robot made that warns before it stops, and starts it.
+/// @brief Builds a robot that warns before it stops, and starts it.
 ///
-/// @function Calls the steps of the builders in the right sequence, gives them the states of this product
-/// in place of their own, and starts what they made.
+/// @function Calls the steps of the builders in the right sequence, passes them the states of this
+/// product in place of their own, and starts the parts that they built.
 ///
 /// @secret Which steps make a robot that warns and that the PC and the remote control command.
 ///
@@ -28,7 +28,7 @@ class WarningDirector final {
   WarningDirector(const WarningDirector&) = delete;
   WarningDirector& operator=(const WarningDirector&) = delete;
 
-  /// @brief Makes all parts of the robot.
+  /// @brief Builds all parts of the robot.
   /// @post start() can be called.
   /// @errors A second call ends the program with the assertion PartDouble.
   /// @satisfies FR-152

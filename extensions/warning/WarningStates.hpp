@@ -16,7 +16,7 @@ namespace wr {
 /// waiting state.
 /// @datatype
 struct WarningStates {
-  /// @brief Makes the states and binds each to its successors.
+  /// @brief Constructs the states and binds each to its successors.
   /// @param warning output that is on during a warning
   explicit WarningStates(DigitalOutput& warning)
       : waiting(working, waitingK, kFailedReads),

@@ -18,8 +18,8 @@ class BoardSession final : public scenario::RobotSession {
   static constexpr int kPulseInterrupt = 48;
 
   /// @brief Switches the board on.
-  /// @param image what flash holds
-  /// @param options what the board does and has
+  /// @param image content of the flash
+  /// @param options options of the board
   BoardSession(std::vector<std::uint8_t> image, emulator::Options options);
 
   void send(std::span<const std::uint8_t> bytes) override;
@@ -34,8 +34,8 @@ class BoardSession final : public scenario::RobotSession {
   void setExternalClock(bool present) override;
   [[nodiscard]] std::optional<scenario::SessionFinding> finding() const override;
 
-  /// @brief Sets what is called with each event of the board.
-  /// @param call what is called
+  /// @brief Sets the callback with each event of the board.
+  /// @param call the callback
   void onEvent(std::function<void(const emulator::Event&)> call);
 
   /// @brief Times of the clock pulses, in their order.

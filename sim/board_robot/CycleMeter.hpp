@@ -18,8 +18,8 @@ namespace wr::board_robot {
 ///
 /// A control cycle lasts from one clock pulse to the next. The clock pulse is the instant at which
 /// the timer raises its interrupt line. The report is handed over when all of it is in the send
-/// buffer of the serial port and its first byte is written to the port. What interrupts the control
-/// cycle is counted with it.
+/// buffer of the serial port and its first byte is written to the port. Interrupts of the control
+/// cycle are counted with it.
 class CycleMeter {
  public:
   /// Number of control cycles that are measured.
@@ -31,7 +31,7 @@ class CycleMeter {
     std::uint64_t instructions = 0;
   };
 
-  /// @brief What one control cycle took.
+  /// @brief Costs of one control cycle.
   struct Cycle {
     Cost toReport;  ///< from the clock pulse to the report handed over
     Cost whole;     ///< without the cycles in which the processor sleeps
@@ -41,18 +41,18 @@ class CycleMeter {
     bool reported = false;         ///< a report was handed over
   };
 
-  /// @brief What one exception took in all measured control cycles; 0: outside of exceptions.
+  /// @brief Costs of one exception in all measured control cycles; 0: outside of exceptions.
   struct Exception {
     unsigned priority = 0;            ///< 0 to 15; 0 is the highest
     std::uint64_t entries = 0;        ///< times it was entered
-    Cost whole;                       ///< in it, without what interrupts it
+    Cost whole;                       ///< in it, without its interrupts
     Cost toReport;                    ///< the part from the clock pulses to the reports
     std::uint64_t requests = 0;       ///< times a device raised its line
     std::uint64_t worstLatency = 0;   ///< most cycles from a request to its first instruction
     std::optional<std::uint64_t> at;  ///< cycle of a request that waits
   };
 
-  /// @brief Takes the place of the observer of the line, and of what sees the board's writes.
+  /// @brief Replaces the observer of the line, and that of the board's writes.
   /// @param robot the image in its robot; it lives as long as the meter
   /// @param from when to begin; the first control cycle is that of the next clock pulse
   /// @param profiled whether to count how often each instruction is executed
@@ -60,10 +60,10 @@ class CycleMeter {
   CycleMeter(const CycleMeter&) = delete;
   CycleMeter& operator=(const CycleMeter&) = delete;
 
-  /// @brief What was measured of each control cycle, at most kCycles.
+  /// @brief Measurement of each control cycle, at most kCycles.
   [[nodiscard]] const std::vector<Cycle>& cycles() const { return cycles_; }
 
-  /// @brief What was measured of each exception by its number.
+  /// @brief Measurement of each exception by its number.
   [[nodiscard]] const std::map<unsigned, Exception>& exceptions() const { return exceptions_; }
 
   /// @brief How often an instruction was executed.
@@ -73,8 +73,8 @@ class CycleMeter {
     return profile_[toReport ? 1 : 0].timesOf(address);
   }
 
-  /// @brief How deep the stack was since the board was switched on: down to the lowest word that no
-  /// longer holds what it held when the meter was made.
+  /// @brief Returns the greatest depth of the stack since the board was switched on: down to the
+  /// lowest word that has changed since the meter was constructed.
   /// @return bytes of the stack
   [[nodiscard]] std::size_t stackBytes() const;
 

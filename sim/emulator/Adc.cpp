@@ -103,7 +103,7 @@ std::uint32_t Adc::clocksOfConversion() const {
   return (longSample ? 3 : 5) + times * each;
 }
 
-// What PG and MG should hold: half the sum of six results of the calibration.
+// The right values of PG and MG: half the sum of six results of the calibration.
 std::uint32_t Adc::gain(std::uint32_t firstResult) const {
   std::uint32_t sum = 0;
   for (std::uint32_t i = 0; i < 6; ++i) {

@@ -21,7 +21,7 @@ namespace wr::emulator {
 /// bus clock.
 class Adc final : public Peripheral {
  public:
-  /// @brief What the pin of a channel is.
+  /// @brief State of the pin of a channel.
   enum class Input { None, Digital, Analog };
 
   /// @param number 0 or 1

@@ -54,7 +54,7 @@ void CallRecorder::exceptionEntered(std::uint32_t handler, std::uint32_t stack) 
 }
 
 void CallRecorder::exceptionLeft() {
-  // What was left by jumps before the return of the handler, and the handler itself.
+  // The calls that jumps left before the return of the handler, and the handler itself.
   while (!calls_.empty()) {
     const bool handler = calls_.back().returnsTo == 0;
     const std::size_t begin = calls_.back().begin;

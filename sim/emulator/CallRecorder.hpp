@@ -32,7 +32,7 @@ class CallRecorder {
   /// @brief The processor was reset: nothing is entered any more.
   void reset();
 
-  /// @brief Forgets all events; what is entered stays so.
+  /// @brief Clears the events; open calls stay open.
   void clear();
 
   /// @brief The events, oldest first.
@@ -60,7 +60,7 @@ class CallRecorder {
   std::vector<std::uint32_t> functions_;  ///< sorted
   std::vector<Call> calls_;
   std::vector<std::uint64_t> events_;
-  std::set<std::vector<std::uint64_t>> handled_;  ///< what each interrupt called
+  std::set<std::vector<std::uint64_t>> handled_;  ///< calls of each interrupt
   std::size_t most_;
   bool truncated_ = false;
 };

@@ -62,7 +62,8 @@ class Clock {
   __extension__ using Wide = unsigned __int128;
   static constexpr std::uint64_t kSecond = 1'000'000'000'000;
 
-  // (value * factor + more) / divisor. What fits in 64 bits is divided there, which is much faster.
+  // (value * factor + more) / divisor. A product that fits in 64 bits is divided there, which is
+  // much faster.
   static std::uint64_t scale(std::uint64_t value, std::uint64_t factor, std::uint64_t more,
                              std::uint64_t divisor) {
     std::uint64_t product = 0;

@@ -13,10 +13,10 @@
 
 namespace wr::emulator {
 
-/// @brief A Cortex-M4F: what exceptions, the interrupt controller and system control do to the core
-/// that executes the instructions.
+/// @brief A Cortex-M4F: the core that executes the instructions, with its exceptions, interrupt
+/// controller and system control.
 ///
-/// Time is counted in cycles, as Timing says. The same program gives the same run, always.
+/// Time is counted in cycles, by the rules of Timing. The same program gives the same run, always.
 ///
 /// Not modelled: bit-banding, the memory protection unit, lazy stacking of the floating-point
 /// registers (they are stacked at entry), LDM and STM that an interrupt divides.
@@ -26,7 +26,7 @@ class CortexM4 {
   using Read = Memory::Read;
   using Write = Memory::Write;
 
-  /// @brief What the program did that stopped it.
+  /// @brief Action of the program that stopped it.
   struct Problem {
     std::string id;        ///< kind of finding
     std::string what;      ///< what happened, in words
@@ -47,7 +47,7 @@ class CortexM4 {
   /// @brief Makes a processor without memory.
   /// @param lines number of interrupt lines, 1 to 240
   /// @param priorityBits number of bits of a priority, 3 to 8
-  /// @param timing what instructions cost
+  /// @param timing cost of instructions
   explicit CortexM4(unsigned lines = 110, unsigned priorityBits = 4,
                     Timing timing = Timing::NoWaitStates);
   CortexM4(const CortexM4&) = delete;
@@ -56,14 +56,14 @@ class CortexM4 {
   /// @brief Adds memory.
   /// @param address first address, a multiple of 4096
   /// @param size bytes, a multiple of 4096
-  /// @param access what the program may do with it
+  /// @param access access of the program
   void mapMemory(std::uint32_t address, std::uint32_t size, Access access);
 
   /// @brief Adds a range of addresses whose accesses are calls.
   /// @param address first address, a multiple of 4096
   /// @param size bytes, a multiple of 4096
-  /// @param read gives what the program reads
-  /// @param write takes what the program writes
+  /// @param read returns the value that the program reads
+  /// @param write gets the value that the program writes
   void mapWindow(std::uint32_t address, std::uint32_t size, Read read, Write write);
 
   /// @brief Writes memory from outside, also where the program may not.
@@ -116,7 +116,7 @@ class CortexM4 {
   /// @brief Sets the level of an interrupt line.
   void setLine(unsigned line, bool high);
 
-  /// @brief Pends an exception as the hardware does; a fault is taken at the next instruction.
+  /// @brief Triggers an exception as the hardware does; a fault is taken at the next instruction.
   /// @param exception number, 2 NMI, 3 HardFault, ... 16 interrupt line 0
   void raise(unsigned exception);
 
@@ -134,31 +134,31 @@ class CortexM4 {
   /// @brief Faults stop the program as problems (true), or are delivered to it (false, at first).
   void setFaultsAreProblems(bool problems);
 
-  /// @brief Sets what is called at BKPT 0xAB. The call sets register 0; the program goes on after it.
+  /// @brief Sets the callback at BKPT 0xAB. The call sets register 0; the program goes on after it.
   void onSemihosting(std::function<void(CortexM4&)> call);
 
-  /// @brief Sets what is called when an exception was entered or left.
+  /// @brief Sets the callback when an exception was entered or left.
   void onException(std::function<void(Step, unsigned exception)> call);
 
-  /// @brief Sets what is called when the program asks for a reset.
+  /// @brief Sets the callback for reset requests of the program.
   void onResetRequest(std::function<void()> call);
 
-  /// @brief Sets what is called when a fault meets no handler that may run. Without it: a problem.
+  /// @brief Sets the callback when a fault meets no handler that may run. Without it: a problem.
   void onLockup(std::function<void()> call);
 
-  /// @brief Sets what is asked before an access that is not modelled is a problem.
+  /// @brief Sets the callback before an access that is not modelled is a problem.
   /// @param call gets the access in words; returns true when the program goes on: a load gives 0, a
   /// store does nothing
   void onUnmodelled(std::function<bool(const std::string& what)> call);
 
-  /// @brief Sets what is called before the first instruction after a reset and after each branch.
+  /// @brief Sets the callback before the first instruction after a reset and after each branch.
   void onBlock(std::function<void(std::uint32_t address)> call);
 
   /// @brief Notes each instruction that is executed from now on.
   /// @param code where they are noted; must outlive the processor
   void noteExecuted(ExecutedCode& code) { core_.noteExecuted(code); }
 
-  /// @brief Notes the lowest stack pointer from now on.
+  /// @brief Records the lowest stack pointer from now on.
   /// @param lowest keeps the lowest; must outlive the processor
   void noteStack(std::uint32_t& lowest) { core_.noteStack(lowest); }
 

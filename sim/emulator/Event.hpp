@@ -5,7 +5,7 @@
 
 namespace wr::emulator {
 
-/// @brief What resets the board from outside or from inside.
+/// @brief Cause of a reset of the board, from outside or from inside.
 enum class Reset { PowerOn, LowVoltage, Pin, Watchdog, ClockLost, Lockup, Software, LockLost };
 
 /// @brief Something that happened on the board.

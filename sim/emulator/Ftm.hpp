@@ -15,7 +15,7 @@ namespace wr::emulator {
 /// K64P144M120SF5RM, chapter FlexTimer Module (FTM).
 ///
 /// Not modelled: all other modes, interrupts, the flags of channels (they read 0), and MODE.FTMEN
-/// with the registers that it opens: those can only be written with what they hold after a reset.
+/// with the registers that it opens: those can only be written with their values after a reset.
 class Ftm final : public Peripheral {
  public:
   /// @param number 0 to 3
@@ -78,11 +78,11 @@ class Ftm final : public Peripheral {
   bool protectionOff_ = true;  ///< MODE.WPDIS
   bool protectionSeen_ = false;
   std::uint64_t from_ = 0;  ///< count of the bus clock at which the counter was 0
-  std::uint32_t held_ = 0;  ///< the counter while it stands
+  std::uint32_t held_ = 0;  ///< the counter while it is stopped
   std::uint64_t overflowsBefore_ = 0;
   std::uint64_t overflowsSeen_ = 0;
   bool flagRead_ = false;
-  std::uint64_t takesAt_ = 0;  ///< count of the bus clock at which what was written takes effect
+  std::uint64_t takesAt_ = 0;  ///< count of the bus clock at which a written value takes effect
   bool waits_ = false;
 };
 

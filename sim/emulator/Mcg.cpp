@@ -73,7 +73,7 @@ Mcg::Mode Mcg::mode() const {
   }
 }
 
-// K64P144M120SF5RM, MCG, figure of the mode state diagram.
+// K64P144M120SF5RM, MCG, drawing of the mode state diagram.
 bool Mcg::leadsTo(Mode from, Mode to) {
   using enum Mode;
   constexpr std::array<std::pair<Mode, Mode>, 12> kNeighbours{{{Fei, Fee},

@@ -30,10 +30,10 @@ class Nvic {
   /// @brief A pending exception becomes active.
   void activate(unsigned exception);
 
-  /// @brief An exception has returned; a line that is still high pends it again.
+  /// @brief An exception has returned; a line that is still high triggers it again.
   void deactivate(unsigned exception);
 
-  /// @brief Sets the level of an interrupt line; a rising level pends it.
+  /// @brief Sets the level of an interrupt line; a rising level triggers it.
   /// @return true when it did.
   bool setLine(unsigned line, bool high);
 
@@ -53,7 +53,7 @@ class Nvic {
     return priority < 0 ? priority : priority & ~((2 << priorityGroup_) - 1);
   }
 
-  /// @brief The priority that the active exceptions give to what runs.
+  /// @brief The priority of the running code, by the active exceptions.
   [[nodiscard]] int activePriority() const;
 
   void setPriority(unsigned exception, std::uint8_t value);

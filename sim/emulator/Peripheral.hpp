@@ -9,7 +9,7 @@
 
 namespace wr::emulator {
 
-/// @brief What a peripheral sees of its microcontroller.
+/// @brief The part of the microcontroller that a peripheral can see.
 class Microcontroller {
  public:
   Microcontroller(const Microcontroller&) = delete;
@@ -45,7 +45,7 @@ class Microcontroller {
   ~Microcontroller() = default;
 };
 
-/// @brief A block of registers and what they do.
+/// @brief A block of registers and their function.
 class Peripheral {
  public:
   Peripheral(const Peripheral&) = delete;
@@ -66,7 +66,7 @@ class Peripheral {
   /// @brief When something happens by itself; kNever when nothing does.
   [[nodiscard]] virtual Time nextEvent() const { return kNever; }
 
-  /// @brief Does what has happened by itself up to now.
+  /// @brief Updates the state to the present time.
   virtual void advance() {}
 
   /// @brief Last result of nextEvent().

@@ -144,7 +144,7 @@ void Pit::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
     return;
   }
   if (!controlRead_) {
-    // Errata of the K64: what is written at once after the clock gate was opened may be lost; a
+    // Errata of the K64: a write at once after the clock gate was opened may be lost; a
     // read of MCR lets the clock come first.
     misuse("PIT written after its clock gate was opened, before MCR was read");
   }

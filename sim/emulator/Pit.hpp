@@ -29,7 +29,7 @@ class Pit final : public Peripheral {
     bool flag = false;
     std::uint32_t reload = 0;    ///< value from which it counts now
     std::uint64_t loadedAt = 0;  ///< count of the bus clock; for a channel that is not chained
-    std::uint32_t value = 0;     ///< for a chained channel, and one that stands
+    std::uint32_t value = 0;     ///< for a chained channel, and one that is stopped
     [[nodiscard]] bool enabled() const { return (control & 1U) != 0; }
     [[nodiscard]] bool chained() const { return (control & 4U) != 0; }
   };

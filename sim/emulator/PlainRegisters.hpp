@@ -9,7 +9,7 @@
 
 namespace wr::emulator {
 
-/// @brief A register that keeps what is written to it and does nothing else.
+/// @brief A register that keeps the written value and does nothing else.
 struct PlainRegister {
   std::uint32_t offset;
   std::uint32_t atReset;

@@ -11,7 +11,7 @@ namespace wr::emulator {
 /// K64P144M120SF5RM, chapter System Integration Module (SIM).
 class Sim final : public Peripheral {
  public:
-  /// @brief What the core and the buses divide the output of the clock generator by.
+  /// @brief Divisors of the clock generator's output for the core and the buses.
   struct Dividers {
     unsigned core;
     unsigned bus;

@@ -7,7 +7,7 @@
 
 namespace wr::emulator {
 
-/// @brief What the world around the board does at which time.
+/// @brief Stimuli of the world around the board, each with its time.
 class StimulusQueue {
  public:
   /// @brief A level that is put on a pin at a time.
@@ -18,7 +18,7 @@ class StimulusQueue {
     bool high;
   };
 
-  /// @brief Sets what puts a level on a pin.
+  /// @brief Sets the function that puts a level on a pin.
   explicit StimulusQueue(std::function<void(const Level&)> drive) : drive_(std::move(drive)) {}
 
   /// @brief Adds a level. Levels of the same time come in the order in which they were added.
@@ -30,7 +30,7 @@ class StimulusQueue {
   /// @brief When the next of them comes; kNever without one.
   [[nodiscard]] Time next() const { return next_; }
 
-  /// @brief Does what has come up to a time, in order; at the same time levels before calls.
+  /// @brief Runs all stimuli up to a time, in order; at the same time levels before calls.
   void advance(Time now);
 
  private:

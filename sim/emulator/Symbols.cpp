@@ -17,7 +17,7 @@ namespace wr::emulator {
 
 namespace {
 
-/// @brief A piece of the file as what it is.
+/// @brief A piece of the file with its type.
 template <typename Part>
 Part partAt(const std::vector<char>& file, std::size_t offset) {
   Part part{};

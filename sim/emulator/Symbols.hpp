@@ -13,7 +13,7 @@ class Symbols {
   struct Function {
     std::uint32_t address;  ///< without the bit that marks Thumb code
     std::uint32_t size;
-    std::string name;  ///< as the linker knows it
+    std::string name;  ///< as the linker has it
   };
 
   /// @brief Reads an ELF file of 32 bits, little-endian. Throws std::runtime_error when it cannot.

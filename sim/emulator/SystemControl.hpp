@@ -14,7 +14,7 @@ class SystemControl {
  public:
   static constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
 
-  /// @brief What a write did.
+  /// @brief Effect of a write.
   enum class Written { Done, ResetRequested, Unknown, Misused };
 
   // Bits of CFSR, ARMv7-M ARM, B3.2.15.
@@ -41,7 +41,7 @@ class SystemControl {
 
   /// @brief Reads a word.
   /// @param address of the word, 0xE0000000 up
-  /// @param value what is read
+  /// @param value the value read
   /// @return false when there is no such register.
   [[nodiscard]] bool read(std::uint32_t address, std::uint64_t cycle, unsigned running,
                           std::uint32_t& value);
@@ -49,7 +49,7 @@ class SystemControl {
   [[nodiscard]] Written write(std::uint32_t address, unsigned size, std::uint32_t value,
                               std::uint64_t cycle);
 
-  /// @brief The cycle at which SysTick pends its exception.
+  /// @brief The cycle at which SysTick triggers its exception.
   [[nodiscard]] std::uint64_t nextEvent() const;
 
   /// @brief Lets SysTick count up to a cycle.
@@ -95,10 +95,10 @@ class SystemControl {
   std::uint32_t tickControl_ = 0;
   std::uint32_t tickReload_ = 0;
   std::uint64_t tickZeroAt_ = 0;  ///< cycle at which SysTick reaches 0
-  std::uint32_t tickValue_ = 0;   ///< while it stands
+  std::uint32_t tickValue_ = 0;   ///< while it is stopped
   std::uint32_t traceControl_ = 0;
   std::uint64_t cyclesFrom_ = 0;  ///< CYCCNT is the cycle less this
-  std::uint32_t cyclesHeld_ = 0;  ///< CYCCNT while it stands
+  std::uint32_t cyclesHeld_ = 0;  ///< CYCCNT while it is stopped
 };
 
 }  // namespace wr::emulator

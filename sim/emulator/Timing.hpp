@@ -4,7 +4,7 @@
 
 namespace wr::emulator {
 
-/// @brief What the time of an instruction is reckoned by.
+/// @brief Model of the time of an instruction.
 enum class Timing : std::uint8_t {
   NoWaitStates,  ///< the cycles of the processor's manual, as if all memory answered at once
   SlowFlash      ///< besides, the flash answers in kFlashCycles and nothing is kept or read ahead

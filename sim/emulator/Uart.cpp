@@ -106,9 +106,9 @@ std::uint32_t Uart::status() const {
 
 void Uart::updateLines() {
   const std::uint32_t s1 = status();
-  // C2.TIE, TCIE and RIE stand where S1 has TDRE, TC and RDRF.
+  // C2.TIE, TCIE and RIE are at the bits where S1 has TDRE, TC and RDRF.
   board_.setLine(kind_.line, (s1 & c2_ & (kEmpty | kComplete | kReceived)) != 0);
-  // C3.ORIE, NEIE, FEIE and PEIE stand where S1 has OR, NF, FE and PF.
+  // C3.ORIE, NEIE, FEIE and PEIE are at the bits where S1 has OR, NF, FE and PF.
   board_.setLine(kind_.line + 1, (s1 & c3_ & 0xFU) != 0);
 }
 

@@ -24,7 +24,7 @@ namespace wr::emulator {
 /// infrared, smart cards, DMA, and the flag for an idle line.
 class Uart final : public Peripheral {
  public:
-  /// @brief What makes a UART differ from the others: K64P144M120SF5RM, Chip Configuration, UART.
+  /// @brief Differences between the UARTs: K64P144M120SF5RM, Chip Configuration, UART.
   struct Kind {
     unsigned number;
     bool coreClock;     ///< counts the core clock, not the bus clock
@@ -48,7 +48,7 @@ class Uart final : public Peripheral {
   /// @param stopBit whether the stop bit is right
   void arrive(Time notBefore, std::uint8_t byte, bool stopBit = true);
 
-  /// @brief What was sent since the last call.
+  /// @brief Bytes sent since the last call.
   [[nodiscard]] std::vector<std::uint8_t> takeSent();
 
   [[nodiscard]] bool lineIdle() const { return arriving_.empty() && !sending_; }

@@ -121,7 +121,7 @@ class VirtualBoard::Parts final : public Microcontroller {
     powerOn();
   }
 
-  // What peripherals see.
+  // The interface of the peripherals.
   [[nodiscard]] Time time() const override {
     if (core_.hz() == 0) {
       return standsAt_;
@@ -148,7 +148,7 @@ class VirtualBoard::Parts final : public Microcontroller {
     }
   }
 
-  // What the board is asked for.
+  // The public interface of the board.
   [[nodiscard]] nanoseconds now() const { return std::chrono::duration_cast<nanoseconds>(time()); }
   template <typename Done>
   bool runUntil(Time limit, Done done);
@@ -393,7 +393,7 @@ void VirtualBoard::Parts::clocksChanged() {
   knownTime_ = changed;
   renewAll();
   checkClocks();
-  cpu_.stop();  // what is to come was reckoned with the old clock
+  cpu_.stop();  // the next events were computed with the old clock
 }
 
 void VirtualBoard::Parts::checkClocks() {
@@ -496,7 +496,7 @@ void VirtualBoard::Parts::store(std::uint32_t address, unsigned size, std::uint3
   renew(*peripheral);
 }
 
-// After a change of what a peripheral does by itself the core may have to stop sooner.
+// After a change of the next event of a peripheral the core may have to stop sooner.
 void VirtualBoard::Parts::renew(Peripheral& peripheral) {
   peripheral.renewDue();
   limitTo(peripheral.due());
@@ -584,7 +584,7 @@ void VirtualBoard::Parts::report(std::string id, std::string what) {
   }
 }
 
-// Warns of what is not modelled, where that is no finding.
+// Warns of accesses that are not modelled, where they are no finding.
 bool VirtualBoard::Parts::warn(const std::string& what) {
   if (options_.unmodelledIsFinding) {
     return false;

@@ -19,7 +19,7 @@ namespace wr::emulator {
 class CallRecorder;
 class ExecutedCode;
 
-/// @brief What a virtual board does and has.
+/// @brief Options of a virtual board.
 struct Options {
   std::filesystem::path elf{};  ///< names the functions of findings; may be empty
   bool externalClock = true;    ///< the clock of 50 MHz is there
@@ -28,7 +28,7 @@ struct Options {
           ///< external clock, 3 the lock of the PLL, 4 the change to the PLL
   std::array<bool, 2> calibrates{true, true};  ///< the calibration of each converter succeeds
   bool resetsAreFindings = true;               ///< a reset that the program causes stops the run
-  Timing timing = Timing::NoWaitStates;        ///< what instructions cost
+  Timing timing = Timing::NoWaitStates;        ///< cost of instructions
   bool faultsAreFindings = true;    ///< a fault stops the run; false: the program gets it
   bool unmodelledIsFinding = true;  ///< an access that is not modelled stops the run; false: it is
                                     ///< a warning, a load gives 0 and a store does nothing
@@ -40,8 +40,8 @@ class VirtualBoard {
   using nanoseconds = std::chrono::nanoseconds;
 
   /// @brief Switches the board on.
-  /// @param image what flash holds from address 0; the rest is erased
-  /// @param options what the board does and has
+  /// @param image content of the flash from address 0; the rest is erased
+  /// @param options options of the board
   explicit VirtualBoard(std::vector<std::uint8_t> image, Options options = {});
   ~VirtualBoard();
   VirtualBoard(const VirtualBoard&) = delete;
@@ -65,7 +65,7 @@ class VirtualBoard {
   /// @brief Time since the board was switched on.
   [[nodiscard]] nanoseconds now() const;
 
-  /// @brief What stopped the run. A run that a finding stopped does not go on.
+  /// @brief The finding that stopped the run. A run that a finding stopped does not go on.
   [[nodiscard]] const std::optional<Finding>& finding() const;
 
   /// @brief Returns the warnings since the last call: one for each kind of access that is not
@@ -84,19 +84,19 @@ class VirtualBoard {
   /// @brief Changes the speed of the PC's side of the line, in both directions; 115200 at first.
   void setLineBaud(std::uint32_t baud);
 
-  /// @brief What the board has sent since the last call.
+  /// @brief Bytes that the board has sent since the last call.
   [[nodiscard]] std::vector<std::uint8_t> takeSent();
 
   /// @brief Bytes that come from now on at another serial port, after those that are still coming.
   /// @param uart 0 for the line to the PC, 4
-  /// @param bytes what comes
+  /// @param bytes the bytes
   void receiveOn(int uart, std::span<const std::uint8_t> bytes);
 
-  /// @brief What the board has sent at a serial port since the last call.
+  /// @brief Bytes that the board has sent at a serial port since the last call.
   /// @param uart 0 for the line to the PC, 4
   [[nodiscard]] std::vector<std::uint8_t> takeSentOn(int uart);
 
-  /// @brief Changes the speed of what is connected to a serial port; 115200 at first.
+  /// @brief Changes the speed of the device at a serial port; 115200 at first.
   void setLineBaudOn(int uart, std::uint32_t baud);
 
   /// @brief Returns whether no byte is on its way to or from the PC.
@@ -118,7 +118,7 @@ class VirtualBoard {
   /// @brief Share of the period in which the pin of a timer's channel is high.
   /// @param ftm 0 to 3
   /// @param channel 0 to 7
-  /// @return 0 to 1; 0 while no pin is connected to the channel or the timer stands.
+  /// @return 0 to 1; 0 while no pin is connected to the channel or the timer is stopped.
   [[nodiscard]] double pwmDuty(int ftm, int channel) const;
 
   /// @brief Puts a voltage on an input of an analog-to-digital converter; 0 V at first.
@@ -131,9 +131,9 @@ class VirtualBoard {
   /// either. Each conversion gives the voltage of the conversion before it.
   void openAnalog(int converter, int channel);
 
-  /// @brief Sets what is called at each multiple of a period of board time, before the instructions
-  /// and events of that time; the first call is the first multiple to come. What is called may use
-  /// the board, but not run it. Calls for the same time come in the order in which they were set.
+  /// @brief Sets a callback at each multiple of a period of board time, before the instructions and
+  /// events of that time; the first call is at the next multiple. A callback may use the board, but
+  /// not run it. Callbacks for the same time run in the order in which they were set.
   void onTime(nanoseconds period, std::function<void()> call);
 
   /// @brief The hardware raises an exception before the next instruction, e.g. 3 HardFault.
@@ -169,10 +169,10 @@ class VirtualBoard {
   /// @brief A word of flash or RAM.
   [[nodiscard]] std::uint32_t word(std::uint32_t address) const;
 
-  /// @brief Sets what is called with each event.
+  /// @brief Sets the callback of each event.
   void onEvent(std::function<void(const Event&)> call);
 
-  /// @brief Sets what is called with each write to a peripheral, before it takes effect.
+  /// @brief Sets the callback of each write to a peripheral, before it takes effect.
   void onWrite(std::function<void(std::uint32_t address, unsigned size, std::uint32_t value)> call);
 
   /// @brief Records calls from now on. Set before the first run.
@@ -182,7 +182,7 @@ class VirtualBoard {
   /// @param code where they are noted; must outlive the board
   void noteExecuted(ExecutedCode& code);
 
-  /// @brief Notes the lowest stack pointer from now on.
+  /// @brief Records the lowest stack pointer from now on.
   /// @param lowest keeps the lowest; must outlive the board
   void noteStack(std::uint32_t& lowest);
 

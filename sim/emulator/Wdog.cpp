@@ -30,7 +30,7 @@ constexpr std::uint16_t kAllowUpdate = 1U << 4;
 constexpr std::uint16_t kRunsInWait = 1U << 7;
 constexpr std::uint16_t kTest = 1U << 10;
 
-// "The values for N and K": K20 Sub-Family Reference Manual, figure 23-1, the same module.
+// "The values for N and K": K20 Sub-Family Reference Manual, chapter 23, the same module.
 constexpr std::uint64_t kConfigurationTime = 256;
 constexpr std::uint64_t kKeyTime = 20;
 
@@ -227,7 +227,7 @@ void Wdog::checkConfiguration() {
   }
 }
 
-// The configuration time is over: what was written takes effect.
+// The configuration time is over: the written values take effect.
 void Wdog::close() {
   lock_ = Lock::Locked;
   if (written_ == 0) {

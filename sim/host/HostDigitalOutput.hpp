@@ -16,8 +16,8 @@ class HostDigitalOutput final : public DigitalOutput {
   /// @brief Returns whether the output is on.
   [[nodiscard]] bool isOn() const { return on_; }
 
-  /// @brief Sets what is called each time the output goes from off to on.
-  /// @param call what is called
+  /// @brief Sets the callback each time the output goes from off to on.
+  /// @param call the callback
   void onRise(std::function<void()> call);
 
  private:

@@ -16,8 +16,8 @@ class HostEdgeInput final : public EdgeInput {
   /// @param level level at first
   explicit HostEdgeInput(HostScheduler& scheduler, bool level = true);
 
-  /// @brief Sets what the interrupt executes.
-  /// @param vector what to execute
+  /// @brief Sets the vector of the interrupt.
+  /// @param vector command of the interrupt
   void connect(std::function<void()> vector);
 
   /// @brief Puts a level on the pin. A change raises the interrupt, once the input was started.

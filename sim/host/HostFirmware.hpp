@@ -81,7 +81,7 @@ class HostFirmware {
   void beat();
 
   /// @brief The pins of the firmware.
-  /// @return the pins, to which whoever has the robot connects what is around it
+  /// @return the pins, to which the owner of the robot connects its surroundings
   [[nodiscard]] HostPins& pins();
 
   /// @brief The period of the clock pulses.

@@ -13,7 +13,7 @@ namespace wr::host {
 
 class HostScheduler;
 
-/// @brief What the firmware has of one wheel.
+/// @brief Pins of one wheel.
 struct HostWheelPins {
   /// @brief Makes the pins.
   /// @param scheduler serves the interrupts
@@ -27,7 +27,7 @@ struct HostWheelPins {
   HostAnalogInput current;
 };
 
-/// @brief What the firmware has of the steering.
+/// @brief Pins of the steering.
 struct HostSteeringPins {
   /// @brief Makes the pins.
   /// @param scheduler serves the interrupts

@@ -21,14 +21,14 @@ class HostScheduler {
   /// @param thread thread that lives as long as the scheduler
   void add(HostThread& thread);
 
-  /// @brief Sets what is called when a thread has its turn, before it runs.
+  /// @brief Sets the callback when a thread has its turn, before it runs.
   void beforeThread(std::function<void(const HostThread& thread)> call);
 
-  /// @brief Runs every pended thread whose turn it is.
+  /// @brief Runs every triggered thread whose turn it is.
   void dispatch();
 
   /// @brief Serves an interrupt, then runs every thread whose turn it is.
-  /// @param vector what the interrupt executes
+  /// @param vector command of the interrupt
   void interrupt(const std::function<void()>& vector);
 
  private:

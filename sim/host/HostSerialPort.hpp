@@ -23,7 +23,7 @@ class HostSerialPort final : public SerialPort {
   /// @param clock the clock
   void setClock(const Timebase& clock) { clock_ = &clock; }
 
-  /// @brief Lets bytes come in over the line, now. What finds no room is lost and counted.
+  /// @brief Receives bytes from the line, now. Bytes without room are lost and counted.
   /// @param bytes the bytes
   void arrive(std::span<const std::uint8_t> bytes);
 

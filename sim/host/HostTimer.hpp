@@ -16,8 +16,8 @@ class HostTimer final : public PeriodicTimer {
   /// @param scheduler serves the interrupt
   explicit HostTimer(HostScheduler& scheduler);
 
-  /// @brief Sets what the interrupt executes.
-  /// @param vector what to execute
+  /// @brief Sets the vector of the interrupt.
+  /// @param vector command of the interrupt
   void connect(std::function<void()> vector);
 
   /// @brief Raises the interrupt. A timer that is stopped raises none.

@@ -8,7 +8,7 @@
 
 namespace wr::host {
 
-/// @brief A watchdog on the host. It resets nothing; it notes what a watchdog would have done.
+/// @brief A watchdog on the host. It resets nothing; it records that a watchdog would have reset the robot.
 class HostWatchdog final : public Watchdog {
  public:
   /// @brief Starts the watchdog, as a reset does.

@@ -11,13 +11,13 @@ namespace {
 constexpr std::uint32_t kSeed = 1;
 constexpr Microseconds kStep(std::chrono::microseconds(plant::Robot::kStep).count());
 
-// From power-on to the begin of the periods of the timers, as the image takes it on the virtual
+// From power-on to the start of the periods of the timers, as the image takes it on the virtual
 // K64: clock, calibration of the converters, construction.
 constexpr Microseconds kStartUp(5364);
 
 // From a tick to the first turn of a wheel's thread in the cycle that begins with it, and from one
 // such turn to the next, as the image takes them on the virtual K64. All else on the host takes no
-// time, so the clock pulse comes when the first thread has its turn.
+// time, so the clock pulse is at the turn of the first thread.
 constexpr Microseconds kToWheels(9);
 constexpr Microseconds kOfWheel(51);
 

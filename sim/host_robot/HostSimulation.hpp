@@ -34,7 +34,7 @@ class HostSimulation {
   /// @param cause cause that the firmware finds
   void reset(ResetCause cause);
 
-  /// @brief Lets time pass up to an instant; what comes at the instant has come then.
+  /// @brief Advances to an instant, including events due at it.
   /// @param instant the instant
   void runUntil(Instant instant);
 

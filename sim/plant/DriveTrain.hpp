@@ -4,7 +4,7 @@
 
 namespace wr::plant {
 
-/// @brief What the firmware puts on the driver of a wheel.
+/// @brief Inputs of the driver of a wheel, from the firmware.
 struct WheelDrive {
   double duty = 0;         ///< share of the supply that the motor sees, 0 to 1
   bool backwards = false;  ///< orientation
@@ -41,7 +41,7 @@ class DriveTrain {
   /// @param motor its parameters
   void configure(const MotorParameters& motor);
 
-  /// @brief Sets what the driver does.
+  /// @brief Sets the inputs of the driver.
   /// @param drive duty, orientation, enable
   void set(const WheelDrive& drive) { drive_ = drive; }
 

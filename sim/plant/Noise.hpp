@@ -4,8 +4,8 @@
 
 namespace wr::plant {
 
-/// @brief Random numbers that depend on nothing but a seed and on what they are for: two runs see
-/// the same noise at the same time, however many numbers each of them has asked for.
+/// @brief Random numbers that depend only on a seed and their purpose: two runs see the same noise
+/// at the same time, however many numbers each of them has drawn.
 class Noise {
  public:
   /// @brief Makes noise.
@@ -13,13 +13,13 @@ class Noise {
   explicit Noise(std::uint32_t seed) : seed_(seed) {}
 
   /// @brief A number from a uniform distribution.
-  /// @param source what the number is for
+  /// @param source purpose of the number
   /// @param index which number of this source
   /// @return -1 to 1
   [[nodiscard]] double uniform(std::uint32_t source, std::uint64_t index) const;
 
   /// @brief A number from a distribution that is nearly normal: the sum of twelve uniform ones.
-  /// @param source what the number is for
+  /// @param source purpose of the number
   /// @param index which number of this source
   /// @return mean 0, standard deviation 1, at most 6 away from the mean
   [[nodiscard]] double normal(std::uint32_t source, std::uint64_t index) const;

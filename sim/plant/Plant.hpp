@@ -35,8 +35,8 @@ struct CurrentSensorParameters {
   double offset = 0.0;  ///< A
 };
 
-/// @brief Properties of the parts of a robot. The nominal robot is one of many: the bands of varied() hold what
-/// differs from one robot to the next, with its load and its battery.
+/// @brief Properties of the parts of a robot. The nominal robot is one of many: varied() has the
+/// ranges of the properties that differ from one robot to the next, with its load and its battery.
 struct Plant {
   std::array<MotorParameters, kWheels> motors{};
   std::array<CurrentSensorParameters, kWheels> currentSensors{};

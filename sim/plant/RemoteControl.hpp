@@ -36,7 +36,7 @@ enum class FailSafe : std::uint8_t {
 
 /// @brief A change of the level of a pin of the remote control's receiver.
 struct RcEdge {
-  std::chrono::nanoseconds offset;  ///< since the begin of the step, less than 1 ms
+  std::chrono::nanoseconds offset;  ///< since the start of the step, less than 1 ms
   std::size_t channel;              ///< 0 velocity, 1 direction, 2 enable
   bool level;                       ///< from now on
 };
@@ -67,7 +67,7 @@ class RemoteControl {
   /// @param failSafe its behaviour
   void setFailSafe(FailSafe failSafe) { failSafe_ = failSafe; }
 
-  /// @brief Lets the hand that holds the velocity stick tremble, as hands do.
+  /// @brief Adds the tremble of the operator's hand to the velocity stick.
   /// @param microseconds greatest change of the pulses of the velocity; 0 at first
   void setTremor(double microseconds) { tremor_ = microseconds; }
 

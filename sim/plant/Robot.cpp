@@ -24,7 +24,7 @@ constexpr double kOpenShare =
 constexpr double kNoPower = 0.05;  // W, of noise and rounding
 constexpr double kSlopeSeconds = 2.0;  // longest time in which the slope changes
 
-// What the numbers of the noise are for.
+// Purposes of the random numbers.
 constexpr std::uint32_t kForCurrent = 0;
 constexpr std::uint32_t kForHall = 8;
 constexpr std::uint32_t kForPlaces = 16;
@@ -322,7 +322,8 @@ void Robot::advance(double seconds) {
   distance_ += speed_ * seconds;
 }
 
-// Rolling resistance acts against the movement, and holds a robot at rest until more pulls at it.
+// Rolling resistance acts against the movement, and keeps a robot at rest until a greater force
+// pulls at it.
 void Robot::advanceAlong(double force, double seconds) {
   if (speed_ == 0) {
     const double excess = std::abs(force) - plant_.staticResistance * weight_;

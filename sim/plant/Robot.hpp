@@ -18,7 +18,7 @@ namespace wr::plant {
 
 /// @brief A change of the level of a Hall sensor.
 struct HallEdge {
-  std::chrono::nanoseconds offset;  ///< since the begin of the step, more than 0 and at most 1 ms
+  std::chrono::nanoseconds offset;  ///< since the start of the step, more than 0 and at most 1 ms
   std::size_t wheel;                ///< 0 to 3
   std::size_t sensor;               ///< 0 for a, 1 for b
   bool level;                       ///< from now on
@@ -30,7 +30,7 @@ struct Ground {
   double grip = 0.6;  ///< greatest share of a wheel's load that its tyre can pull
 };
 
-/// @brief What can break.
+/// @brief Kind of a fault.
 enum class Fault : std::uint8_t {
   Hall,           ///< both Hall sensors of a wheel keep their levels
   HallA,          ///< sensor a of a wheel keeps its level
@@ -61,7 +61,7 @@ enum class EmergencyStop : std::uint8_t {
   Brake      ///< it takes the power, and short-circuits the motors of the wheels
 };
 
-/// @brief The physics of the robot: what its sensors give for what its actuators get.
+/// @brief The physics of the robot: from the inputs of its actuators to the values of its sensors.
 ///
 /// Time is cut in steps of 1 ms. A step takes the inputs as they are and returns the edges that
 /// come before the next one. Noise is a number for each step, so that each target of the firmware
@@ -112,7 +112,7 @@ class Robot {
   void setGrip(double share) { surroundings_.grip = share; }
 
   /// @brief Breaks something, or repairs it.
-  /// @param fault what
+  /// @param fault kind
   /// @param wheel which wheel, where the fault is one of a wheel
   /// @param present true to break it
   /// @param value how much, where the fault has a value
@@ -142,7 +142,7 @@ class Robot {
   /// @brief Resets the greatest velocity.
   void clearGreatestVelocity() { greatestRpm_ = 0; }
 
-  /// @brief Voltage of a current sensor at the begin of the last step.
+  /// @brief Voltage of a current sensor at the start of the last step.
   /// @param wheel 0 to 3
   /// @return V, 0 to 3.3
   [[nodiscard]] double currentVolts(std::size_t wheel) const { return currentVolts_.at(wheel); }

@@ -9,7 +9,7 @@ namespace wr::programs {
 /// @brief Keeps the time of a simulated robot with the clock of the machine.
 ///
 /// When the machine is late by more than kLate, the robot's time stands still instead of running
-/// after the clock: who talks to the robot gets no burst of cycles.
+/// after the clock: its PC gets no burst of cycles.
 class Pace final {
  public:
   using Clock = std::chrono::steady_clock;

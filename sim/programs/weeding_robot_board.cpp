@@ -286,7 +286,7 @@ Exit runBoard(Machine& machine, const Settings& settings) {
   if (!settings.control.empty()) {
     control.emplace(settings.control, *machine.robot());
   }
-  std::optional<SymbolicLink> link;  // last: who sees it finds all the rest
+  std::optional<SymbolicLink> link;  // last: when it exists, all the rest does
   if (line) {
     link.emplace(settings.link, line->name());
     std::fprintf(messagesOf(settings), "%s: %s\n", machine.robot() ? "PC link" : "UART0",

@@ -84,7 +84,7 @@ void runInRealTime(const Settings& settings) {
   host_robot::HostSession robot(equipmentOf(settings));
   scenario::ControlChannel control(settings.control, robot);
   robot.start();
-  const SymbolicLink link(settings.link, line.name());  // last: who sees it finds all the rest
+  const SymbolicLink link(settings.link, line.name());  // last: when it exists, all the rest does
   std::printf("PC link: %s\n", line.name().c_str());
   std::fflush(stdout);
   Pace pace;

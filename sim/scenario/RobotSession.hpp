@@ -13,7 +13,7 @@
 
 namespace wr::scenario {
 
-/// @brief What a simulated board found to be wrong with the firmware.
+/// @brief A fault of the firmware that a simulated board found.
 struct SessionFinding {
   std::string id;    ///< kind of the finding
   std::string text;  ///< the whole of it, in one line
@@ -72,7 +72,7 @@ class RobotSession {
   [[nodiscard]] virtual plant::RemoteControl& remoteControl() = 0;
 
   /// @brief Resets the microcontroller. Throws std::runtime_error where that is not possible.
-  /// @param kind what resets it
+  /// @param kind cause of the reset
   virtual void reset(ResetKind /*kind*/) {
     throw std::runtime_error(
         "this robot cannot be reset: play the scenario with the whole firmware");
@@ -86,7 +86,7 @@ class RobotSession {
         "the host has no external clock: play the scenario on the virtual board");
   }
 
-  /// @brief What has stopped the robot.
+  /// @brief The finding that has stopped the robot.
   /// @return the finding; nothing while there is none
   [[nodiscard]] virtual std::optional<SessionFinding> finding() const = 0;
 };

@@ -18,8 +18,8 @@
 
 namespace wr::scenario {
 
-/// @brief What happens to a robot at which time, and what is expected of it: what a PC does on its
-/// line, what the remote control says, how the ground is and what breaks.
+/// @brief Events of a robot and expectations, each at its time: the orders of a PC, the remote
+/// control, the ground and faults.
 ///
 /// A scenario is a text of lines. Times are in ms since the robot was switched on, values are in
 /// the units of the PC protocol. '#' begins a comment.
@@ -91,7 +91,7 @@ class Scenario {
     Action action;
   };
 
-  /// @brief A text that is no scenario: 'file:line: what is wrong'.
+  /// @brief A text that is no scenario: 'file:line: error'.
   using Error = ScenarioError;
 
   /// @brief Reads a scenario. Throws Error.

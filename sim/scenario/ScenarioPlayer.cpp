@@ -73,7 +73,7 @@ ScenarioPlayer::Outcome ScenarioPlayer::play() {
   return std::move(outcome_);
 }
 
-// Runs to an instant and reads what comes; false if a finding has stopped the robot.
+// Runs to an instant and reads the received bytes; false if a finding has stopped the robot.
 bool ScenarioPlayer::advance(Time instant) {
   while (robot_.now() < instant) {
     const Time glance = pending_.empty() ? kGlance : kClose;

@@ -18,13 +18,13 @@ class ScenarioPlayer {
  public:
   /// @brief How a scenario ended.
   struct Outcome {
-    std::vector<std::string> failures;      ///< expectations that failed: 'file:line: what'
+    std::vector<std::string> failures;      ///< expectations that failed: 'file:line: text'
     std::optional<SessionFinding> finding;  ///< a finding that nothing expected
     std::uint64_t reports = 0;              ///< reports that came
   };
 
   /// @brief Puts a PC on the line of a robot that was just switched on.
-  /// @param scenario what the PC does
+  /// @param scenario the actions of the PC
   /// @param robot the robot
   /// @param reports gets each report as a line of comma-separated values: all fields of the report,
   /// then the time [ms] at which the PC had it, and the true values at this time; null: nothing is

@@ -5,10 +5,10 @@
 
 namespace wr {
 
-/// @brief Makes one control system.
+/// @brief Builds one control system.
 ///
-/// @function Gives every control system the same steps of construction: what it senses with, what it
-/// moves, what controls it, and the system itself.
+/// @function Defines the same steps of construction for every control system: its sensors, its
+/// actuator, its controller, and the system itself.
 ///
 /// @secret Which parts a control system has, and how they are bound to each other.
 ///
@@ -19,13 +19,13 @@ class ControlSystemBuilder {
   ControlSystemBuilder(const ControlSystemBuilder&) = delete;
   ControlSystemBuilder& operator=(const ControlSystemBuilder&) = delete;
 
-  /// @brief Makes the actuator, with the commands that move it.
+  /// @brief Builds the actuator, with the commands that move it.
   /// @errors A part that is made twice ends the program with the assertion PartDouble.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildActuator() = 0;
 
-  /// @brief Makes the sensors.
+  /// @brief Builds the sensors.
   /// @pre The actuator is made.
   /// @errors A missing part ends the program with the assertion PartMissing, one that is made twice with
   /// PartDouble.
@@ -33,7 +33,7 @@ class ControlSystemBuilder {
   /// @isr{no}
   virtual void buildSensors() = 0;
 
-  /// @brief Makes what controls.
+  /// @brief Builds the controller.
   /// @pre The actuator and the sensors are made.
   /// @errors A missing part ends the program with the assertion PartMissing, one that is made twice with
   /// PartDouble.
@@ -41,7 +41,7 @@ class ControlSystemBuilder {
   /// @isr{no}
   virtual void buildController() = 0;
 
-  /// @brief Makes the system.
+  /// @brief Builds the system.
   /// @pre All its parts are made.
   /// @errors A missing part ends the program with the assertion PartMissing, one that is made twice with
   /// PartDouble.
@@ -49,7 +49,7 @@ class ControlSystemBuilder {
   /// @isr{no}
   virtual void buildSystem() = 0;
 
-  /// @brief Lets the interrupts and the thread of the system begin.
+  /// @brief Starts the interrupts and the thread of the system.
   /// @pre The system is made.
   /// @errors A missing part ends the program with the assertion PartMissing.
   /// @isr{no}
@@ -63,7 +63,7 @@ class ControlSystemBuilder {
   /// @isr{no}
   [[nodiscard]] virtual ControlSystem& system() = 0;
 
-  /// @brief What the system does at each tick of the second timer.
+  /// @brief Work of the system at each tick of the second timer.
   /// @return the command; it lives as long as the builder
   /// @pre All parts are made.
   /// @errors A missing part ends the program with the assertion PartMissing.

@@ -10,9 +10,9 @@
 
 namespace wr {
 
-/// @brief Makes the pool of control systems.
+/// @brief Builds the pool of control systems.
 ///
-/// @function Has each control system made, puts all of them into the pool, and gives the command of each
+/// @function Builds each control system, puts all of them into the pool, and passes the command of each
 /// to the second timer.
 ///
 /// @secret In which sequence the control systems are made and put into the pool, and where the pool is
@@ -38,13 +38,13 @@ class ControlSystemPoolBuilder {
   ControlSystemPoolBuilder(const ControlSystemPoolBuilder&) = delete;
   ControlSystemPoolBuilder& operator=(const ControlSystemPoolBuilder&) = delete;
 
-  /// @brief Has each control system made.
+  /// @brief Builds each control system.
   /// @errors A part that is made twice ends the program with the assertion PartDouble.
   /// @satisfies FR-78
   /// @isr{no}
   void buildSystems();
 
-  /// @brief Makes the pool and puts all control systems into it.
+  /// @brief Builds the pool and puts all control systems into it.
   /// @pre The control systems are made.
   /// @post pool() can be called.
   /// @errors A missing system ends the program with the assertion PartMissing, a second pool with
@@ -53,7 +53,7 @@ class ControlSystemPoolBuilder {
   /// @isr{no}
   void buildPool();
 
-  /// @brief Makes the second timer and gives it the command of each control system.
+  /// @brief Builds the second timer and passes it the command of each control system.
   /// @pre The control systems are made.
   /// @errors A missing system ends the program with the assertion PartMissing, a second timer with
   /// PartDouble.

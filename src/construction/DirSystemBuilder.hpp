@@ -28,9 +28,9 @@
 
 namespace wr {
 
-/// @brief Makes the control system of the steering.
+/// @brief Builds the control system of the steering.
 ///
-/// @function Makes the steering device with its power states and commands, the sensor of its position,
+/// @function Builds the steering device with its power states and commands, the sensor of its position,
 /// the controller with its states and its algorithm, and the system, one step each.
 ///
 /// @secret Which parts the control system of the steering has, how they are bound to each other, and
@@ -47,7 +47,7 @@ namespace wr {
 /// another sensor.
 class DirSystemBuilder final : public ControlSystemBuilder {
  public:
-  /// @brief What the platform gives to the steering. Each device lives as long as the builder.
+  /// @brief Devices that the platform provides for the steering. Each device lives as long as the builder.
   /// @datatype
   struct Devices {
     DigitalOutput& step;        ///< each time it is switched on the motor makes one step

@@ -46,9 +46,9 @@
 
 namespace wr {
 
-/// @brief Makes the main controller and all its parts.
+/// @brief Builds the main controller and all its parts.
 ///
-/// @function Makes the link to the PC, the remote control, the reading modes, the operation states, the
+/// @function Builds the link to the PC, the remote control, the reading modes, the operation states, the
 /// controller and its clock, one step each, and binds them. The sequence of the steps is that of
 /// their declarations. A product without a part leaves out its step; modes and states can come from
 /// elsewhere.
@@ -68,7 +68,7 @@ namespace wr {
 /// the controller must get.
 class MainControllerBuilder {
  public:
-  /// @brief What the platform gives to the remote control. Each device lives as long as the builder.
+  /// @brief Devices that the platform provides for the remote control. Each device lives as long as the builder.
   /// @datatype
   struct RemoteControlDevices {
     EdgeInput& velocityPin;    ///< pulses of the velocity lever
@@ -79,7 +79,7 @@ class MainControllerBuilder {
         nullptr;  ///< gives the time of an edge; none: the timebase of all devices
   };
 
-  /// @brief What the platform gives to the main controller. Each device lives as long as the builder.
+  /// @brief Devices that the platform provides for the main controller. Each device lives as long as the builder.
   /// @datatype
   struct Devices {
     ControlThread& thread;      ///< runs the control cycles
@@ -97,14 +97,14 @@ class MainControllerBuilder {
   MainControllerBuilder(const MainControllerBuilder&) = delete;
   MainControllerBuilder& operator=(const MainControllerBuilder&) = delete;
 
-  /// @brief Makes the reader of the PC's orders, and the link to the PC with its states; it begins
+  /// @brief Builds the reader of the PC's orders, and the link to the PC with its states; it begins
   /// disconnected.
   /// @errors A link that is made twice ends the program with the assertion PartDouble.
   /// @satisfies FR-78
   /// @isr{no}
   void buildConnection();
 
-  /// @brief Makes the remote control: its pins with what their edges do, and the reader of its orders.
+  /// @brief Builds the remote control: its pins, their interrupt handlers, and the reader of its orders.
   /// The pins interrupt from now on.
   /// @pre The platform gave the devices of the remote control.
   /// @errors Without devices the program ends with the assertion PartMissing, a second time with
@@ -114,7 +114,7 @@ class MainControllerBuilder {
   /// @isr{no}
   void buildRemoteControl();
 
-  /// @brief Makes the reading modes PC and RC; each is the successor of the other. RC is the first.
+  /// @brief Builds the reading modes PC and RC; each is the successor of the other. RC is the first.
   /// @pre The link and the remote control are made.
   /// @errors A missing part ends the program with the assertion PartMissing, modes that are there with
   /// PartDouble.
@@ -123,7 +123,7 @@ class MainControllerBuilder {
   /// @isr{no}
   void buildModes();
 
-  /// @brief Makes the reading mode PC for a product without other modes: it succeeds itself.
+  /// @brief Builds the reading mode PC for a product without other modes: it succeeds itself.
   /// @pre The link is made.
   /// @errors A missing part ends the program with the assertion PartMissing, modes that are there with
   /// PartDouble.
@@ -131,7 +131,7 @@ class MainControllerBuilder {
   /// @isr{no}
   void buildPcMode();
 
-  /// @brief Takes reading modes that were made elsewhere.
+  /// @brief Sets reading modes that were built elsewhere.
   /// @param first mode at start
   /// @param all every mode; storage and modes live as long as the builder
   /// @errors Modes that are there end the program with the assertion PartDouble.
@@ -139,21 +139,21 @@ class MainControllerBuilder {
   /// @isr{no}
   void useModes(Mode& first, std::span<Mode* const> all);
 
-  /// @brief Makes the operation states and binds each to its successors. Working is the first.
+  /// @brief Builds the operation states and binds each to its successors. Working is the first.
   /// @errors States that are there end the program with the assertion PartDouble.
   /// @satisfies FR-78
   /// @isr{no}
   void buildStates();
 
-  /// @brief Takes operation states that were made elsewhere.
+  /// @brief Sets operation states that were built elsewhere.
   /// @param first state at start; it lives as long as the builder
   /// @errors States that are there end the program with the assertion PartDouble.
   /// @satisfies FR-78
   /// @isr{no}
   void useStates(OperationState& first);
 
-  /// @brief Makes the controller; it begins in the first state and the first mode.
-  /// @param systems what the controller controls
+  /// @brief Builds the controller; it begins in the first state and the first mode.
+  /// @param systems the control systems of the controller
   /// @pre The link, the modes and the states are made.
   /// @errors A missing part ends the program with the assertion PartMissing, a second controller with
   /// PartDouble.
@@ -162,7 +162,7 @@ class MainControllerBuilder {
   /// @isr{no}
   void buildController(ControlSystemPool& systems);
 
-  /// @brief Makes the timer that begins the control cycles, and its command.
+  /// @brief Builds the timer that begins the control cycles, and its command.
   /// @pre The controller is made.
   /// @errors A missing part ends the program with the assertion PartMissing, a second timer with
   /// PartDouble.
@@ -218,7 +218,7 @@ class MainControllerBuilder {
   /// @satisfies FR-78
   [[nodiscard]] PcConnection& connection();
 
-  /// @brief What serves the interrupts of the velocity pin.
+  /// @brief Handler of the interrupts of the velocity pin.
   /// @return the pin; it lives as long as the builder.
   /// @pre buildRemoteControl() was called.
   /// @errors Without a remote control the program ends with the assertion PartMissing.
@@ -226,7 +226,7 @@ class MainControllerBuilder {
   /// @satisfies FR-78
   [[nodiscard]] RcPin& velocityPin();
 
-  /// @brief What serves the interrupts of the direction pin.
+  /// @brief Handler of the interrupts of the direction pin.
   /// @return the pin; it lives as long as the builder.
   /// @pre buildRemoteControl() was called.
   /// @errors Without a remote control the program ends with the assertion PartMissing.

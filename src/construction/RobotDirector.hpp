@@ -5,7 +5,7 @@
 
 namespace wr {
 
-/// @brief Has the whole robot made, and starts it.
+/// @brief Builds the whole robot, and starts it.
 ///
 /// @function Calls the steps of the builders in the right sequence, then starts the control systems, the
 /// controller and the clocks.
@@ -21,12 +21,12 @@ class RobotDirector {
   /// @param controllerBuilder makes the main controller
   RobotDirector(ControlSystemPoolBuilder& poolBuilder, MainControllerBuilder& controllerBuilder);
 
-  /// @brief Makes all parts of a robot that the PC and the remote control command.
+  /// @brief Builds all parts of a robot that the PC and the remote control command.
   /// @post start() can be called.
   /// @isr{no}
   void construct();
 
-  /// @brief Makes all parts of a robot that only the PC commands.
+  /// @brief Builds all parts of a robot that only the PC commands.
   /// @post start() can be called.
   /// @isr{no}
   /// @satisfies NFR-1

@@ -47,9 +47,9 @@
 
 namespace wr {
 
-/// @brief Makes the control system of one wheel.
+/// @brief Builds the control system of one wheel.
 ///
-/// @function Makes the wheel with its commands, the sensors of its velocity and its current, the
+/// @function Builds the wheel with its commands, the sensors of its velocity and its current, the
 /// controller with its algorithms and behaviours, and the system with its orders, one step each.
 ///
 /// @secret Which parts the control system of a wheel has, how they are bound to each other, and where
@@ -67,7 +67,7 @@ namespace wr {
 /// sensor or one more algorithm.
 class WheelSystemBuilder final : public ControlSystemBuilder {
  public:
-  /// @brief What the platform gives to a wheel. Each device lives as long as the builder.
+  /// @brief Devices that the platform provides for a wheel. Each device lives as long as the builder.
   /// @datatype
   struct Devices {
     PwmOutput& pwm;              ///< voltage of the wheel
@@ -101,7 +101,7 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
   /// @satisfies FR-78
   void useAlgorithms(const std::array<WheelAlgorithm*, 3>& algorithms);
 
-  /// @brief What serves the interrupts of the Hall sensors.
+  /// @brief Handler of the interrupts of the Hall sensors.
   /// @return the sensor; it lives as long as the builder
   /// @pre buildSensors() was called.
   /// @errors Without a sensor the program ends with the assertion PartMissing.

@@ -16,7 +16,7 @@ class AnalogInput {
   AnalogInput(const AnalogInput&) = delete;
   AnalogInput& operator=(const AnalogInput&) = delete;
 
-  /// @brief Takes the result of the conversion that was asked for at the call before, and asks for the
+  /// @brief Reads the result of the conversion that the call before requested, and requests the
   /// next one. Never waits. A conversion that has not ended goes on, and no other is asked for.
   /// @return the voltage [1/4096 of the range, 0 to 4095]; nothing when no conversion has ended
   /// @isr{yes}

@@ -10,7 +10,7 @@ class EdgeInput {
   EdgeInput(const EdgeInput&) = delete;
   EdgeInput& operator=(const EdgeInput&) = delete;
 
-  /// @brief Makes each edge interrupt from now on. Without it the input only has a level.
+  /// @brief Enables the interrupt of each edge. Without it the input only has a level.
   /// @isr{no}
   virtual void start() = 0;
 

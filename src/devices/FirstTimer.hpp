@@ -6,7 +6,7 @@
 namespace wr {
 
 /// @brief The clock of the control cycle.
-/// @function Makes a clock pulse in each control cycle, and executes the command that it was given.
+/// @function Generates a clock pulse in each control cycle, and executes its command.
 /// @secret The accesses to the timer around each clock pulse.
 /// @role{cycle-timer-interrupt, Invoker}
 class FirstTimer final {
@@ -24,7 +24,7 @@ class FirstTimer final {
   /// @satisfies FR-1
   void start();
 
-  /// @brief Makes one clock pulse: acknowledges the timer, then executes the command. The vector of
+  /// @brief Runs one clock pulse: acknowledges the timer, then executes the command. The vector of
   /// the timer's interrupt calls it.
   /// @isr{yes}
   /// @satisfies FR-1

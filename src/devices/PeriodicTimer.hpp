@@ -6,7 +6,7 @@ namespace wr {
 
 /// @brief Timer that interrupts again and again.
 /// @function Interrupts once in each period, without end.
-/// @secret Which timer interrupts, and what its registers demand.
+/// @secret The timer that interrupts, and the demands of its registers.
 class PeriodicTimer {
  public:
   PeriodicTimer(const PeriodicTimer&) = delete;

@@ -8,7 +8,7 @@
 
 namespace wr {
 
-/// @brief The fast clock: what must happen more often than a control cycle.
+/// @brief The fast clock, for work that must run more often than a control cycle.
 /// @function Ticks 1000 times in a second, and executes the commands that it was given, in the
 /// sequence in which they were added.
 /// @secret How the commands of one tick are kept and put in sequence.
@@ -40,7 +40,7 @@ class SecondTimer final {
   /// @satisfies FR-100
   void start();
 
-  /// @brief Makes one tick: acknowledges the timer, then executes the commands. The vector of the
+  /// @brief Runs one tick: acknowledges the timer, then executes the commands. The vector of the
   /// timer's interrupt calls it.
   /// @isr{yes}
   /// @satisfies FR-100

@@ -36,7 +36,7 @@ class SerialPort {
   /// @satisfies FR-64
   [[nodiscard]] virtual std::size_t free() const = 0;
 
-  /// @brief Gives bytes to the port to send, all or none. Never waits.
+  /// @brief Passes bytes to the port to send, all or none. Never waits.
   /// @param bytes bytes to send
   /// @return false when there is no room for all bytes: none is sent
   /// @isr{no}

@@ -7,7 +7,7 @@
 namespace wr {
 
 /// @brief Clock that runs from the start of the system.
-/// @function Gives the time for stamps of values and for time-outs, and how long the processor
+/// @function Returns the time for stamps of values and for time-outs, and how long the processor
 /// was awake, for the cost of a cycle.
 /// @secret Which counters measure the time and the work, and how the time is kept from wrapping.
 class Timebase {

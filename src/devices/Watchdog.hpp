@@ -5,7 +5,7 @@ namespace wr {
 /// @brief Guard that resets the system unless it is refreshed in time.
 /// @function Ends a system that has stopped working: without a refresh within the watchdog time-out the
 /// microcontroller is reset.
-/// @secret Which counter guards the time, and what a refresh demands.
+/// @secret The counter that guards the time, and the demands of a refresh.
 class Watchdog {
  public:
   Watchdog(const Watchdog&) = delete;

@@ -14,8 +14,8 @@ namespace wr {
 /// @role{functions, Strategy}
 ///
 /// @patternapp{functions, Strategy, Functions}
-/// @why What sensors and the remote control give must be turned into physical values, each by its
-/// own formula. A sensor gets a function, and does not depend on which.
+/// @why The values of sensors and of the remote control must be converted into physical values,
+/// each by its own formula. A sensor gets a function, and does not depend on which.
 /// @changes A formula may change with the sensor. A new calculation is a new subclass of this class.
 class Function {
  public:
@@ -23,7 +23,7 @@ class Function {
   Function& operator=(const Function&) = delete;
 
   /// @brief Calculates the value.
-  /// @param arguments what it is calculated from
+  /// @param arguments inputs of the calculation
   /// @return the value, in the unit of the function; nothing when an argument is missing,
   /// out of its range, or when the value would be
   /// @isr{yes}

@@ -14,7 +14,7 @@ namespace wr {
 /// @role{functions, Concrete Strategy}
 class HallVelocity final : public Function {
  public:
-  /// @brief Makes the function.
+  /// @brief Constructs the function.
   HallVelocity() = default;
 
   /// @brief Calculates the velocity, rounded to the nearest number.

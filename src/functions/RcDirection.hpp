@@ -13,7 +13,7 @@ namespace wr {
 /// @role{functions, Concrete Strategy}
 class RcDirection final : public Function {
  public:
-  /// @brief Makes the function.
+  /// @brief Constructs the function.
   RcDirection() = default;
 
   /// @brief Calculates the steering angle, rounded to the nearest number. Up to 20 us from the

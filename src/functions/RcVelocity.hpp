@@ -13,11 +13,11 @@ namespace wr {
 /// @role{functions, Concrete Strategy}
 class RcVelocity final : public Function {
  public:
-  /// @brief Makes the function.
+  /// @brief Constructs the function.
   RcVelocity() = default;
 
   /// @brief Calculates the velocity, rounded to the nearest number. Up to 20 us from the middle it
-  /// is 0: the robot shall stand when its lever is let go.
+  /// is 0: the robot shall be at rest when its lever is released.
   /// @param arguments Raw [width, us], Offset [middle, us], Divisor [full deflection, us] and Scale
   /// [velocity at full deflection, 0.1 rpm]; Lowest and Highest bound the width [us]
   /// @return velocity [0.1 rpm], positive forwards; beyond full deflection that of full deflection;

@@ -13,7 +13,7 @@ namespace wr {
 /// @role{functions, Concrete Strategy}
 class SampledAngle final : public Function {
  public:
-  /// @brief Makes the function.
+  /// @brief Constructs the function.
   SampledAngle() = default;
 
   /// @brief Calculates the angle, rounded to the nearest number.

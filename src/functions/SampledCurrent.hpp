@@ -13,7 +13,7 @@ namespace wr {
 /// @role{functions, Concrete Strategy}
 class SampledCurrent final : public Function {
  public:
-  /// @brief Makes the function.
+  /// @brief Constructs the function.
   SampledCurrent() = default;
 
   /// @brief Calculates the current, rounded to the nearest number.

@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief Divides, and rounds to the nearest number; a half is rounded away from zero.
 /// @param dividend number to divide; with a divisor of 32 bits, a product of 33 and 32 bits has room
-/// @param divisor what it is divided by
+/// @param divisor the divisor
 /// @return the quotient; nothing unless the divisor is greater than 0 and the quotient has 32 bits
 [[nodiscard]] std::optional<std::int32_t> quotient(std::int64_t dividend, std::int64_t divisor);
 
@@ -25,7 +25,7 @@ namespace wr {
 /// @return the result, rounded to the nearest number; nothing when a value is missing
 [[nodiscard]] std::optional<std::int32_t> scaled(const Arguments& arguments);
 
-/// @brief Calculates what the lever of the remote control means: (Raw - Offset) * Scale / Divisor,
+/// @brief Calculates the value of a lever of the remote control: (Raw - Offset) * Scale / Divisor,
 /// where Raw - Offset goes no further than Divisor to either side.
 /// @param arguments give the four values, and the range of Raw
 /// @param middle up to this distance of Raw from Offset the result is 0

@@ -45,7 +45,7 @@ class K64Adc final : public AnalogInput {
   /// @brief One converter: it converts for one input at a time.
   class Converter {
    public:
-    /// @brief Makes a converter that converts nothing yet.
+    /// @brief Constructs a converter that is off.
     /// @param number 0 or 1
     explicit constexpr Converter(std::uint8_t number) : number_(number) {}
 

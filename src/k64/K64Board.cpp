@@ -49,7 +49,7 @@ bool comes(Status mask, Status wanted) {
 
 constexpr std::uint32_t kMark = 0x57656564;
 
-// What lies outside the memory that a start initialises. At power-on it holds anything.
+// Outside the memory that a start initialises. At power-on its content is undefined.
 struct FaultRecord {
   std::uint32_t mark;
   std::uint32_t kind;

@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief The K64 as a whole, and the board FRDM-K64F around it.
 /// @function Brings the microcontroller from reset to full clock with safe outputs, and ends it safely
-/// after a fault. Keeps what ended it over the reset.
+/// after a fault. Keeps the fault over the reset.
 /// @secret How clocks, pins and resets of the K64 are controlled, and how a fault is remembered.
 class K64Board {
  public:
@@ -45,11 +45,11 @@ class K64Board {
   /// @satisfies FR-202
   static void connectInputs();
 
-  /// @brief Lets the core execute instructions with floating-point numbers.
+  /// @brief Enables the floating-point instructions of the core.
   /// @isr{no}
   static void enableFloatingPoint();
 
-  /// @brief Makes a division by zero a fault, and a supply below 2.56 V a reset.
+  /// @brief Sets division by zero to fault, and a supply below 2.56 V to reset.
   /// @isr{no}
   /// @satisfies FR-204
   /// @satisfies FR-206
@@ -66,7 +66,7 @@ class K64Board {
   /// @satisfies FR-203
   [[nodiscard]] static std::uint16_t startClock();
 
-  /// @brief Lets the clock into the timers, the converters and the serial ports.
+  /// @brief Enables the clock of the timers, the converters and the serial ports.
   /// @isr{no}
   /// @satisfies FR-140
   static void openGates();

@@ -7,7 +7,7 @@
 namespace wr {
 
 /// @brief A channel of flexible timer 0.
-/// @function Makes a pulse of 50 us period on the pin of the channel, high for a share of it.
+/// @function Generates a pulse of 50 us period on the pin of the channel, high for a share of it.
 /// @secret How the timer makes pulses, and how their width changes without a false pulse.
 /// @hides{K64Ftm::kFrequency}
 class K64Ftm final : public PwmOutput {

@@ -18,7 +18,7 @@ class K64Pit final : public PeriodicTimer {
   /// @param channel the channel; nothing else uses it
   explicit constexpr K64Pit(Channel channel) : channel_(channel) {}
 
-  /// @brief Switches the timer on, with all its channels. What runs already goes on.
+  /// @brief Switches the timer on, with all its channels. Running channels go on.
   /// @pre The clocks of the timers run.
   /// @isr{no}
   /// @satisfies FR-1

@@ -8,7 +8,7 @@
 namespace wr {
 
 /// @brief A control thread on an interrupt line that no device uses.
-/// @function Has the interrupt controller run the body at the priority of the thread.
+/// @function Lets the interrupt controller run the body at the priority of the thread.
 /// @secret How the interrupt controller is made to run a body, and when it may interrupt others.
 class K64Thread final : public ControlThread {
  public:
@@ -16,7 +16,7 @@ class K64Thread final : public ControlThread {
   /// @param line number of the line, 0 to 85; no device uses it
   explicit constexpr K64Thread(std::uint8_t line) : line_(line) {}
 
-  /// @brief Lets an interrupt line through.
+  /// @brief Enables an interrupt line.
   /// @param line number of the line, 0 to 85
   /// @param priority its priority, not above that of the edges
   /// @isr{no}

@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief The time since start, from channel 2 of the periodic interrupt timer, and the cycles of the
 /// core, from its own counter.
-/// @function Gives the time in microseconds to threads and interrupts. Lets the core sleep, and gives how
+/// @function Returns the time in microseconds to threads and interrupts. Lets the core sleep, and gives how
 /// many cycles it was awake.
 /// @secret How a counter of 32 bits that runs down gives a time that never wraps, without a division of
 /// 64 bits; how the cycles are counted whether or not the counter of the core stops while the core
@@ -42,7 +42,7 @@ class K64Timebase final : public Timebase {
     Instant time_;
   };
 
-  /// @brief Makes a clock that does not run yet.
+  /// @brief Constructs a clock that is stopped.
   constexpr K64Timebase() = default;
 
   /// @brief Starts the clock at 0, and the count of cycles.

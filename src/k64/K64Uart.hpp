@@ -26,7 +26,7 @@ class K64Uart final : public SerialPort {
   /// @brief A port of the part that is in use.
   enum class Port : std::uint8_t { Uart0 = 0, Uart4 = 1 };
 
-  /// @brief Makes a port that is switched off.
+  /// @brief Constructs a port that is switched off.
   /// @param port which one it is; nothing else uses it
   /// @param clock gives the time at which a zero byte is received
   K64Uart(Port port, const Timebase& clock);
@@ -80,7 +80,8 @@ class K64Uart final : public SerialPort {
     }
 
    private:
-    // Writer and reader run on one core: only the compiler could change the order of what they do.
+    // Writer and reader run on one core: only the compiler could change the order of their
+    // accesses.
     [[gnu::always_inline]] static std::size_t load(const std::atomic<std::size_t>& count) {
       const std::size_t value = count.load(std::memory_order_relaxed);
       std::atomic_signal_fence(std::memory_order_acquire);

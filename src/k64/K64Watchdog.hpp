@@ -9,7 +9,7 @@ namespace wr {
 /// @brief The watchdog of the K64.
 /// @function Resets the microcontroller when no control cycle completes in time. Its clock is the
 /// low-power oscillator, which runs whatever happens to the other clocks.
-/// @secret What the watchdog demands when it is configured and refreshed.
+/// @secret The demands of the watchdog when it is configured and refreshed.
 /// @hides{K64Watchdog::kTimeOut}
 class K64Watchdog final : public Watchdog {
  public:

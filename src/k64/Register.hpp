@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief What a program may do with a register.
+/// @brief Access of a program to a register.
 /// @datatype
 enum class Access : std::uint8_t {
   Read,       ///< read only
@@ -16,7 +16,7 @@ enum class Access : std::uint8_t {
 /// @brief Register of the microcontroller.
 /// @tparam Value type of the number in the register
 /// @tparam kAddress address of the register, or of the first one of a row of equal registers
-/// @tparam kAccess what a program may do with it
+/// @tparam kAccess permitted access
 /// @datatype
 template <class Value, std::uint32_t kAddress, Access kAccess = Access::ReadWrite>
 class Register {
@@ -44,7 +44,7 @@ class Register {
     friend constexpr bool operator==(Bits, Bits) = default;
   };
 
-  /// @brief Makes bits of a field.
+  /// @brief Returns the bits of a field.
   /// @param value number in the field
   /// @param lowest number of the field's lowest bit
   /// @return the bits
@@ -52,12 +52,12 @@ class Register {
     return {static_cast<Value>(value << lowest)};
   }
 
-  /// @brief Makes one bit.
+  /// @brief Returns one bit.
   /// @param number number of the bit
   /// @return the bit
   [[nodiscard]] static constexpr Bits bit(unsigned number) { return field(1, number); }
 
-  /// @brief Gives another register of the row.
+  /// @brief Returns an element of the register array.
   /// @param offset distance from the first one [byte]
   /// @return the register
   [[nodiscard]] constexpr Register at(std::uint32_t offset) const {
@@ -99,7 +99,7 @@ class Register {
   }
 
  private:
-  // The one place where a number becomes an address: registers stand at fixed ones.
+  // The one place where a number becomes an address: registers are at fixed ones.
   [[nodiscard]] volatile Value* place() const {
     // NOLINTNEXTLINE(performance-no-int-to-ptr)
     return reinterpret_cast<volatile Value*>(kAddress + offset_);

@@ -45,7 +45,7 @@ inline void closeInterrupts() {
   asm volatile("cpsid i" ::: "memory");
 }
 
-/// @brief Lets the interrupts through again.
+/// @brief Enables the interrupts again.
 inline void openInterrupts() {
   asm volatile("cpsie i\n\tisb" ::: "memory");
 }

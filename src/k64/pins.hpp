@@ -11,7 +11,7 @@ namespace wr {
 /// @datatype
 enum class Port : std::uint8_t { A = 0, B = 1, C = 2, D = 3, E = 4 };
 
-/// @brief What a pin is for.
+/// @brief Role of a pin.
 /// @datatype
 enum class Role : std::uint8_t {
   LowOutput,   ///< output, safe when low
@@ -22,7 +22,7 @@ enum class Role : std::uint8_t {
   Peripheral   ///< belongs to a peripheral
 };
 
-/// @brief What a pin is connected to: the number of its alternative.
+/// @brief Connection of a pin: the number of its alternative.
 /// @datatype
 enum class Mux : std::uint8_t { Alt0 = 0, Gpio = 1, Alt3 = 3, Alt4 = 4 };
 
@@ -31,8 +31,8 @@ enum class Mux : std::uint8_t { Alt0 = 0, Gpio = 1, Alt3 = 3, Alt4 = 4 };
 struct Pin {
   Port port;            ///< its port
   std::uint8_t number;  ///< its number in the port, 0 to 31
-  Mux mux;              ///< what it is connected to when all runs
-  Role role;            ///< what it is for
+  Mux mux;              ///< connection while the firmware runs
+  Role role;            ///< its role
 
   /// @brief Returns whether the firmware drives the pin.
   /// @return true for an output
@@ -47,7 +47,7 @@ struct PinRow {
   Pin pin;                  ///< the pin
   std::string_view signal;  ///< name of the signal on it
   std::string_view header;  ///< where it is on the FRDM-K64F
-  std::string_view text;    ///< what it does
+  std::string_view text;    ///< its task
 };
 
 // The pins that the firmware uses, one on a line. A signal of a peripheral has the name that the
@@ -64,10 +64,10 @@ inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::C, 15, Mux::Alt3, Role::Peripheral}, "UART4_TX", "J199, Bluetooth", "Bytes to the remote client."},
     {{Port::B, 22, Mux::Gpio, Role::LowOutput}, "light_red", "D12 red", "Low lights it: no control cycles run."},
     {{Port::E, 26, Mux::Gpio, Role::HighOutput}, "light_green", "D12 green", "Low lights it: control cycles run."},
-    {{Port::C, 1, Mux::Alt4, Role::LateOutput}, "FTM0_CH0", "J1-5", "Tension of the front left wheel."},
-    {{Port::C, 2, Mux::Alt4, Role::LateOutput}, "FTM0_CH1", "J1-14", "Tension of the front right wheel."},
-    {{Port::C, 3, Mux::Alt4, Role::LateOutput}, "FTM0_CH2", "J1-16", "Tension of the rear left wheel."},
-    {{Port::C, 4, Mux::Alt4, Role::LateOutput}, "FTM0_CH3", "J2-4", "Tension of the rear right wheel."},
+    {{Port::C, 1, Mux::Alt4, Role::LateOutput}, "FTM0_CH0", "J1-5", "Voltage of the front left wheel."},
+    {{Port::C, 2, Mux::Alt4, Role::LateOutput}, "FTM0_CH1", "J1-14", "Voltage of the front right wheel."},
+    {{Port::C, 3, Mux::Alt4, Role::LateOutput}, "FTM0_CH2", "J1-16", "Voltage of the rear left wheel."},
+    {{Port::C, 4, Mux::Alt4, Role::LateOutput}, "FTM0_CH3", "J2-4", "Voltage of the rear right wheel."},
     {{Port::C, 16, Mux::Gpio, Role::LowOutput}, "wheel_fl_orientation", "J1-2", "High turns the front left wheel backwards."},
     {{Port::C, 17, Mux::Gpio, Role::LowOutput}, "wheel_fr_orientation", "J1-4", "High turns the front right wheel backwards."},
     {{Port::B, 9, Mux::Gpio, Role::LowOutput}, "wheel_rl_orientation", "J1-6", "High turns the rear left wheel backwards."},

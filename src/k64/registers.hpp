@@ -88,7 +88,7 @@ inline constexpr auto LVDSC1_LVDV_HIGH = LVDSC1.field(1, 0);
 inline constexpr auto LVDSC1_LVDRE = LVDSC1.bit(4);
 }  // namespace pmc
 
-/// @brief Reset control: what reset the part.
+/// @brief Reset control: cause of the reset.
 namespace rcm {
 inline constexpr Register<std::uint8_t, 0x4007F000, Access::Read> SRS0;
 inline constexpr auto SRS0_LVD = SRS0.bit(1);
@@ -104,7 +104,7 @@ inline constexpr auto SRS1_SW = SRS1.bit(2);
 inline constexpr auto SRS1_MDM_AP = SRS1.bit(3);
 }  // namespace rcm
 
-/// @brief Port control: what each pin is connected to, and which of its edges interrupt.
+/// @brief Port control: the connection of each pin, and the edges that interrupt.
 namespace port {
 inline constexpr std::uint32_t kPortDistance = 0x1000;  // from one port to the next [byte]
 inline constexpr std::uint32_t kPinDistance = 4;        // from one pin to the next [byte]
@@ -244,7 +244,7 @@ inline constexpr Register<std::uint32_t, 0xE000ED88> CPACR;
 inline constexpr auto CPACR_FPU = CPACR.field(0xF, 20);
 }  // namespace scb
 
-/// @brief Data watchpoint and trace unit of the core, and what switches it on.
+/// @brief Data watchpoint and trace unit of the core, and its enable bit.
 namespace dwt {
 inline constexpr Register<std::uint32_t, 0xE000EDFC> DEMCR;
 inline constexpr auto DEMCR_TRCENA = DEMCR.bit(24);

@@ -20,18 +20,18 @@ namespace wr {
 /// @secret The values that are kept from one cycle to the next, and those that end with a cycle.
 class ControlData {
  public:
-  /// @brief Makes data without set-points, before the first cycle.
+  /// @brief Constructs data without set-points, before the first cycle.
   ControlData() = default;
   ControlData(const ControlData&) = delete;
   ControlData& operator=(const ControlData&) = delete;
 
-  /// @brief Begins the next cycle; forgets what was noted, measured and applied in the cycle before.
+  /// @brief Begins the next cycle; clears the records and values of the cycle before.
   /// @param clockPulse time of the clock pulse
   /// @isr{no}
   /// @satisfies FR-174
   void beginCycle(Instant clockPulse);
 
-  /// @brief Notes what the begin of this cycle cost, and what the cycle before cost.
+  /// @brief Records the costs of the start of this cycle and of the cycle before.
   /// @param pulse count of processor cycles at the clock pulse of this cycle
   /// @param start the same count when this cycle began
   /// @satisfies FR-302
@@ -39,20 +39,20 @@ class ControlData {
   /// @isr{no}
   void saveStart(std::uint32_t pulse, std::uint32_t start);
 
-  /// @brief Notes that the report of this cycle was handed over.
+  /// @brief Records that the report of this cycle was sent.
   /// @param end count of processor cycles then
   /// @satisfies FR-160
   /// @isr{no}
   void saveReported(std::uint32_t end);
 
-  /// @brief Notes which source is read now; it takes force with the next set-points.
+  /// @brief Records the current source; it applies from the next set-points on.
   /// @param source number of the reading mode
   /// @satisfies FR-19
   /// @isr{no}
   void saveModeId(ModeId source);
 
-  /// @brief Puts set-points in force, with the source that was noted last.
-  /// @param setPoints what the control systems shall reach
+  /// @brief Sets the set-points, and their source to the one recorded last.
+  /// @param setPoints targets of the control systems
   /// @satisfies FR-19
   /// @satisfies FR-305
   /// @isr{no}
@@ -65,7 +65,7 @@ class ControlData {
   /// @satisfies FR-242
   void saveStop(std::uint8_t sources);
 
-  /// @brief Notes whether the control systems are held in this cycle.
+  /// @brief Records whether the control systems are held in this cycle.
   /// @param held true if the wheels are halted and the steering is held
   /// @isr{no}
   /// @satisfies FR-306
@@ -109,7 +109,7 @@ class ControlData {
   /// @brief The content of the report of this cycle.
   /// @param state operation state to report
   /// @param mode reading mode to report
-  /// @param counts what the link counted
+  /// @param counts counts of the link
   /// @return content of the report.
   /// @satisfies FR-61
   /// @satisfies FR-175

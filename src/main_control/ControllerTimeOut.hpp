@@ -6,10 +6,10 @@ namespace wr {
 
 class MainController;
 
-/// @brief What the clock pulse does: it begins a control cycle.
+/// @brief Command of the clock pulse: begins a control cycle.
 ///
-/// @function Passes the interrupt of the cycle timer on to the main controller, so that the timer knows
-/// no module of Main Control.
+/// @function Passes the interrupt of the cycle timer on to the main controller, so that the timer
+/// names no module of Main Control.
 ///
 /// @secret Which module acts on the clock pulse, and by which operation.
 ///

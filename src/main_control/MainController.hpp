@@ -21,8 +21,8 @@ namespace wr {
 ///
 /// @function Runs one cycle for each clock pulse. In each cycle it serves every source of orders, lets the present
 /// operation state read one order, control and report, and reports to the watchdog that it
-/// completed. It keeps the present state and the present reading mode, and does what the states
-/// order: apply control, hold, send a report.
+/// completed. It keeps the present state and the present reading mode, and executes the orders of
+/// the states: apply control, hold, send a report.
 ///
 /// @secret The sequence of steps in a control cycle, and that a stop goes before every state.
 ///
@@ -32,15 +32,15 @@ namespace wr {
 /// @role{main-controller-construction, Product}
 class MainController {
  public:
-  /// @brief What the controller is made of. Each part lives as long as the controller.
+  /// @brief Parts of the controller. Each part lives as long as the controller.
   /// @datatype
   struct Parts {
-    ControlThread& thread;       ///< runs the cycles
-    const Timebase& timebase;    ///< gives the time of a clock pulse, and counts what a cycle costs
-    ControlData& data;           ///< data of the cycle
-    ControlSystemPool& systems;  ///< the control systems
-    PcConnection& connection;    ///< link to the PC
-    Watchdog& watchdog;          ///< gets a report of each cycle that completed
+    ControlThread& thread;     ///< runs the cycles
+    const Timebase& timebase;  ///< gives the time of a clock pulse, and counts the cost of a cycle
+    ControlData& data;         ///< data of the cycle
+    ControlSystemPool& systems;    ///< the control systems
+    PcConnection& connection;      ///< link to the PC
+    Watchdog& watchdog;            ///< gets a report of each cycle that completed
     OperationState& initialState;  ///< operation state at start
     Mode& initialMode;             ///< reading mode at start
     std::span<Mode* const> modes;  ///< every mode: it is served, and can order a stop
@@ -54,12 +54,12 @@ class MainController {
   MainController(const MainController&) = delete;
   MainController& operator=(const MainController&) = delete;
 
-  /// @brief Makes the thread run one cycle for each clock pulse from now on.
+  /// @brief Starts the cycles: the thread runs one for each clock pulse.
   /// @isr{no}
   /// @satisfies FR-1
   void start();
 
-  /// @brief Takes the time of a clock pulse and has the thread run a cycle.
+  /// @brief Records the time of a clock pulse and lets the thread run a cycle.
   /// @errors Before start() the pulse has no effect. A pulse that comes before the last cycle has ended
   /// is counted as an overrun; one cycle more is run at most.
   /// @satisfies FR-1
@@ -156,7 +156,7 @@ class MainController {
   /// @satisfies FR-303
   /// @satisfies FR-304
   void cycle();
-  /// @brief Has every source of orders take in what came.
+  /// @brief Lets every source of orders process its input.
   /// @satisfies FR-35
   void serveSources();
   /// @brief Saves which sources order stop.

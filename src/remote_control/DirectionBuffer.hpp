@@ -6,8 +6,8 @@
 namespace wr {
 
 /// @brief Buffer of the direction signal of the remote control.
-/// @function Gives the angle of each pulse to the reader of orders.
-/// @secret What a full deflection of the direction lever means, and where its value goes.
+/// @function Passes the angle of each pulse to the reader of orders.
+/// @secret The angle of a full deflection of the direction lever, and the destination of its value.
 /// @role{rc-buffers, Concrete Class}
 class DirectionBuffer final : public RcBuffer {
  public:

@@ -17,9 +17,9 @@ namespace wr {
 /// @role{rc-pin-interrupt, Receiver}
 ///
 /// @patternapp{rc-buffers, Template Method, RC Buffers}
-/// @why The remote control gives a velocity signal and a direction signal, each at a pin of its
-/// own. Both are registered and interpreted in the same steps. Only what a signal means, and where
-/// its value goes, differ.
+/// @why The remote control has a velocity signal and a direction signal, each at a pin of its own.
+/// Both are registered and interpreted in the same steps. They differ only in the meaning and the
+/// destination of the value.
 /// @changes The meaning of a signal may change with a new remote control. A new signal is a new
 /// subclass of this class.
 class RcBuffer {
@@ -27,7 +27,7 @@ class RcBuffer {
   RcBuffer(const RcBuffer&) = delete;
   RcBuffer& operator=(const RcBuffer&) = delete;
 
-  /// @brief Takes an edge. A falling one ends a pulse: when its period is 15 to 30 ms and the
+  /// @brief Processes an edge. A falling one ends a pulse: when its period is 15 to 30 ms and the
   /// function accepts its width, the value is kept.
   /// @param rising the level is high after the edge
   /// @param at time of the edge

@@ -20,7 +20,7 @@ class RcPin final {
   RcPin(const RcPin&) = delete;
   RcPin& operator=(const RcPin&) = delete;
 
-  /// @brief Makes the edges of the pin interrupt from now on.
+  /// @brief Enables the interrupts of the pin.
   /// @isr{no}
   /// @satisfies FR-52
   void start();

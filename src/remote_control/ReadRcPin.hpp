@@ -7,7 +7,7 @@
 
 namespace wr {
 
-/// @brief What an edge on a pin of the remote control does: its buffer takes it.
+/// @brief Command of an edge on a pin of the remote control: passes it to the buffer.
 /// @function Passes the level after an edge, with its time, on to the buffer.
 /// @secret Which module acts on an edge of the remote control, and the values that it gets.
 /// @role{rc-pin-interrupt, Concrete Command}
@@ -25,7 +25,7 @@ class ReadRcPin final : public Command {
   /// @param timebase gives the time of an edge
   ReadRcPin(RcBuffer& buffer, const RcPin& pin, const Timebase& timebase);
 
-  /// @brief Gives the present level and the time to the buffer.
+  /// @brief Passes the present level and the time to the buffer.
   /// @isr{yes}
   /// @satisfies FR-52
   void execute() override;

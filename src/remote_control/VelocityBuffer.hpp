@@ -6,8 +6,8 @@
 namespace wr {
 
 /// @brief Buffer of the velocity signal of the remote control.
-/// @function Gives the velocity of each pulse to the reader of orders.
-/// @secret What a full deflection of the velocity lever means, and where its value goes.
+/// @function Passes the velocity of each pulse to the reader of orders.
+/// @secret The velocity of a full deflection of the velocity lever, and the destination of its value.
 /// @role{rc-buffers, Concrete Class}
 class VelocityBuffer final : public RcBuffer {
  public:

@@ -17,8 +17,8 @@ class ControlThread {
   ControlThread(const ControlThread&) = delete;
   ControlThread& operator=(const ControlThread&) = delete;
 
-  /// @brief Gives the thread its body. From now on the thread can be posted.
-  /// @param body what each activation executes
+  /// @brief Sets the body of the thread. From now on the thread can be posted.
+  /// @param body command that each activation executes
   /// @pre The thread has no body yet.
   /// @errors Assertion ThreadStartedTwice when the thread has a body.
   /// @isr{no}
@@ -43,13 +43,13 @@ class ControlThread {
   ControlThread() = default;
   ~ControlThread() = default;
 
-  /// @brief Runs one activation, and pends the thread again when another one is kept. The
+  /// @brief Runs one activation, and triggers the thread again when another one is kept. The
   /// platform calls it at the priority of the thread, as its answer to pend(). Without an
   /// activation that waits nothing happens.
   void run();
 
  private:
-  /// @brief Makes the platform call run() as soon as the priority of the thread permits.
+  /// @brief Requests that the platform calls run() as soon as the priority of the thread permits.
   /// @isr{yes}
   virtual void pend() = 0;
 

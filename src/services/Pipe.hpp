@@ -18,14 +18,14 @@ struct Stamped {
 };
 
 /// @brief Carries the newest value from one writer to one reader.
-/// @function Connects a writer and a reader that run at different priorities and do not know each
-/// other. Neither ever waits. A value holds the time at which it was written, so that a stale one
-/// can be found.
+/// @function Connects a writer and a reader that run at different priorities and do not depend on
+/// each other. Neither ever waits. A value has the time of its writing, so that a reader detects a
+/// stale one.
 /// @secret That three slots change hands by one atomic exchange.
 template <class T>
 class Pipe {
  public:
-  /// @brief Makes a pipe that holds no value.
+  /// @brief Constructs a pipe without a value.
   Pipe() = default;
 
   Pipe(const Pipe&) = delete;

@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief What reset the microcontroller before this start.
+/// @brief Cause of the last reset.
 /// @datatype
 enum class ResetCause : std::uint8_t {
   Unknown = 0,     ///< the hardware names no cause, or the platform has none
@@ -18,7 +18,7 @@ enum class ResetCause : std::uint8_t {
   Debugger = 8     ///< a debugger asked for it
 };
 
-/// @brief What ended the firmware before this start.
+/// @brief Fault that ended the firmware before this start.
 /// @datatype
 enum class FaultKind : std::uint8_t {
   None = 0,                 ///< nothing was recorded
@@ -31,11 +31,11 @@ enum class FaultKind : std::uint8_t {
   ClockFailed = 7  ///< the clock did not come up; the number is that of the step that failed
 };
 
-/// @brief Why the firmware started, and what ended it before.
+/// @brief Cause of the start, and the fault before it.
 /// @datatype
 struct StartRecord {
-  ResetCause cause = ResetCause::Unknown;  ///< what reset the microcontroller
-  FaultKind fault = FaultKind::None;       ///< what was recorded before the reset
+  ResetCause cause = ResetCause::Unknown;  ///< cause of the last reset
+  FaultKind fault = FaultKind::None;       ///< fault recorded before the reset
   std::uint16_t number = 0;   ///< number that belongs to the kind of fault, 0 without one
   std::uint32_t address = 0;  ///< instruction at which it ended, 0 when it is not known
 

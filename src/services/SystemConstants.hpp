@@ -7,8 +7,8 @@
 namespace wr {
 
 /// @brief The constants that more than one module needs.
-/// @function Gives each constant of the system once, with its unit.
-/// @secret The values of the system's constants, and from what they are derived.
+/// @function Defines each constant of the system once, with its unit.
+/// @secret The values of the system's constants, and their sources.
 /// @role{constant-values, Singleton}
 ///
 /// @patternapp{constant-values, Singleton, Constant values}
@@ -20,7 +20,7 @@ class SystemConstants {
   SystemConstants(const SystemConstants&) = delete;
   SystemConstants& operator=(const SystemConstants&) = delete;
 
-  /// @brief Gives access to the only instance.
+  /// @brief Returns the only instance.
   /// @return the constants
   /// @isr{yes}
   /// @satisfies FR-178

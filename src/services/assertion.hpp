@@ -20,7 +20,7 @@ enum class AssertId : std::uint16_t {
 [[noreturn]] void assertionFailed(AssertId id);
 
 /// @brief Ends the program when a condition does not hold. Always inlined: a call would cost more.
-/// @param condition what must hold
+/// @param condition the condition that must be true
 /// @param id number of the condition
 [[gnu::always_inline]] inline void require(bool condition, AssertId id) {
   if (!condition) {

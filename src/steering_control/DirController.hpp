@@ -14,7 +14,7 @@
 
 namespace wr {
 
-/// @brief What the steering is ordered to do.
+/// @brief An order to the steering.
 /// @datatype
 struct DirTarget {
   Angle angle{};  ///< where it shall be [0.01 degree], -3200 to 3200; without meaning for a hold
@@ -25,7 +25,7 @@ struct DirTarget {
   friend constexpr bool operator==(const DirTarget&, const DirTarget&) = default;
 };
 
-/// @brief What the steering does, as the controller sees it at a tick.
+/// @brief The measurements of the steering at a tick.
 /// @datatype
 struct DirStatus {
   SteeringState state = SteeringState::Off;  ///< state of the controller
@@ -35,7 +35,7 @@ struct DirStatus {
   std::optional<Stamped<Angle>> position{};  ///< newest position, and when it was measured
 };
 
-/// @brief What the motor does at the beginning of a tick.
+/// @brief State of the motor at the beginning of a tick.
 /// @datatype
 struct TurnFeedback {
   StepRate rate{};         ///< speed of the motor [steps/s], positive to the left
@@ -48,7 +48,7 @@ struct TurnFeedback {
 /// @brief Controls the steering: from target and position to the turn.
 ///
 /// @function Lets the state of the steering act each time a measurement of the position ends, on the newest
-/// target, the newest position and what the motor does, and returns the result. It orders the
+/// target, the newest position and the state of the motor, and returns the result. It orders the
 /// motor through commands, and names neither the sensor nor the device.
 ///
 /// @secret How old a target and a position may be, and how it is found that angle and motor do not agree.
@@ -59,12 +59,12 @@ struct TurnFeedback {
 /// @role{steering-timer-interrupt, Receiver}
 class DirController final {
  public:
-  /// @brief What the controller is made of. Each part lives as long as the controller.
+  /// @brief Parts of the controller. Each part lives as long as the controller.
   /// @datatype
   struct Parts {
     Pipe<DirTarget>& target;       ///< the newest order; the main thread writes it
     Pipe<Angle>& position;         ///< where the steering is; the same interrupt writes it
-    Pipe<DirStatus>& status;       ///< what the steering does; the main thread reads it
+    Pipe<DirStatus>& status;       ///< state of the steering; the main thread reads it
     const Timebase& timebase;      ///< for the age of a value
     SteeringAlgorithm& algorithm;  ///< computes the turn
     SteeringCommand& enable;       ///< switches the motor on
@@ -80,9 +80,9 @@ class DirController final {
   DirController(const DirController&) = delete;
   DirController& operator=(const DirController&) = delete;
 
-  /// @brief Takes target and position, lets the state act, and writes the status. It is called when a
+  /// @brief Reads target and position, lets the state act, and writes the status. It is called when a
   /// measurement of the position ends, every 8 ms.
-  /// @param motor what the motor does
+  /// @param motor state of the motor
   /// @isr{yes}
   /// @satisfies FR-114
   /// @satisfies FR-116
@@ -155,12 +155,12 @@ class DirController final {
   /// @satisfies FR-101
   [[nodiscard]] bool atRest() const;
 
-  /// @brief Has the motor switched on. States call it.
+  /// @brief Switches the motor on. States call it.
   /// @isr{yes}
   /// @satisfies FR-106
   void enable();
 
-  /// @brief Has the motor switched off. States call it.
+  /// @brief Switches the motor off. States call it.
   /// @isr{yes}
   /// @satisfies FR-109
   /// @satisfies FR-110
@@ -179,7 +179,7 @@ class DirController final {
   void changeState(DirState& next);
 
  private:
-  /// @brief Writes what the steering does, with the time of this tick.
+  /// @brief Writes the state of the steering, with the time of this tick.
   /// @satisfies FR-116
   void publish();
 

@@ -8,10 +8,11 @@ class DirController;
 class DirSensor;
 class SteeringDevice;
 
-/// @brief What a tick of the second timer does for the steering: measure, control, actuate.
+/// @brief Command of the second timer: measures, controls and moves the steering at each tick.
 ///
-/// @function Has the sensor sample. When that ends a measurement, hands what the motor does to the controller
-/// and has it tick. Then has the motor tick. Neither timer, controller nor sensor knows the others.
+/// @function Lets the sensor sample. When that ends a measurement, passes the state of the motor to
+/// the controller and lets it run. Then lets the motor run. Timer, controller and sensor do not
+/// depend on each other.
 ///
 /// @secret The sequence in which sensor, controller and motor tick, and that there is something to control
 /// only when a measurement has ended.
@@ -24,13 +25,13 @@ class SteeringDevice;
 /// @changes The actions at a tick, or the elements that they affect.
 class DirCtrlTimeOut final : public Command {
  public:
-  /// @brief Binds the command to what it makes tick.
+  /// @brief Binds the command to its receivers.
   /// @param sensor measures the position
   /// @param controller decides the turn
   /// @param device moves the motor
   DirCtrlTimeOut(DirSensor& sensor, DirController& controller, SteeringDevice& device);
 
-  /// @brief Makes one tick of the steering.
+  /// @brief Runs one tick of the steering.
   /// @isr{yes}
   /// @satisfies FR-114
   void execute() override;

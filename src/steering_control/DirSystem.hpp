@@ -23,11 +23,11 @@ namespace wr {
 /// @role{steering-system-construction, Product}
 class DirSystem final : public ControlSystem {
  public:
-  /// @brief What the system is made of. Each part lives as long as the system.
+  /// @brief Parts of the system. Each part lives as long as the system.
   /// @datatype
   struct Parts {
     Pipe<DirTarget>& target;   ///< takes the orders
-    Pipe<DirStatus>& status;   ///< gives what the steering does
+    Pipe<DirStatus>& status;   ///< brings the state of the steering
     const Timebase& timebase;  ///< for the time of an order and the age of a value
   };
 
@@ -52,25 +52,25 @@ class DirSystem final : public ControlSystem {
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
  private:
-  /// @brief Takes the newest status of the steering.
+  /// @brief Reads the newest status of the steering.
   /// @satisfies FR-116
   /// @satisfies FR-127
   void measure() override;
 
-  /// @brief Notes the ordered angle.
-  /// @param setPoints what the system shall reach
+  /// @brief Records the ordered angle.
+  /// @param setPoints target of the system
   /// @satisfies FR-115
   void apply(const SetPoints& setPoints) override;
 
-  /// @brief Notes the order to hold.
+  /// @brief Records the order to hold.
   /// @satisfies FR-115
   void halt() override;
 
-  /// @brief Has the next target release a fault.
+  /// @brief Requests that the next target releases a fault.
   /// @satisfies FR-112
   void release() override;
 
-  /// @brief Gives the noted order to the controller of the steering.
+  /// @brief Passes the recorded order to the controller of the steering.
   /// @param cycle number of the control cycle, from 1
   /// @satisfies FR-115
   void activate(std::uint32_t cycle) override;

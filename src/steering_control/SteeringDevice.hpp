@@ -21,7 +21,7 @@ namespace wr {
 /// @role{steering-commands, Receiver}
 class SteeringDevice final {
  public:
-  /// @brief What the device is made of. Each part lives as long as the device.
+  /// @brief Parts of the device. Each part lives as long as the device.
   /// @datatype
   struct Parts {
     DigitalOutput& step;        ///< each time it is switched on the motor makes one step
@@ -63,7 +63,7 @@ class SteeringDevice final {
   /// @satisfies FR-103
   void turn(StepRate demand);
 
-  /// @brief Ends the pulse of the tick before, and does what one tick demands of the motor. It is called
+  /// @brief Ends the pulse of the tick before, and runs one tick of the motor. It is called
   /// once in each tick period.
   /// @isr{yes}
   /// @satisfies FR-103
@@ -101,13 +101,13 @@ class SteeringDevice final {
   /// @isr{yes}
   void changePower(SteeringPower& power);
 
-  /// @brief Gives the motor its current, and begins the time in which it settles. Power states call it.
+  /// @brief Switches the current of the motor on, and starts the time in which it settles. Power states call it.
   /// @isr{yes}
   /// @satisfies FR-106
   /// @satisfies FR-107
   void switchOn();
 
-  /// @brief Takes the current and the rate from the motor. Power states call it.
+  /// @brief Switches the current of the motor off, and sets its rate to 0. Power states call it.
   /// @isr{yes}
   /// @satisfies FR-113
   void switchOff();

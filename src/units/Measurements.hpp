@@ -9,7 +9,7 @@
 
 namespace wr {
 
-/// @brief What was measured at one wheel. A value that is absent is missing or stale.
+/// @brief Measured values of one wheel. A value that is absent is missing or stale.
 /// @datatype
 struct WheelMeasurements {
   std::optional<Velocity> velocity;   ///< velocity at the motor shaft
@@ -24,7 +24,7 @@ struct WheelMeasurements {
   friend constexpr bool operator==(const WheelMeasurements&, const WheelMeasurements&) = default;
 };
 
-/// @brief What the steering does.
+/// @brief State of the steering.
 /// @datatype
 enum class SteeringState : std::uint8_t {
   Off = 0,      ///< its motor is switched off
@@ -75,12 +75,12 @@ struct Protection {
   friend constexpr bool operator==(const Protection&, const Protection&) = default;
 };
 
-/// @brief What was measured in one control cycle. A value that is absent is missing or stale.
+/// @brief Measured values of one control cycle. A value that is absent is missing or stale.
 /// @datatype
 struct Measurements {
   std::array<WheelMeasurements, kWheelCount> wheels{};  ///< measurements of each wheel
   std::optional<Angle> steering;                        ///< position of the steering device
-  SteeringState steeringState = SteeringState::Off;     ///< what the steering does
+  SteeringState steeringState = SteeringState::Off;     ///< state of the steering
   bool leftEnd = false;                                 ///< the left end stop is reached
   bool rightEnd = false;                                ///< the right end stop is reached
   Protection protection{};                              ///< state of the safety functions
@@ -89,7 +89,7 @@ struct Measurements {
   friend constexpr bool operator==(const Measurements&, const Measurements&) = default;
 };
 
-/// @brief What was applied in one control cycle. A value that is absent was not applied.
+/// @brief Applied values of one control cycle. A value that is absent was not applied.
 /// @datatype
 struct Outputs {
   std::array<std::optional<Tension>, kWheelCount> tensions{};  ///< voltage of each wheel

@@ -14,10 +14,10 @@ class Quantity {
   /// @brief Type of the number.
   using rep = Rep;
 
-  /// @brief Makes the quantity zero.
+  /// @brief Constructs the quantity zero.
   constexpr Quantity() = default;
 
-  /// @brief Makes a quantity of a number.
+  /// @brief Constructs a quantity of a number.
   /// @param count number [unit of the quantity]
   explicit constexpr Quantity(Rep count) : count_(count) {}
 

@@ -12,7 +12,7 @@ namespace wr {
 /// @brief Number of wheels: 0 front left, 1 front right, 2 rear left, 3 rear right.
 inline constexpr std::size_t kWheelCount = 4;
 
-/// @brief What a set-point of a wheel sets.
+/// @brief Quantity of a set-point of a wheel.
 /// @datatype
 enum class WheelQuantity : std::uint8_t {
   Velocity = 0,  ///< value in 0.1 rpm at the motor shaft
@@ -48,8 +48,8 @@ struct WheelSetPoint {
   /// @pre The quantity is Velocity.
   [[nodiscard]] constexpr Velocity velocity() const { return Velocity(value); }
 
-  /// @brief Returns the value of a set-point of a tension.
-  /// @pre The quantity is Tension.
+  /// @brief Returns the value of a set-point of a voltage.
+  /// @pre The quantity is ``Tension``.
   [[nodiscard]] constexpr Tension tension() const { return Tension(value); }
 
   /// @brief Returns the value of a set-point of a current.
@@ -60,7 +60,7 @@ struct WheelSetPoint {
   friend constexpr bool operator==(const WheelSetPoint&, const WheelSetPoint&) = default;
 };
 
-/// @brief What one order sets.
+/// @brief Set-points of one order.
 /// @datatype
 struct SetPoints {
   std::uint16_t orderId = 0;                        ///< number that the sender gave to the order

@@ -39,7 +39,7 @@ using HallCount = Quantity<struct HallCountTag, std::int32_t>;
 /// @datatype
 using Microseconds = Quantity<struct MicrosecondsTag, std::int64_t>;
 
-/// @brief Makes a duration of milliseconds.
+/// @brief Constructs a duration of milliseconds.
 /// @param count duration [ms]
 /// @return the duration
 [[nodiscard]] constexpr Microseconds milliseconds(std::int64_t count) {
@@ -50,10 +50,10 @@ using Microseconds = Quantity<struct MicrosecondsTag, std::int64_t>;
 /// @datatype
 class Instant {
  public:
-  /// @brief Makes the instant of the start.
+  /// @brief Constructs the instant of the start.
   constexpr Instant() = default;
 
-  /// @brief Makes an instant.
+  /// @brief Constructs an instant.
   /// @param sinceStart time since start [us]
   explicit constexpr Instant(std::uint64_t sinceStart) : sinceStart_(sinceStart) {}
 

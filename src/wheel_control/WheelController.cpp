@@ -114,7 +114,7 @@ void WheelController::watchMotion(const WheelSetPoint& setPoint, HallCount posit
   blind_ = blind_ || effort_ >= kMostEffort;
 }
 
-// Part of a tension that counts while the wheel does not move.
+// Part of a voltage that counts while the wheel does not move.
 std::int32_t WheelController::effort(const WheelSetPoint& setPoint, Tension tension) const {
   const bool faint = setPoint.quantity == WheelQuantity::Tension && tension <= kFaint;
   if (faint || !isHeld()) {

@@ -16,7 +16,7 @@ namespace wr {
 
 /// @brief Controls one wheel.
 ///
-/// @function Takes the measured values of the wheel out of their pipes, has the algorithm of the ordered
+/// @function Reads the measured values of the wheel from their pipes, lets the algorithm of the ordered
 /// quantity calculate a voltage, and has a behaviour apply it. It stops a wheel that cannot be
 /// controlled.
 ///
@@ -27,20 +27,20 @@ namespace wr {
 /// @role{wheel-commands, Invoker}
 class WheelController final {
  public:
-  /// @brief What the controller is made of. Each part lives as long as the controller.
+  /// @brief Parts of the controller. Each part lives as long as the controller.
   /// @datatype
   struct Parts {
     Pipe<Velocity>& velocity;                   ///< brings the measured velocity
     Pipe<Current>& current;                     ///< brings the measured current
     const Timebase& timebase;                   ///< for the age of a measured value
     std::array<WheelAlgorithm*, 3> algorithms;  ///< one for each WheelQuantity, in its sequence
-    WheelBehaviour& advance;                    ///< applies what an algorithm demands
+    WheelBehaviour& advance;                    ///< applies the demand of an algorithm
     WheelBehaviour& stop;                       ///< stops the wheel
     WheelCommand& stopWheel;                    ///< takes all voltage from the wheel at once
   };
 
-  /// @brief Makes the controller of a wheel at rest.
-  /// @param parts what it is made of
+  /// @brief Constructs the controller of a wheel at rest.
+  /// @param parts its parts
   explicit WheelController(const Parts& parts);
 
   WheelController(const WheelController&) = delete;
@@ -48,7 +48,7 @@ class WheelController final {
 
   /// @brief Brings the wheel towards its set-point for one cycle. A wheel whose velocity or current is
   /// missing, that shows no motion or whose reversal is late is stopped.
-  /// @param setPoint what the wheel shall reach
+  /// @param setPoint target of the wheel
   /// @param position position of the wheel
   /// @satisfies FR-80
   /// @satisfies FR-86
@@ -126,7 +126,7 @@ class WheelController final {
   WheelBehaviour& advance_;
   WheelBehaviour& stop_;
   WheelCommand& stopWheel_;
-  WheelQuantity quantity_ = WheelQuantity::Velocity;  // what the last set-point set
+  WheelQuantity quantity_ = WheelQuantity::Velocity;  // quantity of the last set-point
   std::optional<Tension> applied_;
   HallCount seen_{};                  // position when the wheel was last seen to turn
   std::int32_t effort_ = 0;           // [mV cycles] voltage times the time without motion

@@ -14,8 +14,8 @@ namespace wr {
 
 /// @brief The control system of one wheel.
 ///
-/// @function Notes the orders of the main controller for its wheel, executes them in its own thread, and
-/// gives what was measured and applied.
+/// @function Records the orders of the main controller for its wheel, executes them in its own thread, and
+/// returns the measured and applied values.
 ///
 /// @secret How orders of the main controller become orders of a wheel, and that each wheel has a thread.
 /// The thread has a higher priority than the main thread, which therefore never runs while the
@@ -26,7 +26,7 @@ namespace wr {
 /// @role{wheel-system-construction, Product}
 class WheelSystem final : public ControlSystem {
  public:
-  /// @brief What the system is made of. Each part lives as long as the system.
+  /// @brief Parts of the system. Each part lives as long as the system.
   /// @datatype
   struct Parts {
     std::size_t wheel;             ///< number of the wheel, 0 to 3
@@ -38,11 +38,11 @@ class WheelSystem final : public ControlSystem {
     WheelOrder& haltWheel;         ///< the last one when the wheel is to be at rest
   };
 
-  /// @brief Makes the system. It does no work before start().
-  /// @param parts what it is made of
+  /// @brief Constructs the system. It does no work before start().
+  /// @param parts its parts
   explicit WheelSystem(const Parts& parts);
 
-  /// @brief Gives the thread its body.
+  /// @brief Sets the body of the thread.
   /// @pre It was not called before.
   /// @errors Assertion ThreadStartedTwice at the second call.
   /// @satisfies FR-92
@@ -57,7 +57,7 @@ class WheelSystem final : public ControlSystem {
   /// @isr{no}
   [[nodiscard]] bool completed(std::uint32_t cycle) const override;
 
-  /// @brief Adds what was measured and applied at this wheel.
+  /// @brief Adds the measured and applied values of this wheel.
   /// @param measurements takes the measured values; values of other systems stay
   /// @param outputs takes the applied voltage; values of other systems stay
   /// @satisfies FR-93
@@ -66,7 +66,7 @@ class WheelSystem final : public ControlSystem {
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
  private:
-  /// What an activation of the thread does.
+  /// Work of an activation of the thread.
   class Body final : public Command {
    public:
     explicit Body(WheelSystem& system);

@@ -26,7 +26,7 @@ struct SafePin {
 };
 
 /// The outputs of the robot, written from the page of the pins and without the firmware's table:
-/// tension, orientation and enable of the wheels, steering, green light off, red light on.
+/// voltage, orientation and enable of the wheels, steering, green light off, red light on.
 inline constexpr std::array<SafePin, 17> kSafePins{{
     {'C', 1, false},
     {'C', 2, false},
@@ -47,8 +47,8 @@ inline constexpr std::array<SafePin, 17> kSafePins{{
     {'B', 22, false},
 }};
 
-/// The firmware on the virtual K64, where a test also reaches the board. Faults and resets are what
-/// is tested: they do not stop the board.
+/// The firmware on the virtual K64, where a test also reaches the board. Faults and resets are
+/// tested here: they do not stop the board.
 class BoardRobot : public SteppedRobot {
  public:
   explicit BoardRobot(emulator::Options options = {})

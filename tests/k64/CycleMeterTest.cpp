@@ -19,7 +19,7 @@ constexpr unsigned kHallEdges = 16 + 62;
 constexpr unsigned kMainThread = 16 + 64;
 constexpr int kCyclesToArm = 15;  // the PC commands, and its neutral orders arm the robot
 
-/// A connected robot that drives, and what was measured of some of its cycles.
+/// A connected robot that drives, and the measurements of some of its cycles.
 struct Drive {
   explicit Drive(int cycles, bool profiled = false) {
     robot.startUp();
@@ -40,7 +40,7 @@ struct Drive {
   std::vector<scenario::PcReport> reports;  ///< the first is that of the third cycle
 };
 
-/// @brief The firmware counts what the board measures. Its counts begin when the interrupt of the clock
+/// @brief The counts of the firmware agree with the measurements of the board. Its counts begin when the interrupt of the clock
 /// pulse is served; of each sleep it takes a few cycles too many.
 /// @verifies FR-160
 /// @verifies FR-302
@@ -80,7 +80,7 @@ TEST(CyclesOfTheImage, SameRunCostsTheSame) {
   }
 }
 
-/// @brief What the exceptions cost is what the cycles cost, and so is what the instructions count. An
+/// @brief The costs of the exceptions, of the cycles and of the instructions have the same sum. An
 /// instruction that an IT block passes over takes time, and is not executed.
 TEST(CyclesOfTheImage, EachInstructionIsCountedOnce) {
   const Drive drive(30, true);

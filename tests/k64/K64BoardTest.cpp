@@ -59,7 +59,7 @@ TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeTheClockIsSetUp) {
   EXPECT_EQ(unsafe, "");
 }
 
-/// @brief When the outputs become safe after a reset, memory still holds what it held before it.
+/// @brief When the outputs become safe after a reset, memory is unchanged.
 /// @verifies FR-71
 TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeMemoryIsInitialised) {
   BoardRobot robot;
@@ -85,7 +85,7 @@ TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeMemoryIsInitialised) {
 }
 
 /// @brief In a start no output leaves its safe level, but for the lights when the cycles run. The first
-/// cycle switches the drivers of the wheels on, without tension: that brakes the wheels.
+/// cycle switches the drivers of the wheels on, without voltage: that brakes the wheels.
 /// @verifies FR-71
 /// @verifies FR-141
 TEST(K64BoardOnBoard, FR71_NoOutputLeavesItsSafeLevel) {

@@ -24,7 +24,7 @@ struct Share {
 };
 
 /// @brief The output is high for the share that was set, to the nearest bus clock; all channels can be
-/// all off and all on, and what is beyond counts as the limit.
+/// all off and all on, and a value beyond counts as the limit.
 /// @verifies FR-140
 TEST(K64FtmOnBoard, FR140_OutputIsHighForTheShareThatWasSet) {
   constexpr std::array kShares{
@@ -92,7 +92,7 @@ TEST(K64FtmOnBoard, FR140_WidthsChangeAtTheBeginningOfAPeriod) {
 }
 
 /// @brief From the first instruction that makes an output safe until a width is set, no output for the
-/// tension is ever high: neither as a plain output nor when the timer takes it over.
+/// voltage is ever high: neither as a plain output nor when the timer takes it over.
 /// @verifies FR-141
 TEST(K64FtmOnBoard, FR141_OutputsStayLowUntilAWidthIsSet) {
   DriverBoard drivers;
@@ -122,7 +122,7 @@ TEST(K64FtmOnBoard, FR141_ResetEndsThePulses) {
   EXPECT_EQ(drivers.board.pwmDuty(kTimer, 2), 0.0);
 }
 
-/// @brief A tension that the PC orders comes out as pulses: 6 V of 24 V are a quarter of the period.
+/// @brief A voltage that the PC orders is output as pulses: 6 V of 24 V are a quarter of the period.
 /// @verifies FR-140
 TEST(K64FtmInTheRobot, FR140_OrderedTensionComesOutAsPulses) {
   constexpr scenario::PcOrder::Wheel kQuarter{.quantity = 1, .value = 6000};

@@ -227,7 +227,7 @@ TEST(K64PortInTheRobot, FR201_NoiseDoesNotStarveTheCycles) {
   EXPECT_EQ(robot.report().overruns, 0);
 }
 
-/// @brief In the robot one interrupt serves the end of a pulse of the remote control and the begin of another
+/// @brief In the robot one interrupt serves the end of a pulse of the remote control and the start of another
 /// one at the same moment.
 /// @verifies FR-200
 TEST(K64PortInTheRobot, FR200_OneInterruptServesEdgesThatComeTogether) {

@@ -13,7 +13,7 @@ namespace {
 
 using Kind = emulator::Event::Kind;
 
-/// @brief A clock pulse ends before the cycle begins: the handler of the timer only pends the thread of the
+/// @brief A clock pulse ends before the cycle begins: the handler of the timer only triggers the thread of the
 /// main controller, which runs once.
 /// @verifies FR-1
 TEST(K64ThreadOnBoard, FR1_CycleRunsAfterThePulseHasEnded) {

@@ -154,8 +154,8 @@ TEST_F(K64UartOnBoard, FR49_FramingErrorIsCounted) {
   EXPECT_EQ(robot.report().damaged, 0);
 }
 
-/// @brief When the main controller is kept away for so long that the storage of 2048 bytes is full, what
-/// comes after is counted byte by byte.
+/// @brief When the main controller is kept away for so long that the storage of 2048 bytes is full, the bytes
+/// after that are counted one by one.
 /// @verifies FR-49
 TEST(K64UartOnBoardThatIsBusy, FR49_BytesBeyondTheStorageAreCounted) {
   constexpr std::uint32_t kRounds = 4'728'000;  // 197 ms of the core, five cycles for each

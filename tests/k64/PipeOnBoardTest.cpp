@@ -10,7 +10,7 @@
 namespace wr::test {
 namespace {
 
-// What the program counts of one pipe, see Handover in program/drivers.cpp.
+// Counts of the program for one pipe, see Handover in program/drivers.cpp.
 struct Counts {
   std::uint16_t interruptions;  // one side was at work when the other one came
   std::uint16_t torn;

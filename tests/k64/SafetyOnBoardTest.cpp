@@ -36,7 +36,7 @@ std::unique_ptr<board_robot::BoardSession> switchSafeRobotOn() {
                          {.resetsAreFindings = false});
 }
 
-// What a scenario left that the image played.
+// Result of a scenario that the image played.
 struct Played {
   std::string reports;  // with the true values at their times
   emulator::EventTrace trace;
@@ -59,7 +59,7 @@ Played played(const scenario::Scenario& scenario) {
 
 class ScenariosOnBoard : public testing::TestWithParam<std::filesystem::path> {};
 
-/// @brief The image with safety functions does what each scenario expects that is not of the paper's design alone.
+/// @brief The image with safety functions meets each scenario that is not of the paper's design alone.
 /// When it runs again, it sends the same reports, and the same events come at the same times.
 /// @verifies NFR-6
 TEST_P(ScenariosOnBoard, NFR6_ImageDoesWhatIsExpectedAndTheSameAgain) {

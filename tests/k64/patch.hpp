@@ -24,7 +24,7 @@ using Image = std::vector<std::uint8_t>;
 /// Instructions of a handler, in halfwords.
 using Code = std::vector<std::uint16_t>;
 
-/// Where the code of the handler stands.
+/// Address of the code of the handler.
 inline constexpr std::uint32_t kHandlerAddress = 0x80000;
 
 /// The image with this code as handler of an exception.

@@ -117,7 +117,7 @@ TEST_F(ControlDataTest, FR242_WithoutOrdersTheReasonIsThatNobodyOrders) {
 }
 
 /// @brief The reason, the cause and the wheel that a safety function has measured are in the report, and
-/// the report says that the robot is held.
+/// the report shows that the robot is held.
 /// @verifies FR-242
 /// @verifies FR-306
 TEST_F(ControlDataTest, FR242_TheReasonOfASafetyFunctionIsReported) {

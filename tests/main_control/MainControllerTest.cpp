@@ -123,7 +123,7 @@ TEST_F(MainControllerTest, FR21_StopOfAnyModeHolds) {
   EXPECT_EQ(system.calls, kControlled);
 }
 
-/// @brief The report holds the state, the mode, the source and the set-points after the read.
+/// @brief The report contains the state, the mode, the source and the set-points after the read.
 /// @verifies FR-60
 /// @verifies FR-61
 TEST_F(MainControllerTest, FR61_ReportTellsTheCycleAfterTheRead) {
@@ -204,7 +204,7 @@ TEST_F(MainControllerTest, FR37_FullLineCostsNoFrame) {
             static_cast<std::uint16_t>(line.empty() ? sent - 1 : sent - 2));
 }
 
-/// @brief What comes during a cycle that is late by one period is more than the port can store on a line
+/// @brief The bytes of a cycle that is late by one period exceed the storage of the port on a line
 /// without a pause: the loss is counted, and the connection goes on.
 /// @verifies FR-49
 TEST_F(MainControllerTest, FR49_LateCycleOnAFullLineLosesBytesAndGoesOn) {

@@ -10,7 +10,7 @@
 
 namespace wr::test {
 
-/// A control system that notes what it is ordered to do.
+/// A control system that records its orders.
 class SpySystem final : public ControlSystem {
  public:
   std::vector<std::string> calls;

@@ -8,7 +8,7 @@
 
 namespace wr::test {
 
-/// @brief Input whose conversions end when the test says so.
+/// @brief Input whose conversions end at calls of the test.
 class FakeAnalogInput final : public AnalogInput {
  public:
   [[nodiscard]] std::optional<std::uint16_t> sample() override {

@@ -13,7 +13,7 @@ class TestThread final : public ControlThread {
  public:
   void dispatch() { run(); }
 
-  /// @brief Runs as long as the thread is pended.
+  /// @brief Runs while the thread is triggered.
   void dispatchAll() {
     while (pended > 0) {
       --pended;
@@ -134,7 +134,7 @@ TEST(ControlThreadDeathTest, HasOneBody) {
 }
 
 /// @brief Posts that come at any moment of an activation neither lose the last one nor leave the
-/// thread pended for ever.
+/// thread triggered for ever.
 /// @verifies FR-4
 /// @verifies FR-172
 TEST(ControlThread, FR4_PostsAtAnyMomentAreNeverLost) {

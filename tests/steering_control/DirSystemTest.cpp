@@ -14,7 +14,7 @@ struct DirSystemTest : testing::Test {
 
   void publish(const DirStatus& what) { status.write(what, clock.now()); }
 
-  /// @brief Holds in a new cycle, and gathers what was measured.
+  /// @brief Holds in a new cycle, and gathers the measurements.
   void cycle() {
     pool.hold(++number);
     pool.collect(measurements, outputs);
@@ -84,7 +84,7 @@ TEST_F(DirSystemTest, FR116_TheTurnIsTheSignOfTheRate) {
   }
 }
 
-/// @brief What was collected is what was measured in the cycle: a tick after it changes nothing.
+/// @brief The collected values are those of the cycle: a tick after it changes nothing.
 /// @verifies FR-116
 TEST_F(DirSystemTest, FR116_TheCycleKeepsItsValues) {
   publish({.state = SteeringState::Holding});

@@ -52,7 +52,7 @@ TEST_F(SteeringDeviceTest, FR103_TheRateIsLimited) {
   EXPECT_EQ(device.rate(), StepRate(-500));
 }
 
-/// @brief In a second the motor makes as many steps as its rate says.
+/// @brief In a second the motor makes as many steps as its rate demands.
 /// @verifies FR-103
 TEST_F(SteeringDeviceTest, FR103_TheStepsOfASecondAreTheRate) {
   for (const std::int32_t rate : {1, 7, 333, 500, -1, -250, -499, -500}) {

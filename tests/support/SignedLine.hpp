@@ -29,7 +29,7 @@ class FixedRandom final : public RandomSource {
   std::optional<std::uint64_t> number_;
 };
 
-/// A Bluetooth device that knows the key: it puts counter and tag on its frames, as the page of the
+/// A Bluetooth device that has the key: it puts counter and tag on its frames, as the page of the
 /// protocol describes it.
 class SigningDevice {
  public:

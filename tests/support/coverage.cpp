@@ -2,7 +2,7 @@
 // WR_TRACE.
 //
 // Each test gives one file in the folder WR_TRACE_DIR, named <suite>.<test>.arcs. A line with a
-// name says which file of counters the lines below it belong to; each of those has the number of a
+// name is the file of counters of the lines below it; each of those has the number of a
 // function that ran, and its counters.
 //
 // The counters of the whole run go into the files that gcc itself writes, for other readers.
@@ -44,7 +44,7 @@ struct Unit {
   std::string name;
   std::vector<std::uint32_t> words;
   std::vector<std::uint32_t> wordsBefore;
-  // What each function had counted when the test before ended.
+  // Counts of each function at the end of the test before.
   std::map<std::uint32_t, std::vector<std::uint64_t>> before;
 };
 

@@ -17,7 +17,7 @@ namespace wr::test {
 [[nodiscard]] std::filesystem::path elfFile();
 
 /// @brief Switches a board with the image on. The calls of its firmware are recorded for the test.
-/// @param options what the board does and has; the file with the symbols is added
+/// @param options options of the board; the file with the symbols is added
 [[nodiscard]] std::unique_ptr<board_robot::BoardSession> switchBoardOn(
     emulator::Options options = {});
 
@@ -31,8 +31,8 @@ namespace wr::test {
 /// @brief Switches a board on that has the image of a product. Its calls are not recorded: the recordings are
 /// those of the image under test.
 /// @param product name of the product
-/// @param image what its flash holds
-/// @param options what the board does and has; the file with the symbols is added
+/// @param image content of its flash
+/// @param options options of the board; the file with the symbols is added
 [[nodiscard]] std::unique_ptr<board_robot::BoardSession> switchProductOn(
     const std::string& product, std::vector<std::uint8_t> image, emulator::Options options = {});
 

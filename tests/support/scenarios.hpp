@@ -21,7 +21,7 @@ inline std::vector<std::filesystem::path> allScenarios() {
   return files;
 }
 
-/// @brief Checks whether a scenario expects what only the paper's design does: safety functions stop the
+/// @brief Checks whether a scenario expects behaviour that only the paper's design has: safety functions stop the
 /// robot, or let it follow a ramp.
 /// @param file file of the scenario
 inline bool isOfThePaperAlone(const std::filesystem::path& file) {

@@ -5,9 +5,9 @@
 // little-endian number of 64 bits for each event: the address of the function, with bit 63 set when
 // the function is left. Once there are kWhole events, a call that the test or the simulated
 // platform makes is not written again when it makes the same calls as one before: timers would fill
-// the file. In its place stands the number of the event with which that one begins, with bit 62
+// the file. In its place is the number of the event with which that one begins, with bit 62
 // set, once for those that follow each other. After kMost events nothing more is recorded, and a
-// file <suite>.<test>.truncated says so.
+// file <suite>.<test>.truncated marks it.
 
 #include <gtest/gtest.h>
 

@@ -115,7 +115,7 @@ TEST(ClosedLoopOfRobot, FR91_BrokenSensorsSwitchTheirWheelsOff) {
 
 class ExampleScenarios : public testing::TestWithParam<const char*> {};
 
-/// @brief The robot does what each other example of a scenario expects. That of ten minutes is played by
+/// @brief The robot meets each other example of a scenario. That of ten minutes is played by
 /// the tests of the programs.
 /// @verifies NFR-6
 TEST_P(ExampleScenarios, RobotDoesWhatIsExpected) {

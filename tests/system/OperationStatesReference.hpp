@@ -20,8 +20,8 @@ inline constexpr int kN = 4;
 inline constexpr std::int64_t kPeriod = 100'000;
 inline constexpr std::int64_t kLifetime = 200'000;
 
-/// What the robot must do, written from the requirements and without the firmware's code. Times are
-/// in microseconds.
+/// The required behaviour of the robot, written from the requirements and without the firmware's
+/// code. Times are in microseconds.
 struct Reference {
   int state = kWorking;
   int failedReads = 0;
@@ -200,7 +200,7 @@ class Comparison {
     ASSERT_EQ(report.held(), reference_.held || report.inhibit == kNotArmed) << cycles;
   }
 
-  // Counts what the robot was seen to do; cycles without report do not count.
+  // Counts the observed behaviour of the robot; cycles without report do not count.
   void note(int stateBefore, int modeBefore) {
     static const std::array<std::string, 4> names{"Working", "Waiting", "WaitingN", "Reconnecting"};
     if (robot_.reported()) {

@@ -3,8 +3,8 @@
 namespace wr::test {
 namespace {
 
-/// @brief In random sequences of orders of the PC, while the remote control is silent, the robot does in
-/// every cycle what a reference written from the requirements does, and takes each transition of
+/// @brief In random sequences of orders of the PC, while the remote control is silent, the robot behaves in
+/// every cycle like a reference written from the requirements, and takes each transition of
 /// both machines.
 /// @verifies FR-12
 /// @verifies FR-13

@@ -21,7 +21,7 @@ constexpr int kSteeringTurning = 2;
 
 class ReportsOfRobot : public testing::Test {
  protected:
-  // Orders the same tension for all wheels in some cycles.
+  // Orders the same voltage for all wheels in some cycles.
   static void orderTensions(SteppedRobot& robot, std::int16_t millivolts, int cycles) {
     scenario::PcOrder order{.id = 100};
     order.wheels.fill({.quantity = 1, .value = millivolts});

@@ -16,7 +16,7 @@ namespace wr::test {
 
 using std::chrono::microseconds;
 
-/// Switches a new robot on, and returns when it listens to its line. What it runs on is chosen when
+/// Switches a new robot on, and returns when it listens to its line. Its target is chosen when
 /// the tests are linked.
 [[nodiscard]] std::unique_ptr<scenario::RobotSession> switchOn();
 

@@ -14,14 +14,27 @@ constexpr std::size_t kBefore = 12;  // records that are shown before a differen
 constexpr std::array<std::string_view, 6> kKinds{"enters", "leaves",       "acted",
                                                  "fault",  "check failed", "FP mode in"};
 
-constexpr std::array<std::string_view, 21> kActions{
-    "pend lines",          "pend system exceptions", "pend by number",
-    "clear pending",       "supervisor call",        "undefined instruction",
-    "bus error",           "pend in an IT block",    "set priority",
-    "set system priority", "set priorities",         "enable lines",
-    "disable lines",       "enable faults",          "set grouping",
-    "raise base priority", "mask interrupts",        "mask faults",
-    "forget FP",           "wait for interrupt",     "end"};
+constexpr std::array<std::string_view, 21> kActions{"trigger lines",
+                                                    "trigger system exceptions",
+                                                    "trigger by number",
+                                                    "clear pending",
+                                                    "supervisor call",
+                                                    "undefined instruction",
+                                                    "bus error",
+                                                    "trigger in an IT block",
+                                                    "set priority",
+                                                    "set system priority",
+                                                    "set priorities",
+                                                    "enable lines",
+                                                    "disable lines",
+                                                    "enable faults",
+                                                    "set grouping",
+                                                    "raise base priority",
+                                                    "mask interrupts",
+                                                    "mask faults",
+                                                    "forget FP",
+                                                    "wait for interrupt",
+                                                    "end"};
 
 constexpr std::array<std::string_view, 5> kState{"ICSR", "SHCSR", "IABR", "ISPR", "masks"};
 constexpr std::array<std::string_view, 5> kFault{"CFSR", "HFSR", "BFAR", "PC", "xPSR"};

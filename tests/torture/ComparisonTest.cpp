@@ -53,7 +53,7 @@ TEST(TortureComparisonTest, AShorterRunDiffers) {
   EXPECT_THAT(context({kEntered, kLeft}, {kEntered}, 1), HasSubstr("nothing more"));
 }
 
-/// @brief The context of a difference shows what led there and both records.
+/// @brief The context of a difference shows the events before it and both records.
 TEST(TortureComparisonTest, TheContextShowsBothRecords) {
   const std::string text = context({kEntered, kLeft}, {kEntered, kEnd}, 1);
   EXPECT_THAT(text, HasSubstr("0         enters exception 20"));
@@ -82,7 +82,7 @@ TEST(TortureComparisonTest, FailedChecksAreTold) {
               HasSubstr("check failed register 4, link E9, wanted AB, found CD"));
 }
 
-/// @brief A run is complete only when its last record says so.
+/// @brief A run is complete only when its last record is its end.
 TEST(TortureComparisonTest, ARunWithoutItsEndIsNotComplete) {
   EXPECT_TRUE(complete({kEntered, kLeft, kEnd}));
   EXPECT_FALSE(complete({kEntered, kLeft}));

@@ -11,7 +11,7 @@ class Qemu {
   [[nodiscard]] static bool installed();
 
   /// @brief Runs a program to its end.
-  /// @return what it recorded
+  /// @return its records
   /// @throws std::runtime_error when it does not end in a minute
   [[nodiscard]] static Records run(const Image& image);
 };

@@ -11,11 +11,11 @@ enum class Kind : std::uint8_t {
   Left,         ///< an exception is about to be left
   Acted,        ///< an action is over, and all exceptions that it caused
   Fault,        ///< fault status: configurable, hard, address
-  CheckFailed,  ///< what was checked, wanted, found
+  CheckFailed,  ///< checked item, wanted, found
   FpMode        ///< modes in FPSCR at the first use of the floating-point registers
 };
 
-/// @brief What the program does: the detail of a record Acted.
+/// @brief Actions of the program: the detail of a record Acted.
 enum class Action : std::uint8_t {
   PendLines,
   PendSystem,
@@ -40,7 +40,7 @@ enum class Action : std::uint8_t {
   End
 };
 
-/// @brief What is checked: the detail of a record CheckFailed. Below these, 0 to 12 are the core
+/// @brief Checked items: the detail of a record CheckFailed. Below these, 0 to 12 are the core
 /// registers, 32 to 63 the floating-point registers.
 enum class Check : std::uint8_t { Flags = 16, StackPointer = 17, FpStatus = 18, LogFull = 19 };
 
@@ -56,7 +56,7 @@ struct Record {
 };
 static_assert(sizeof(Record) == 24);
 
-/// @brief Where the image of the program holds what its runner sets.
+/// @brief Addresses of the runner's settings in the image of the program.
 inline constexpr std::uint32_t kSeedAddress = 0xC0;
 inline constexpr std::uint32_t kActionsAddress = 0xC4;
 

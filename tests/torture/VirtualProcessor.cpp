@@ -21,7 +21,7 @@ constexpr std::uint32_t kOpen = 0x01;
 constexpr std::uint32_t kWrite = 0x05;
 constexpr std::uint32_t kExit = 0x18;
 
-/// @brief What the program asks of the machine: to write bytes, and to end.
+/// @brief Requests of the program to the machine: to write bytes, and to end.
 class Semihosting {
  public:
   void serve(CortexM4& processor) {

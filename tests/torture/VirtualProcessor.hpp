@@ -8,8 +8,8 @@ namespace wr::torture {
 class VirtualProcessor {
  public:
   /// @brief Runs a program to its end.
-  /// @return what it recorded
-  /// @throws std::runtime_error when it does not end, or does what stops the processor
+  /// @return its records
+  /// @throws std::runtime_error when it does not end, or stops the processor
   [[nodiscard]] static Records run(const Image& image);
 };
 

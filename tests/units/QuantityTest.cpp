@@ -13,7 +13,7 @@
 namespace wr {
 namespace {
 
-/// @brief Quantities of one unit can be computed with; what comes out has that unit and no other.
+/// @brief Quantities of one unit can be computed with; the result has that unit and no other.
 /// @verifies NFR-11
 TEST(Quantity, Computes) {
   EXPECT_EQ(Velocity(30) + Velocity(12), Velocity(42));

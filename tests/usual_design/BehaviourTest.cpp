@@ -212,7 +212,7 @@ TYPED_TEST(Behaviour, ReachesAVelocity) {
   EXPECT_EQ(this->robot.report().measured & 7U, 7U);
 }
 
-/// @brief A tension is applied as it is ordered, once the soft start is over.
+/// @brief A voltage is applied as it is ordered, once the soft start is over.
 TYPED_TEST(Behaviour, AppliesATension) {
   const scenario::PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
   this->robot.commandByPc(order);
@@ -251,7 +251,7 @@ TYPED_TEST(Behaviour, SlowsDownBeforeItReverses) {
   EXPECT_NEAR(this->robot.meanVelocity(backwards, 20), -800, 40);
 }
 
-/// @brief A wheel that is held gets its tension lowered step by step, to none.
+/// @brief A wheel that is held gets its voltage lowered step by step, to none.
 TYPED_TEST(Behaviour, LowersTheTensionWhenItIsHeld) {
   const scenario::PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
   this->robot.commandByPc(order);
@@ -264,7 +264,7 @@ TYPED_TEST(Behaviour, LowersTheTensionWhenItIsHeld) {
   EXPECT_EQ(this->robot.line.pins.wheels[0].pwm.dutyCycle(), DutyCycle(0));
 }
 
-/// @brief A wheel with tension whose Hall sensors give no edge is stopped, and stays so when it is held.
+/// @brief A wheel with voltage whose Hall sensors send no edge is stopped, and stays so when it is held.
 TYPED_TEST(Behaviour, StopsAWheelWithoutMotionFeedback) {
   this->robot.physics().setFault(plant::Fault::Hall, 0, true);
   const scenario::PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
@@ -277,7 +277,7 @@ TYPED_TEST(Behaviour, StopsAWheelWithoutMotionFeedback) {
   EXPECT_EQ(this->robot.report().blindWheels, 1);
 }
 
-/// @brief A wheel whose current is missing is stopped, and the report says that it is missing.
+/// @brief A wheel whose current is missing is stopped, and the report shows that it is missing.
 TYPED_TEST(Behaviour, StopsAWheelWithoutCurrent) {
   const auto order = this->robot.velocity(500);
   this->robot.commandByPc(order);
@@ -289,7 +289,7 @@ TYPED_TEST(Behaviour, StopsAWheelWithoutCurrent) {
   EXPECT_EQ(this->robot.report().measured & 2U, 0U);
 }
 
-/// @brief A current that is too high trips the wheel: it gets no tension, and brakes with its driver on. A
+/// @brief Too high a current trips the wheel: it gets no voltage, and brakes with its driver on. A
 /// hold does not end that.
 TYPED_TEST(Behaviour, OvercurrentTripsTheWheel) {
   this->robot.physics().setFault(plant::Fault::Block, 0, true);
@@ -320,7 +320,7 @@ struct SideBySide {
     patterns.send(bytes);
   }
 
-  // A cycle of both, and what each sent.
+  // A cycle of both, and the bytes of each.
   std::pair<scenario::Bytes, scenario::Bytes> cycleApart() {
     usual.runThroughPulse();
     patterns.runThroughPulse();

@@ -13,7 +13,7 @@
 
 namespace wr {
 
-/// What Main Control and one wheel need of a platform. Both designs get the same.
+/// Devices that Main Control and one wheel need of a platform. Both designs get the same.
 struct Devices {
   PwmOutput& pwm;              ///< tension of the wheel
   DigitalOutput& orientation;  ///< on: the wheel turns backwards

@@ -42,7 +42,7 @@ class ClosedLoopTest : public testing::Test, protected ControlledWheel {
   Velocity velocityAtFlip{};
 };
 
-// Torques at the shaft: what a quarter of 175 kg needs behind a gear of 10 to 1.
+// Torques at the shaft: for a quarter of 175 kg behind a gear of 10 to 1.
 constexpr double kRolling = 0.55;  // [N m]
 constexpr double kSlope = 1.17;    // [N m] of a slope of 10 %
 
@@ -220,7 +220,7 @@ TEST_F(ClosedLoopTest, FR87_FR301_ReverseSlowsDownFirst) {
   EXPECT_NEAR(plant.present().count(), -1500, 30);
 }
 
-/// What a step of the velocity order shows.
+/// Results of a step of the velocity order.
 struct Step {
   double overshoot = 0;  // [0.1 rpm] beyond the target
   double settled = 0;    // [s] from when on the velocity stays within 5 % or 2 rpm

@@ -80,7 +80,7 @@ class ControlledWheel {
     controller.control(setPoint, position);
   }
 
-  /// What the driver puts on the motor.
+  /// Output of the driver to the motor.
   [[nodiscard]] Tension output() const {
     constexpr Tension kSupply = SystemConstants::instance().supply();
     const Tension tension(pwm.dutyCycle().count() * (kSupply.count() / 100) / 100);

@@ -58,7 +58,7 @@ TEST(CoupledWheels, FR224_LostEdgesDoNotSpeedUpTheRobot) {
 TEST(CoupledWheels, FR224_OneBitChangesNothing) {
   CoupledWheels robot;
   drive(robot, velocityOf(1000), 50);
-  // What is kept three times is found by its value: three words that are the same.
+  // The values kept three times are found by content: three words that are the same.
   auto* const bytes = reinterpret_cast<unsigned char*>(&robot.wheels[0].velocityAlgorithm);
   constexpr std::size_t kWord = sizeof(std::int32_t);
   std::size_t copies = 0;

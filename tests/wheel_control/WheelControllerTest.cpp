@@ -74,7 +74,7 @@ TEST_F(WheelControllerTest, FR86_DemandStaysWithinTheSupply) {
   }
   EXPECT_EQ(controller.applied(), Tension(24000));
   control(currentOf(0), Velocity(3000), Current(4000));
-  EXPECT_EQ(controller.applied(), Tension(15708)) << "what the motor makes at 300 rpm, and no more";
+  EXPECT_EQ(controller.applied(), Tension(15708)) << "the induced voltage at 300 rpm, and no more";
 }
 
 /// @brief A measured value can be used for 150 ms.
@@ -117,7 +117,7 @@ TEST_F(WheelControllerTest, FR90_WithoutCurrentItIsStopped) {
   EXPECT_EQ(controller.applied(), Tension(7854));
 }
 
-/// @brief A wheel that never was measured gets no tension.
+/// @brief A wheel that never was measured gets no voltage.
 /// @verifies FR-90
 TEST_F(WheelControllerTest, FR90_UnmeasuredWheelGetsNoTension) {
   controller.control(tensionOf(5000), position);
@@ -125,7 +125,7 @@ TEST_F(WheelControllerTest, FR90_UnmeasuredWheelGetsNoTension) {
   EXPECT_EQ(output(), Tension(0));
 }
 
-/// @brief A halt lowers the tension by 2.4 V a cycle, then short-circuits the wheel.
+/// @brief A halt lowers the voltage by 2.4 V a cycle, then short-circuits the wheel.
 /// @verifies FR-88
 TEST_F(WheelControllerTest, FR88_HaltLowersThenShortCircuits) {
   control(tensionOf(6000));
@@ -137,7 +137,7 @@ TEST_F(WheelControllerTest, FR88_HaltLowersThenShortCircuits) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief After a halt that did not end, the rise begins at what was left.
+/// @brief After a halt that did not end, the rise begins at the remaining voltage.
 /// @verifies FR-81
 TEST_F(WheelControllerTest, FR81_RiseBeginsAtWhatAHaltLeft) {
   control(tensionOf(10000));
@@ -146,7 +146,7 @@ TEST_F(WheelControllerTest, FR81_RiseBeginsAtWhatAHaltLeft) {
   EXPECT_EQ(controller.applied(), Tension(7600 + 12000));
 }
 
-/// @brief After a halt a reverse begins at what was left: no orientation changes with tension.
+/// @brief After a halt a reverse begins at the remaining voltage: the orientation changes only without voltage.
 /// @verifies FR-87
 TEST_F(WheelControllerTest, FR87_ReverseBeginsAtWhatAHaltLeft) {
   control(tensionOf(10000));
@@ -239,7 +239,7 @@ TEST_F(WheelControllerTest, FR91_NoMotionUntilReleased) {
   EXPECT_EQ(controller.applied(), Tension(7000));
 }
 
-/// @brief A halt does not clear what was counted: pulses of voltage add up.
+/// @brief A halt does not clear the count: pulses of voltage add up.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_HaltKeepsTheCount) {
   for (int pulse = 0; pulse < 3; ++pulse) {
@@ -252,7 +252,7 @@ TEST_F(WheelControllerTest, FR91_HaltKeepsTheCount) {
   EXPECT_TRUE(controller.blind());
 }
 
-/// @brief One edge to and fro is no motion: it is what one working sensor gives.
+/// @brief One edge to and fro is no motion: one working sensor sends as much.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_OneEdgeToAndFroIsNoMotion) {
   control(tensionOf(7000));

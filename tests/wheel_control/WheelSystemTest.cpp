@@ -12,7 +12,7 @@ namespace {
 constexpr int kMainPriority = 1;
 constexpr int kWheelPriority = 2;
 
-/// One wheel of the robot, from its interrupts to what the main controller collects.
+/// One wheel of the robot, from its interrupts to the values that the main controller collects.
 class WheelSystemTest : public testing::Test, protected SensedWheel {
  protected:
   static SetPoints orderOf(const WheelSetPoint& setPoint) {
@@ -100,7 +100,7 @@ TEST_F(WheelSystemTest, FR92_ThreadIsNotShared) {
   EXPECT_DEATH(other.start(), "assertion 3 failed");
 }
 
-/// @brief What was measured and applied is collected at the place of the wheel; other places stay.
+/// @brief Measured and applied values are collected at the place of the wheel; other places stay.
 /// @verifies FR-93
 /// @verifies FR-94
 TEST_F(WheelSystemTest, FR93_FR94_CollectsAtItsPlace) {

@@ -19,7 +19,7 @@ class WheelTest : public testing::Test {
   Wheel wheel{pwm, orientation, enable};
 };
 
-/// @brief A new wheel leaves its driver off, oriented forwards, until it is stopped or gets a tension.
+/// @brief A new wheel leaves its driver off, oriented forwards, until it is stopped or gets a voltage.
 /// @verifies FR-88
 TEST_F(WheelTest, FR88_NewWheelIsOff) {
   EXPECT_FALSE(enable.isOn());
@@ -29,7 +29,7 @@ TEST_F(WheelTest, FR88_NewWheelIsOff) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief A tension becomes its share of the supply, rounded to the nearest 0.01 %.
+/// @brief A voltage becomes its share of the supply, rounded to the nearest 0.01 %.
 /// @verifies FR-80
 TEST_F(WheelTest, FR80_TensionBecomesShareOfTheSupply) {
   const std::array<std::pair<int, int>, 6> cases{
@@ -41,7 +41,7 @@ TEST_F(WheelTest, FR80_TensionBecomesShareOfTheSupply) {
   }
 }
 
-/// @brief What is beyond the supply counts as the supply, and less than nothing as nothing.
+/// @brief A voltage beyond the supply counts as the supply, and one below 0 as 0.
 /// @verifies FR-86
 TEST_F(WheelTest, FR86_TensionStaysWithinTheSupply) {
   wheel.setTension(Tension(30000));
@@ -68,7 +68,7 @@ TEST_F(WheelTest, FR87_OrientationStandsAtItsOutput) {
   EXPECT_FALSE(orientation.isOn());
 }
 
-/// @brief The overcurrent trip switches the driver off at once, and no tension passes before the release.
+/// @brief The overcurrent trip switches the driver off at once, and no voltage passes before the release.
 /// @verifies FR-89
 TEST_F(WheelTest, FR89_TripIsLatched) {
   wheel.setTension(Tension(5000));
@@ -84,7 +84,7 @@ TEST_F(WheelTest, FR89_TripIsLatched) {
 }
 
 /// @brief The driver stays off through one whole control cycle, in which the current decays, and is then
-/// on without tension: the motor brakes.
+/// on without voltage: the motor brakes.
 /// @verifies FR-221
 TEST_F(WheelTest, FR221_BrakesWhenTheCurrentHasDecayed) {
   wheel.setTension(Tension(5000));
@@ -126,7 +126,7 @@ TEST_F(WheelTest, FR221_TripWinsAgainstBraking) {
   EXPECT_FALSE(enable.isOn());
 }
 
-/// @brief A release alone switches nothing on; the next tension does.
+/// @brief A release alone switches nothing on; the next voltage does.
 /// @verifies FR-89
 TEST_F(WheelTest, FR89_ReleaseLetsTheNextTensionSwitchOn) {
   wheel.cutOff().execute();

@@ -60,7 +60,7 @@ Trap Core::run() {
 }
 
 // Where the program is and how far it has come are kept here, and only written to their members:
-// an instruction need not wait for what the one before it has written. For the same reason the way
+// an instruction need not wait for the result of the one before it. For the same reason the way
 // to the next instruction is chosen, not reckoned: the host guesses a choice.
 template <bool kSlowFlash, bool kLooks>
 void Core::runInstructions() {

@@ -15,7 +15,7 @@
 
 namespace wr::emulator {
 
-/// @brief What an instruction cannot do by itself, and is done outside of the program's flow.
+/// @brief An event of an instruction that is handled outside of the program's flow.
 enum class Trap : std::uint8_t {
   None,
   Sleep,
@@ -36,10 +36,10 @@ enum class Trap : std::uint8_t {
   LoadAcross,  ///< across the border of two memories
   StoreAcross,
   FlashStore,
-  Refused  ///< the owner of a window knows why
+  Refused  ///< the owner of a window has the reason
 };
 
-/// @brief Executes instructions, one after the other. What exceptions do is not known here.
+/// @brief Executes instructions, one after the other. Exceptions are handled elsewhere.
 ///
 /// Public are the parts that the operations of the instructions work on.
 class Core {
@@ -81,7 +81,7 @@ class Core {
   /// @brief Address of the instruction that runs, or ran last.
   [[nodiscard]] std::uint32_t at() const { return registers.r[Registers::kPc] - 4; }
 
-  /// @brief A mask of exceptions has changed: what waits behind it may come now.
+  /// @brief A mask of exceptions has changed: a masked exception may be taken now.
   void masksChanged() {
     if (maskedPending) {
       stopAt_ = 0;
@@ -163,7 +163,7 @@ class Core {
   [[nodiscard]] bool loadAligned(std::uint32_t address, std::uint32_t& value);
   [[nodiscard]] bool storeAligned(std::uint32_t address, std::uint32_t value);
 
-  /// @brief Words one after the other, of LDM and VLDM; a trap leaves what was loaded before.
+  /// @brief Words one after the other, of LDM and VLDM; a trap keeps the values loaded before.
   [[nodiscard]] bool loadWords(std::uint32_t address, std::span<std::uint32_t> words);
   [[nodiscard]] bool storeWords(std::uint32_t address, std::span<const std::uint32_t> words);
 
@@ -203,7 +203,7 @@ class Core {
   std::uint32_t codeAddress_ = 0;  ///< flash that is executed
   std::uint32_t codeSize_ = 0;
   Instruction* code_ = nullptr;
-  std::uint32_t phrase_ = 1;  ///< what the flash gave last; at first nothing
+  std::uint32_t phrase_ = 1;  ///< last phrase from the flash; at first none
   std::uint32_t trapAddress_ = 0;
   Trap trap_ = Trap::None;
   bool slowFlash_;

@@ -25,7 +25,7 @@ struct Encoding {
   }
 };
 
-/// @brief Decodes an instruction: ARMv7-M ARM, A5. What the architecture leaves undefined becomes an
+/// @brief Decodes an instruction: ARMv7-M ARM, A5. A code that the architecture leaves undefined becomes an
 /// instruction that raises the fault for it.
 [[nodiscard]] Instruction decode(Encoding code, bool wide);
 

@@ -41,7 +41,7 @@ unsigned widthOf(Wide value) {
                                          : std::bit_width(static_cast<std::uint64_t>(value)));
 }
 
-/// The integer part of a number and what is behind the point: 0 nothing, 1 less than a half, 2 a
+/// The integer part of a number and its fraction: 0 nothing, 1 less than a half, 2 a
 /// half, 3 more.
 struct Split {
   std::uint64_t integer;
@@ -330,7 +330,7 @@ void Float::compare(std::uint32_t a, std::uint32_t b, bool quietIsInvalid) {
       fpscr_ |= kInvalid;
     }
   } else {
-    // As integers numbers of the same sign have the order of what they mean.
+    // As integers, numbers of the same sign have the order of their values.
     const auto order = [](const Number& number) {
       const std::int64_t magnitude = number.kind == Kind::Zero ? 0 : number.bits & ~kSign;
       return number.negative ? -magnitude : magnitude;

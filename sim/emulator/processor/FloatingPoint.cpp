@@ -36,7 +36,7 @@ void noCoprocessor(Core& core, const Instruction& /*in*/) {
   core.trap(Trap::NoCoprocessor);
 }
 
-// What the unit lacks is undefined when it is on.
+// Instructions that the unit lacks are undefined when it is on.
 void unknown(Core& core, const Instruction& /*in*/) {
   core.trap(Trap::Undefined);
 }
@@ -130,7 +130,7 @@ void toHalf(Core& core, const Instruction& in) {
   x.s[in.d] = (x.s[in.d] & ~(0xFFFFU << in.value)) | half << in.value;
 }
 
-// Conversion: value has the bits behind the point, and above them what follows.
+// Conversion: value has the bits behind the point, and above them the integer part.
 constexpr std::uint32_t kSignedFixed = 0x100;
 constexpr std::uint32_t kHalfFixed = 0x200;
 constexpr std::uint32_t kGivenRounding = 0x400;  // towards zero, or to the nearest number

@@ -6,22 +6,23 @@ namespace wr::emulator {
 
 class Core;
 
-/// @brief An instruction that has been decoded: what it does, and with what.
+/// @brief A decoded instruction: its operation and its operands.
 struct Instruction {
   using Operation = void (*)(Core& core, const Instruction& instruction);
 
   Operation run = nullptr;
-  std::uint32_t value = 0;  ///< immediate number, list of registers, or what does not fit elsewhere
-  std::uint8_t d = 0;       ///< register that is written, or loaded, or stored
-  std::uint8_t n = 0;       ///< register of the first operand, or of the address
-  std::uint8_t m = 0;       ///< register of the second operand
-  std::uint8_t form = 0;    ///< size and place; 0 as long as nothing has been decoded
+  std::uint32_t value =
+      0;  ///< immediate number, list of registers, or an operand that does not fit elsewhere
+  std::uint8_t d = 0;     ///< register that is written, or loaded, or stored
+  std::uint8_t n = 0;     ///< register of the first operand, or of the address
+  std::uint8_t m = 0;     ///< register of the second operand
+  std::uint8_t form = 0;  ///< size and place; 0 as long as nothing has been decoded
 
   static constexpr std::uint8_t kDecoded = 1;
   static constexpr std::uint8_t kInBlock = 8;
   static constexpr std::uint8_t kPlace = kDecoded | kInBlock;
 
-  /// @brief What form & kPlace is of an instruction that was decoded for its place.
+  /// @brief Value of form & kPlace of an instruction that was decoded for its place.
   /// @param inBlock whether it is in an IT block
   [[nodiscard]] static constexpr std::uint8_t place(bool inBlock) {
     return inBlock ? kPlace : kDecoded;

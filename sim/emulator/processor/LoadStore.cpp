@@ -126,7 +126,7 @@ constexpr Row kStackLoads{loadStack<Place::Offset>, loadStack<Place::Before>,
 constexpr Row kPcLoads{loadPc<Place::Offset>, loadPc<Place::Before>, loadPc<Place::After>,
                        loadPc<Place::Indexed>, loadPc<Place::Literal>};
 
-/// What is loaded or stored: as opB of A5.2.4 counts.
+/// Size and sign of the access: as opB of A5.2.4 counts.
 enum class Access : std::uint8_t {
   StoreWord,
   StoreHalf,

@@ -16,10 +16,10 @@ namespace wr::emulator {
 
 static_assert(std::endian::native == std::endian::little, "as the processor");
 
-/// @brief What is at which address.
+/// @brief The memory map.
 class Memory {
  public:
-  /// @brief What a program may do with memory.
+  /// @brief Access of a program to memory.
   enum class Access { ReadWrite, ReadExecute, ReadWriteExecute };
 
   using Read = std::function<std::uint32_t(std::uint32_t address, unsigned size)>;
@@ -52,7 +52,7 @@ class Memory {
     [[nodiscard]] bool isFlash() const { return bytes != nullptr && !mayWrite; }
   };
 
-  /// @brief What can be loaded and stored without a call, when it is aligned.
+  /// @brief Memory for aligned loads and stores without a call.
   struct Direct {
     std::uint8_t* bytes = nullptr;
     std::uint32_t address = 0;  ///< of the first byte
@@ -76,8 +76,8 @@ class Memory {
   /// @brief Adds a window.
   void map(std::uint32_t address, std::uint32_t size, Read read, Write write);
 
-  /// @brief What of the first area of an address's megabyte needs no call; mostly the area has the
-  /// address.
+  /// @brief Direct-access part of the first region in this address's megabyte. It mostly contains
+  /// the address.
   [[nodiscard]] const Direct& direct(std::uint32_t address) const {
     return directs_[address / kMegabyte];
   }

@@ -171,7 +171,7 @@ void divide(Core& core, const Instruction& in) {
     }
     return;
   }
-  // The most negative number by -1 stays itself: wide numbers hold the quotient.
+  // The most negative number by -1 stays itself: wide numbers contain the quotient.
   x.r[in.d] =
       kSigned ? static_cast<std::uint32_t>(wide(dividend) / wide(divisor)) : dividend / divisor;
 }

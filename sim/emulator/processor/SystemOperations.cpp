@@ -1,7 +1,7 @@
 #include "sim/emulator/processor/Core.hpp"
 #include "sim/emulator/processor/Encoding.hpp"
 
-// What is for the system: ARMv7-M ARM, A5.2.5, A5.3.4, B5.2.
+// System instructions: ARMv7-M ARM, A5.2.5, A5.3.4, B5.2.
 
 namespace wr::emulator {
 

@@ -6,7 +6,7 @@
 
 namespace wr {
 
-/// @brief What the payload of a frame is.
+/// @brief Kind of the payload of a frame.
 /// @datatype
 enum class FrameType : std::uint8_t {
   Hello = 0x01,      ///< the PC asks for a connection
@@ -17,10 +17,10 @@ enum class FrameType : std::uint8_t {
   Report = 0x82      ///< the system reports one cycle
 };
 
-/// @brief A frame without what the line needs to carry it.
+/// @brief A frame without its coding for the line.
 /// @datatype
 struct Frame {
-  FrameType type = FrameType::Hello;        ///< what the payload is; may be a type without a name
+  FrameType type = FrameType::Hello;        ///< kind of the payload; may be a type without a name
   std::uint8_t sequence = 0;                ///< number that the sender gave to the frame
   std::span<const std::uint8_t> payload{};  ///< the bytes that the frame carries
 };

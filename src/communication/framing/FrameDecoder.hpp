@@ -8,7 +8,7 @@
 
 namespace wr {
 
-/// @brief What a byte from the line brought to an end.
+/// @brief The result of a byte from the line.
 /// @datatype
 enum class Decoded : std::uint8_t {
   Nothing,        ///< no frame has ended
@@ -24,12 +24,12 @@ enum class Decoded : std::uint8_t {
 /// @secret How a frame is collected and checked, and how its place is found again after damage.
 class FrameDecoder final {
  public:
-  /// @brief Makes a decoder that waits for the first byte of a frame.
+  /// @brief Constructs a decoder that waits for the first byte of a frame.
   FrameDecoder() = default;
 
-  /// @brief Takes one byte from the line.
+  /// @brief Processes one byte from the line.
   /// @param byte the byte
-  /// @return what the byte brought to an end
+  /// @return the frame that the byte ended, if any
   /// @isr{no}
   /// @satisfies FR-40
   /// @satisfies FR-41
@@ -45,7 +45,7 @@ class FrameDecoder final {
 
  private:
   /// @brief Checks the bytes that were collected, as the frame has ended.
-  /// @return what has ended
+  /// @return the result of the last byte
   /// @satisfies FR-41
   /// @satisfies FR-42
   /// @satisfies FR-43

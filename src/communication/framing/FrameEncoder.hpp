@@ -9,7 +9,7 @@
 
 namespace wr {
 
-/// @brief Makes frames for the line.
+/// @brief Builds frames for the line.
 /// @function Turns type, sequence number and payload into the bytes to send.
 /// @secret How the bytes to send are made in one piece of storage.
 class FrameEncoder final {
@@ -17,10 +17,10 @@ class FrameEncoder final {
   /// @brief Most bytes that encode() returns.
   static constexpr std::size_t kMostBytes = kMaxCoded;
 
-  /// @brief Makes an encoder without a frame.
+  /// @brief Constructs an encoder without a frame.
   FrameEncoder() = default;
 
-  /// @brief Makes one frame.
+  /// @brief Builds one frame.
   /// @param frame type, sequence number and payload of at most 200 bytes
   /// @return the bytes for the line, with the zero that ends them; valid until the next call
   /// @errors Assertion FrameTooLarge when the payload has more than 200 bytes.

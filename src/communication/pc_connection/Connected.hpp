@@ -5,12 +5,12 @@
 namespace wr {
 
 /// @brief The PC is connected.
-/// @function Takes orders, and ends the connection when the PC is silent or begins again.
+/// @function Accepts orders, and ends the connection when the PC is silent or begins again.
 /// @secret The events that keep a connection, and the data that are dropped at its end.
 /// @role{pc-mcu-connection, Concrete State}
 class Connected final : public ConnectionState {
  public:
-  /// @brief Makes the state.
+  /// @brief Constructs the state.
   /// @param handshaking state that follows a Hello
   /// @param disconnected state that follows when the PC is silent
   Connected(ConnectionState& handshaking, ConnectionState& disconnected);

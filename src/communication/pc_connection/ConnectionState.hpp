@@ -7,9 +7,9 @@ namespace wr {
 class PcConnection;
 struct Frame;
 
-/// @brief What the connection with the PC does in one of its states.
+/// @brief A state of the connection with the PC.
 /// @function Answers each frame of the PC, and looks at the time, in the way of one state.
-/// @secret What differs between the states of the connection. A frame is unexpected unless a state
+/// @secret The differences between the states of the connection. A frame is unexpected unless a state
 /// defines otherwise.
 /// @role{pc-mcu-connection, State}
 ///
@@ -27,7 +27,7 @@ class ConnectionState {
   /// @isr{no}
   virtual void hello(PcConnection& connection) = 0;
 
-  /// @brief Takes a Confirm. Unless a state defines otherwise it is counted as unexpected.
+  /// @brief Handles a Confirm. Unless a state defines otherwise it is counted as unexpected.
   /// @param connection the connection that received it
   /// @param session number of the session that the PC accepts
   /// @return false when the frame was dropped
@@ -35,14 +35,14 @@ class ConnectionState {
   /// @satisfies FR-47
   virtual bool confirm(PcConnection& connection, std::uint8_t session);
 
-  /// @brief Takes a KeepAlive. Unless a state defines otherwise it is counted as unexpected.
+  /// @brief Handles a KeepAlive. Unless a state defines otherwise it is counted as unexpected.
   /// @param connection the connection that received it
   /// @return false when the frame was dropped
   /// @isr{no}
   /// @satisfies FR-47
   virtual bool keepAlive(PcConnection& connection);
 
-  /// @brief Takes an order. Unless a state defines otherwise it is counted as unexpected.
+  /// @brief Handles an order. Unless a state defines otherwise it is counted as unexpected.
   /// @param connection the connection that received it
   /// @param frame the frame of the order
   /// @return false when the frame was dropped

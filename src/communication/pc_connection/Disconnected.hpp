@@ -10,7 +10,7 @@ namespace wr {
 /// @role{pc-mcu-connection, Concrete State}
 class Disconnected final : public ConnectionState {
  public:
-  /// @brief Makes the state.
+  /// @brief Constructs the state.
   /// @param handshaking state that follows a Hello
   explicit Disconnected(ConnectionState& handshaking);
 

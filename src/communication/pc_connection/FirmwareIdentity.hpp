@@ -5,7 +5,7 @@
 
 namespace wr {
 
-/// @brief What names a firmware: its version, its sources, and the layout of its payloads.
+/// @brief Identity of a firmware: its version, its sources, and the layout of its payloads.
 /// @datatype
 struct FirmwareIdentity {
   std::uint8_t major;           ///< major number of the version

@@ -6,11 +6,11 @@ namespace wr {
 
 /// @brief A Hello was received, and the Confirm of its Welcome has not come.
 /// @function Waits for the Confirm of the session that was offered.
-/// @secret What makes a Confirm right, and how long it is waited for.
+/// @secret The condition for a right Confirm, and the time until which it must arrive.
 /// @role{pc-mcu-connection, Concrete State}
 class Handshaking final : public ConnectionState {
  public:
-  /// @brief Makes the state.
+  /// @brief Constructs the state.
   /// @param connected state that follows a right Confirm
   /// @param disconnected state that follows when no right Confirm comes
   Handshaking(ConnectionState& connected, ConnectionState& disconnected);

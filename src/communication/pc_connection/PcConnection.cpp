@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMostBytes = 4096;
 constexpr std::uint8_t kMostAhead = 127;
 
-static_assert(SerialWriter::kCapacity <= kMaxPayload, "what the writer holds fits in a frame");
+static_assert(SerialWriter::kCapacity <= kMaxPayload, "the content of the writer fits in a frame");
 
 void count(std::uint16_t& counter) {
   if (counter < std::numeric_limits<std::uint16_t>::max()) {

@@ -20,14 +20,14 @@ namespace wr {
 
 /// @brief The link with the PC.
 /// @function Receives and sends the frames of the PC link, lets the state of the connection answer
-/// them, and counts what goes wrong.
+/// them, and counts errors.
 /// @secret How the frames of one cycle are taken from the line and given to the state of the
 /// connection.
 /// @hides{communication/pc_connection/FirmwareIdentity.hpp}
 /// @role{pc-mcu-connection, Context}
 class PcConnection final {
  public:
-  /// @brief Makes a connection.
+  /// @brief Constructs a connection.
   /// @param port serial line to the PC
   /// @param orders takes the orders of the PC
   /// @param initial state after start
@@ -176,7 +176,7 @@ class PcConnection final {
   /// @satisfies FR-246
   void writeProtocol();
 
-  /// @brief Writes why the firmware started, and what ended it before.
+  /// @brief Writes the cause of the start and the fault before it.
   /// @satisfies FR-76
   void writeStart();
 
@@ -193,7 +193,7 @@ class PcConnection final {
   SerialReader& orders_;
   ConnectionState* state_;
   const StartRecord& start_;
-  std::array<std::uint8_t, kChunk> chunk_{};  // what the port gave last
+  std::array<std::uint8_t, kChunk> chunk_{};  // the bytes that the port read last
   FrameDecoder decoder_;
   FrameEncoder encoder_;
   SerialWriter writer_;

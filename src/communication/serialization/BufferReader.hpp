@@ -11,7 +11,7 @@
 namespace wr {
 
 /// @brief The newest order of the remote control.
-/// @function Makes one order of the velocity signal and the direction signal of the remote control.
+/// @function Builds one order from the velocity signal and the direction signal of the remote control.
 /// The remote control has no stop.
 /// @secret How the two signals of the remote control make a complete order.
 /// @role{serializer, Concrete Reader}
@@ -23,7 +23,7 @@ class BufferReader final : public Reader {
   /// @param clock gives the age of the signals
   BufferReader(Pipe<Velocity>& velocity, Pipe<Angle>& direction, const Timebase& clock);
 
-  /// @brief Returns whether both signals hold a value that was not read and is not too old.
+  /// @brief Returns whether both signals have a fresh value that was not read.
   /// @return true when there is a complete order
   /// @isr{no}
   /// @satisfies FR-20
@@ -36,7 +36,7 @@ class BufferReader final : public Reader {
   /// @isr{no}
   [[nodiscard]] bool stopOrdered() const override;
 
-  /// @brief Reads what a wheel is to be set to, which is velocity, or whether to stop, which is no.
+  /// @brief Reads the quantity of the wheels, always velocity, or the stop flag, always false.
   /// @param field name of the field
   /// @return value of the field
   /// @isr{no}
@@ -71,7 +71,7 @@ class BufferReader final : public Reader {
   bool finish() override;
 
  private:
-  /// @brief Takes one value of each signal at the first field of an order. All fields of the order come
+  /// @brief Reads one value of each signal at the first field of an order. All fields of the order come
   /// from these values, also when a signal changes meanwhile.
   /// @satisfies FR-51
   void take();

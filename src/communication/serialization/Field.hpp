@@ -5,12 +5,12 @@
 
 namespace wr {
 
-/// @brief What a field of an order, a report or a welcome means.
+/// @brief Meaning of a field of an order, a report or a welcome.
 /// @datatype
 enum class FieldName : std::uint8_t {
   OrderId,           ///< number of the order
   Steering,          ///< set-point of the steering
-  WheelQuantity,     ///< what the set-point of a wheel sets
+  WheelQuantity,     ///< quantity of the set-point of a wheel
   WheelValue,        ///< set-point of a wheel
   SentAt,            ///< time of the sender's clock when the order was sent
   Commands,          ///< bits for stop and acknowledge
@@ -39,7 +39,7 @@ enum class FieldName : std::uint8_t {
   Unexpected,        ///< count of frames that the connection did not expect
   SequenceGaps,      ///< count of gaps in the sequence numbers
   ReportsNotSent,    ///< count of reports that were not sent
-  SteeringState,     ///< what the steering does
+  SteeringState,     ///< state of the steering
   SteeringEnds,      ///< which end stops of the steering are reached
   CutOffs,           ///< wheels whose driver the overcurrent trip switched off
   BlindWheels,       ///< which wheels have voltage and give no Hall edge
@@ -57,8 +57,8 @@ enum class FieldName : std::uint8_t {
   BuildId,           ///< character of the build id
   CyclePeriod,       ///< period of the control cycle
   WaitingCycles,     ///< the constant N of the operation states
-  ResetCause,        ///< what reset the microcontroller
-  FaultKind,         ///< what ended the firmware before
+  ResetCause,        ///< cause of the last reset
+  FaultKind,         ///< fault that ended the firmware before
   FaultNumber,       ///< number that belongs to the kind of fault
   FaultAddress,      ///< instruction at which the firmware ended
   LowestVersion,     ///< lowest version of the protocol that is accepted
@@ -69,7 +69,7 @@ enum class FieldName : std::uint8_t {
 /// @brief Name of one field.
 /// @datatype
 struct Field {
-  FieldName name{};       ///< what the field means
+  FieldName name{};       ///< meaning of the field
   std::size_t index = 0;  ///< which wheel, or which element of a field that has several
 };
 

@@ -6,7 +6,7 @@
 namespace wr {
 
 /// @brief One order: the set-points of the robot, and whether it is to stop.
-/// @function Holds a complete order, and checks whether the robot can do what it orders.
+/// @function Stores a complete order, and checks whether the robot can obey it.
 /// @secret The fields of an order, and the range of each.
 /// @role{serializer, Concrete Element}
 class OrderMessage final : public Serializable {
@@ -14,11 +14,11 @@ class OrderMessage final : public Serializable {
   /// @brief Bit of the last field, the commands, that orders stop.
   static constexpr std::uint8_t kStop = 1;
 
-  /// @brief Makes an order with all set-points zero, without stop.
+  /// @brief Constructs an order with all set-points zero, without stop.
   OrderMessage() = default;
 
-  /// @brief Makes an order.
-  /// @param setPoints what the order sets
+  /// @brief Constructs an order.
+  /// @param setPoints set-points of the order
   /// @param stop whether the robot is to stop
   OrderMessage(const SetPoints& setPoints, bool stop);
 

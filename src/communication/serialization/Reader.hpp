@@ -9,7 +9,7 @@ namespace wr {
 /// @brief A source of orders.
 /// @function Checks whether its source has an order that can be read, and gives the fields of that
 /// order by their names.
-/// @secret From which source an order comes, and in what form.
+/// @secret The source of an order, and its form.
 /// @role{serializer, Reader}
 class Reader {
  public:

@@ -8,7 +8,7 @@
 
 namespace wr {
 
-/// @brief What went wrong on the PC link since start. Each count stops at 65535.
+/// @brief Counts of errors on the PC link since start. Each count stops at 65535.
 /// @datatype
 struct LinkCounts {
   std::uint16_t lostBytes = 0;       ///< bytes that the serial port could not store
@@ -27,7 +27,7 @@ struct LinkCounts {
   friend constexpr bool operator==(const LinkCounts&, const LinkCounts&) = default;
 };
 
-/// @brief What control cycles cost, in cycles of the processor; all 0 where the platform counts none.
+/// @brief Costs of control cycles, in cycles of the processor; all 0 where the platform counts none.
 /// @datatype
 struct CycleCosts {
   std::uint32_t report = 0;  ///< from the last clock pulse but one to the report of that cycle
@@ -54,11 +54,11 @@ struct ReportData {
   bool held = false;                ///< wheels halted and steering held
   bool overran = false;             ///< this cycle overran
   SetPoints setPoints{};            ///< set-points in force
-  Measurements measurements{};      ///< what was measured
-  Outputs outputs{};                ///< what was applied
+  Measurements measurements{};      ///< measured values
+  Outputs outputs{};                ///< applied values
   std::uint16_t overruns = 0;       ///< cycles that overran
-  LinkCounts link{};                ///< what went wrong on the PC link
-  CycleCosts costs{};               ///< what the cycles cost
+  LinkCounts link{};                ///< errors on the PC link
+  CycleCosts costs{};               ///< costs of the cycles
 
   /// @brief Returns whether two reports have the same values.
   friend constexpr bool operator==(const ReportData&, const ReportData&) = default;

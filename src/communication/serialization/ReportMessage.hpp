@@ -6,15 +6,15 @@
 namespace wr {
 
 /// @brief One report: what happened in one control cycle.
-/// @function Holds a report for the PC and marks the values that are missing.
+/// @function Stores a report for the PC and marks the values that are missing.
 /// @secret The fields of a report, and how a missing value is marked.
 /// @role{serializer, Concrete Element}
 class ReportMessage final : public Serializable {
  public:
-  /// @brief Makes a report in which everything is zero or missing.
+  /// @brief Constructs a report in which everything is zero or missing.
   ReportMessage() = default;
 
-  /// @brief Makes a report.
+  /// @brief Constructs a report.
   /// @param data values of the report
   explicit ReportMessage(const ReportData& data);
 

@@ -78,7 +78,7 @@ bool SerialReader::finish() {
 
 template <class Value>
 Value SerialReader::next() {
-  static_assert(std::endian::native == std::endian::little, "the bytes stand as in memory");
+  static_assert(std::endian::native == std::endian::little, "the bytes are in the order of memory");
   Value value = 0;
   const std::size_t first = position_;
   if (first + sizeof(value) > kOrderLength) {

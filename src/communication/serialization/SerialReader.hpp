@@ -20,7 +20,7 @@ class SerialReader final : public Reader {
   /// @brief Length of the payload of an order [bytes].
   static constexpr std::size_t kOrderLength = 21;
 
-  /// @brief Makes a reader without an order and without stop.
+  /// @brief Constructs a reader without an order and without stop.
   SerialReader() = default;
 
   /// @brief Sets the instant at which the age of an order is measured.
@@ -94,7 +94,7 @@ class SerialReader final : public Reader {
     bool unread = false;
   };
 
-  /// @brief Takes the next number out of the bytes of the order.
+  /// @brief Reads the next number from the bytes of the order.
   /// @return the number; 0 when the order has no more bytes
   template <class Value>
   Value next();

@@ -40,7 +40,7 @@ bool SerialWriter::finish() {
 
 template <class Value>
 void SerialWriter::put(Value value) {
-  static_assert(std::endian::native == std::endian::little, "the bytes stand as in memory");
+  static_assert(std::endian::native == std::endian::little, "the bytes are in the order of memory");
   const std::size_t at = length_;
   if (kCapacity - at < sizeof(value)) {
     overflow_ = true;

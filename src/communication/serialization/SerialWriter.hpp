@@ -18,7 +18,7 @@ class SerialWriter final : public Writer {
   /// @brief Most bytes that an object can have.
   static constexpr std::size_t kCapacity = 200;
 
-  /// @brief Makes a writer without bytes.
+  /// @brief Constructs a writer without bytes.
   SerialWriter() = default;
 
   /// @brief Begins a new object: forgets all bytes.

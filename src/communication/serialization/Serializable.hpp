@@ -6,8 +6,8 @@
 namespace wr {
 
 /// @brief An object that can be read from a source and written to a destination.
-/// @function Lets orders and reports travel without knowing through which source or destination.
-/// @secret Which fields an object has, of what size, and in which order.
+/// @function Reads and writes orders and reports, whatever their source or destination is.
+/// @secret The fields of an object, their sizes and their order.
 /// @role{serializer, Serializable}
 ///
 /// @patternapp{serializer, Serializer, Receiving and sending information}
@@ -18,7 +18,7 @@ class Serializable {
  public:
   /// @brief Reads the object, and ends the read.
   /// @param reader the source
-  /// @return false when the source does not hold the whole object or a field is out of its range
+  /// @return false when the source does not contain the whole object or a field is out of its range
   /// @isr{no}
   [[nodiscard]] virtual bool readFrom(Reader& reader) = 0;
 

@@ -7,8 +7,8 @@
 namespace wr {
 
 /// @brief A destination of objects.
-/// @function Takes the fields of an object by their names.
-/// @secret To which destination an object goes, and in what form.
+/// @function Writes the fields of an object by their names.
+/// @secret The destination of an object, and its form.
 /// @role{serializer, Writer}
 class Writer {
  public:

@@ -8,23 +8,23 @@ namespace wr {
 /// @brief Names of the arguments of functions.
 /// @datatype
 enum class ArgumentId : std::uint8_t {
-  Raw,      ///< what was counted, sampled or measured
-  Elapsed,  ///< in what time [us]
-  Scale,    ///< what a result is multiplied by
-  Divisor,  ///< what a result is divided by
+  Raw,      ///< number counted, sampled or measured
+  Elapsed,  ///< time of the count [us]
+  Scale,    ///< factor of a result
+  Divisor,  ///< divisor of a result
   Offset,   ///< the raw value of zero
   Lowest,   ///< least value that is accepted
   Highest   ///< greatest value that is accepted
 };
 
 /// @brief The arguments of a function.
-/// @function Gives a function the value of each argument by name.
+/// @function Returns the value of each argument by name.
 /// @secret Which arguments there are for one calculation.
 /// @role{function-arguments, Component}
 ///
 /// @patternapp{function-arguments, Decorator, Function arguments}
 /// @why All functions need the same few arguments, and each needs some others. An addition to the
-/// basic ones is wrapped around them, so that a function is given what it needs and no more.
+/// basic ones is wrapped around them, so that a function gets only the arguments that it needs.
 /// @changes Arguments may be added or dropped as a function comes to need them, without change to
 /// the others.
 class Arguments {

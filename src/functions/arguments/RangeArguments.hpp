@@ -8,7 +8,7 @@
 namespace wr {
 
 /// @brief Adds a range of accepted values.
-/// @function Holds the least and the greatest value that a function accepts.
+/// @function Stores the least and the greatest value that a function accepts.
 /// @secret The form in which a range is given.
 /// @role{function-arguments, Concrete Decorator}
 class RangeArguments final : public ArgumentsDecorator {

@@ -8,8 +8,8 @@
 namespace wr {
 
 /// @brief Adds the scale of a sensor.
-/// @function Holds the line that leads from a raw value to a physical one: factor, divisor and
-/// zero.
+/// @function Stores the parameters of the line from a raw value to a physical one: factor, divisor
+/// and zero.
 /// @secret The form in which a linear scale is given.
 /// @role{function-arguments, Concrete Decorator}
 class ScaleArguments final : public ArgumentsDecorator {

@@ -13,7 +13,7 @@ extern const std::uint32_t stackBottom[];
 extern const std::uint32_t stackTop[];
 
 /// @brief Records what happened, and ends the firmware.
-/// @param frame what the core has put on the stack; outside the stack when the stack overflowed
+/// @param frame registers that the core has pushed on the stack; outside the stack when the stack overflowed
 [[noreturn, gnu::used]] void endOfProgram(const std::uint32_t* frame) {
   constexpr std::size_t kProgramCounter = 6;  // in the frame [word]
   constexpr std::size_t kFrame = 8;           // [word]
@@ -43,7 +43,7 @@ extern const std::uint32_t stackTop[];
       "b endOfProgram");
 }
 
-// Interrupts of what only some products have: the product replaces these.
+// Interrupts of modules that only some products have: the product replaces these.
 [[gnu::weak, gnu::naked]] void remoteControlInterrupt() {
   asm volatile("b unexpected");
 }

@@ -5,7 +5,7 @@ namespace wr {
 
 namespace {
 
-// What the flash reads at reset, at 0x400. FSEC = FE: not secured, mass erase allowed. Any other
+// Read by the flash at reset, at 0x400. FSEC = FE: not secured, mass erase allowed. Any other
 // value can lock the microcontroller for good. FOPT = FD: a low level at PTA4 during the reset does
 // not lead to the mode for programming over a serial line, in which no program runs.
 [[gnu::section(".flash_configuration"),

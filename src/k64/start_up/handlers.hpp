@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-// What the hardware calls. The names are not mangled, so that the linker script and the debugger
-// know them.
+// Handlers that the hardware calls. The names are not mangled, for the linker script and the
+// debugger.
 
 extern "C" {
 
@@ -22,19 +22,19 @@ void firstConverterInterrupt();
 /// @brief Converter 1 has a result.
 void secondConverterInterrupt();
 
-/// @brief The thread of the main controller is pended.
+/// @brief The thread of the main controller is triggered.
 void mainThreadInterrupt();
 
-/// @brief The thread of the front left wheel is pended.
+/// @brief The thread of the front left wheel is triggered.
 void frontLeftThreadInterrupt();
 
-/// @brief The thread of the front right wheel is pended.
+/// @brief The thread of the front right wheel is triggered.
 void frontRightThreadInterrupt();
 
-/// @brief The thread of the rear left wheel is pended.
+/// @brief The thread of the rear left wheel is triggered.
 void rearLeftThreadInterrupt();
 
-/// @brief The thread of the rear right wheel is pended.
+/// @brief The thread of the rear right wheel is triggered.
 void rearRightThreadInterrupt();
 
 /// @brief A period of the tick timer has passed.
@@ -56,7 +56,7 @@ void secondPortInterrupt();
 
 namespace wr {
 
-/// @brief Makes the robot, starts its control cycles, and sleeps between the interrupts. Each product
+/// @brief Builds the robot, starts its control cycles, and sleeps between the interrupts. Each product
 /// has its own.
 [[noreturn]] void runRobot();
 

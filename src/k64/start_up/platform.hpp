@@ -17,7 +17,7 @@
 
 namespace wr::platform {
 
-// The devices of the board: all products have them. What a product makes of them is in its own
+// The devices of the board: all products have them. Their use is in the product's own
 // composition.
 
 /// @brief Devices of one wheel.
@@ -75,7 +75,7 @@ struct RcEdges {
 /// @isr{yes}
 RcEdges enterRcInterrupt();
 
-/// @brief Lets the inputs interrupt again that had too many edges. The handler of the tick calls it.
+/// @brief Enables the interrupts of inputs that had too many edges. The handler of the tick calls it.
 /// @isr{yes}
 void allowEdges();
 
@@ -90,7 +90,7 @@ void calibrateConverters();
 /// @isr{no}
 void startDevices();
 
-/// @brief Lets the interrupts of the devices and the threads through.
+/// @brief Enables the interrupts of the devices and the threads.
 /// @pre All that their handlers call is made.
 /// @isr{no}
 void enableInterrupts();

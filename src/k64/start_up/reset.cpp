@@ -23,7 +23,7 @@ namespace wr {
 namespace {
 
 void initialiseMemory() {
-  // The linker script makes one array of what lies between a begin and its end.
+  // The linker script makes one array of the words between a start and its end.
   // NOLINTNEXTLINE(clang-analyzer-security.PointerSub)
   std::copy(dataInitial, dataInitial + (dataEnd - dataBegin), dataBegin);
   std::fill(bssBegin, bssEnd, 0);

@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief A sub-system that measures, controls and actuates one part of the robot.
 ///
-/// @function Gives every control system the same sequence of orders in each cycle. Subclasses define how they
+/// @function Defines the same sequence of orders in each cycle for every control system. Subclasses define how they
 /// carry out each order.
 ///
 /// @secret The sequence of orders in one control cycle of a control system.
@@ -27,7 +27,7 @@ class ControlSystem {
   ControlSystem& operator=(const ControlSystem&) = delete;
 
   /// @brief Orders to measure, to follow the set-points and to work.
-  /// @param setPoints what the system shall reach
+  /// @param setPoints target of the system
   /// @param cycle number of the control cycle, from 1
   /// @isr{no}
   void control(const SetPoints& setPoints, std::uint32_t cycle);
@@ -48,7 +48,7 @@ class ControlSystem {
   /// @isr{no}
   [[nodiscard]] virtual bool completed(std::uint32_t cycle) const = 0;
 
-  /// @brief Adds what the system measured and applied.
+  /// @brief Adds the measured and applied values of the system.
   /// @param measurements takes the measured values; values of other systems stay
   /// @param outputs takes the applied values; values of other systems stay
   /// @isr{no}

@@ -14,7 +14,7 @@ namespace wr {
 /// @brief All control systems of the robot.
 ///
 /// @function Passes each order of the main controller to every control system, in the order in which
-/// they were added, and gathers what they measured and applied.
+/// they were added, and gathers their measured and applied values.
 ///
 /// @secret How the control systems are stored, and in which sequence they are ordered.
 ///
@@ -24,7 +24,7 @@ class ControlSystemPool {
   /// @brief Largest number of control systems: four wheels, the steering, and room for a few more.
   static constexpr std::size_t kCapacity = 8;
 
-  /// @brief Makes an empty pool.
+  /// @brief Constructs an empty pool.
   ControlSystemPool() = default;
   ControlSystemPool(const ControlSystemPool&) = delete;
   ControlSystemPool& operator=(const ControlSystemPool&) = delete;
@@ -37,7 +37,7 @@ class ControlSystemPool {
   void add(ControlSystem& system);
 
   /// @brief Orders all control systems to follow the set-points.
-  /// @param setPoints what the systems shall reach
+  /// @param setPoints targets of the systems
   /// @param cycle number of the control cycle, from 1
   /// @isr{no}
   void control(const SetPoints& setPoints, std::uint32_t cycle);
@@ -59,7 +59,7 @@ class ControlSystemPool {
   /// @isr{no}
   [[nodiscard]] bool completed(std::uint32_t cycle) const;
 
-  /// @brief Gathers what the control systems measured and applied.
+  /// @brief Gathers the measured and applied values of the control systems.
   /// @param measurements takes the measured values; a value that no system gives stays missing
   /// @param outputs takes the applied values; a value that no system gives stays missing
   /// @satisfies FR-62

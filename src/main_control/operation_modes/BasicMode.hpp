@@ -7,8 +7,8 @@ namespace wr {
 
 /// @brief The part of reading that is the same for every source.
 ///
-/// @function Reads one order from a Reader and saves its set-points. The modes wrap it and add what is
-/// special to their source.
+/// @function Reads one order from a Reader and saves its set-points. The modes wrap it and add the
+/// particular behaviour of their source.
 ///
 /// @secret That the set-points of every source travel as one OrderMessage.
 ///
@@ -19,7 +19,7 @@ class BasicMode final : public Mode {
   /// @param reader where the orders of the source are read
   explicit BasicMode(Reader& reader);
 
-  /// @brief Does nothing: what comes from a source of the basic task is with its reader at once.
+  /// @brief Does nothing: the reader of the basic task has its input at once.
   /// @isr{no}
   void serve() override;
 

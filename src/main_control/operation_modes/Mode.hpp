@@ -16,7 +16,7 @@ enum class ModeId : std::uint8_t {
 
 /// @brief A reading mode: the source that orders are read from.
 ///
-/// @function Gives the operation states one way to ask for a message, to read it and to change to the
+/// @function Provides one way to test for a message, to read it and to change to the
 /// other source. It also returns whether the source ordered a stop, in whatever mode the system is.
 ///
 /// @secret Which source belongs to a reading mode.
@@ -34,13 +34,13 @@ class Mode {
   Mode(const Mode&) = delete;
   Mode& operator=(const Mode&) = delete;
 
-  /// @brief Takes in what came from the source. It is called once in each cycle, whichever mode the
+  /// @brief Processes the input of the source. It is called once in each cycle, whichever mode the
   /// system is in.
   /// @isr{no}
   virtual void serve() = 0;
 
   /// @brief Returns whether an order can be read now.
-  /// @return true if the source holds a fresh and complete order that was not read before.
+  /// @return true if the source has a fresh and complete order that was not read before.
   /// @isr{no}
   [[nodiscard]] virtual bool newMessage() const = 0;
 
@@ -51,7 +51,7 @@ class Mode {
   /// @isr{no}
   virtual void read(MainController& mCtrl) = 0;
 
-  /// @brief Makes the controller read from the mode that follows this one.
+  /// @brief Lets the controller read from the mode that follows this one.
   /// @param mCtrl controller whose mode changes
   /// @isr{no}
   virtual void changeMode(MainController& mCtrl) = 0;

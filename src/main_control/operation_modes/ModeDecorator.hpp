@@ -6,8 +6,8 @@ namespace wr {
 
 /// @brief A mode that extends another mode.
 ///
-/// @function Forwards what a mode does not extend to the mode that it wraps. Subclasses give the operations
-/// that they extend.
+/// @function Forwards the operations that a mode does not extend to the mode that it wraps.
+/// Subclasses define the operations that they extend.
 ///
 /// @secret Which operations of the wrapped mode are passed on as they are.
 ///
@@ -16,8 +16,8 @@ namespace wr {
 /// @patternapp{mode-extensions, Decorator, Operation modes as extensions of a basic task}
 /// @why The source of the orders determines the mode. Reading has the same basic actions in each mode,
 /// and each mode adds actions of its own to them.
-/// @changes What a mode adds to reading may change without change to the basic task. A new reading mode
-/// is one more decorator around it.
+/// @changes The additions of a mode to reading may change without change to the basic task. A new
+/// reading mode is one more decorator around it.
 class ModeDecorator : public Mode {
  public:
   void serve() override;

@@ -16,10 +16,10 @@ enum class OperationStateId : std::uint8_t {
   Reconnecting = 3  ///< more than N reads in a row failed
 };
 
-/// @brief What the main controller does in a cycle: a state of Main Control.
+/// @brief A state of Main Control: decides the steps of a cycle.
 ///
-/// @function Reads orders in the same steps in every state, and leaves to its subclasses what is done with a
-/// message and without one. Orders the control systems and the report of the cycle.
+/// @function Reads orders in the same steps in every state, and leaves the reaction to a message,
+/// or to none, to its subclasses. Orders the control systems and the report of the cycle.
 ///
 /// @secret The steps of reading an order that all operation states share.
 ///
@@ -27,7 +27,7 @@ enum class OperationStateId : std::uint8_t {
 /// @role{read-orders, Abstract Class}
 ///
 /// @patternapp{operation-states, State, Operation states of the main controller}
-/// @why What the main controller does, and what it orders the control systems to do, depends on its
+/// @why The steps of the main controller, and its orders to the control systems, depend on its
 /// operation state.
 /// @changes The behaviour of a state may change. A new state, such as one that warns after some failed
 /// reads, is a new subclass of this class and leaves the other states as they are.

@@ -9,7 +9,7 @@ namespace wr {
 /// @function Holds the control systems. Each failed read changes the reading mode; a message ends the
 /// search.
 ///
-/// @secret How the system looks for a source of orders, and what the robot does while nobody commands it.
+/// @secret How the system looks for a source of orders, and the behaviour of the robot while nobody commands it.
 ///
 /// @role{operation-states, Concrete State}
 /// @role{read-orders, Concrete Class}

@@ -6,11 +6,11 @@ namespace wr {
 
 /// @brief The last waiting state: N reads in a row failed.
 ///
-/// @function Gives the present source one more cycle. A message ends the wait; a failed read starts the
+/// @function Waits one more cycle for the present source. A message ends the wait; a failed read starts the
 /// search for another source. Meanwhile the control systems follow the set-points that were read
 /// last.
 ///
-/// @secret What follows when the wait is over.
+/// @secret The action at the end of the wait.
 ///
 /// @role{operation-states, Concrete State}
 /// @role{read-orders, Concrete Class}

@@ -8,7 +8,7 @@ namespace wr {
 ///
 /// @function Reads a message when there is one. Otherwise it hands over to the state that waits.
 ///
-/// @secret What follows the first failed read.
+/// @secret The reaction to the first failed read.
 ///
 /// @role{operation-states, Concrete State}
 /// @role{read-orders, Concrete Class}

@@ -6,8 +6,8 @@
 
 namespace wr {
 
-/// @brief What a tick does for the current of a wheel: it samples.
-/// @function Takes the sample that was asked for at the tick before, gives it to the collector, and
+/// @brief Command of a tick: samples the current of a wheel.
+/// @function Reads the sample that the tick before requested, passes it to the collector, and
 /// asks for the next.
 /// @secret How sampling is spread over two ticks, so that no interrupt waits for a conversion.
 /// @role{wheel-timer-interrupt, Concrete Command}

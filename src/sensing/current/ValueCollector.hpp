@@ -9,9 +9,9 @@
 
 namespace wr {
 
-/// @brief Record of the samples of a current. Sum and number count from start, and wrap: who
-/// wants those of a time takes the difference. It is right for 500000 samples and less, the sum
-/// read as a number with a sign.
+/// @brief Record of the samples of a current. Sum and number count from start, and wrap: a reader
+/// subtracts two records to get the values of a time. The difference is right for at most 500000
+/// samples, with the sum read as a signed number.
 /// @datatype
 struct CurrentRecord {
   std::uint32_t sum =
@@ -23,7 +23,7 @@ struct CurrentRecord {
 /// @brief Collects the samples of the current of a wheel.
 /// @function Learns the zero of the sensor at start, adds up the samples for the thread of the
 /// wheel, and executes a command as soon as the current is too high.
-/// @secret What a sample means as a current: the zero of the sensor, and the limit beyond which the
+/// @secret The conversion of a sample to a current: the zero of the sensor, and the limit beyond which the
 /// motor must be switched off.
 /// @hides{ValueCollector::kGroup}
 /// @hides{ValueCollector::kZeroSamples}
@@ -45,7 +45,7 @@ class ValueCollector final {
   ValueCollector(const ValueCollector&) = delete;
   ValueCollector& operator=(const ValueCollector&) = delete;
 
-  /// @brief Takes a sample. The mean of the first 64 is the zero of the sensor; when it lies more
+  /// @brief Processes a sample. The mean of the first 64 is the zero of the sensor; when it lies more
   /// than 5 % of the range off the middle, no sample counts ever after. Later samples are added to
   /// the record. A sample beyond 15 A, or at an end of the range, is too high.
   /// @param raw sample [1/4096 of the range, 0 to 4095], of now
@@ -64,7 +64,7 @@ class ValueCollector final {
   [[nodiscard]] CurrentRecord record();
 
  private:
-  /// @brief Takes a sample into the zero, while it is learned.
+  /// @brief Adds a sample to the zero, during its calibration.
   void learnZero(std::int32_t raw);
 
   /// @brief Acts when the samples are too high.

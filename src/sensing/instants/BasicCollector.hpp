@@ -12,7 +12,7 @@ namespace wr {
 /// @role{instant-collectors, Concrete Component}
 class BasicCollector final : public InstantCollector {
  public:
-  /// @brief Makes a collector without an edge.
+  /// @brief Constructs a collector without an edge.
   BasicCollector() = default;
 
   /// @brief Keeps the instant of the edge.

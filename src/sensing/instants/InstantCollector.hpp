@@ -25,7 +25,7 @@ struct Instants {
 };
 
 /// @brief Collects instants of the edges of a signal.
-/// @function Takes each edge of a signal, and computes the values that follow from all of them.
+/// @function Processes each edge of a signal, and computes the values that follow from all of them.
 /// @secret Which instants are kept of the edges, and the values that follow from them.
 /// @role{instant-collectors, Component}
 ///
@@ -39,7 +39,7 @@ class InstantCollector {
   InstantCollector(const InstantCollector&) = delete;
   InstantCollector& operator=(const InstantCollector&) = delete;
 
-  /// @brief Takes an edge.
+  /// @brief Processes an edge.
   /// @param edge the edge; none of them is earlier than the one before
   /// @isr{yes}
   virtual void collect(const Edge& edge) = 0;

@@ -29,7 +29,7 @@ class DirSensor final {
   DirSensor(const DirSensor&) = delete;
   DirSensor& operator=(const DirSensor&) = delete;
 
-  /// @brief Takes the sample that was asked for at the last call, and asks for the next. Each 8th
+  /// @brief Reads the sample that the last call requested, and requests the next. Each 8th
   /// call ends a measurement: the mean of its samples is written to the pipe.
   /// @return true when this call ended a measurement, also when nothing was written
   /// @errors Of a measurement with a sample that cannot be, or without one of its samples, nothing

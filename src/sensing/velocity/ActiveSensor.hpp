@@ -23,7 +23,7 @@ class ActiveSensor final {
   ActiveSensor(const ActiveSensor&) = delete;
   ActiveSensor& operator=(const ActiveSensor&) = delete;
 
-  /// @brief Makes the edges of both sensors interrupt from now on. Executes the command once
+  /// @brief Enables the interrupts of both sensors. Executes the command once
   /// before, so that the counter has the position of the wheel.
   /// @isr{no}
   /// @satisfies FR-120

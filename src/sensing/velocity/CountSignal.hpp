@@ -7,7 +7,7 @@
 
 namespace wr {
 
-/// @brief What an edge of a Hall sensor does: it is collected.
+/// @brief Command of an edge of a Hall sensor: collects it.
 /// @function Passes the levels after an edge, with their time, on to the collector.
 /// @secret Which module acts on an edge of a Hall sensor, and the values that it gets.
 /// @role{hall-interrupt, Concrete Command}
@@ -25,7 +25,7 @@ class CountSignal final : public Command {
   /// @param timebase gives the time of an edge
   CountSignal(SensorCollector& collector, const ActiveSensor& sensor, const Timebase& timebase);
 
-  /// @brief Gives the present levels and the time to the collector.
+  /// @brief Passes the present levels and the time to the collector.
   /// @isr{yes}
   /// @satisfies FR-120
   void execute() override;

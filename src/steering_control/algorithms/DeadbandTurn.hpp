@@ -24,7 +24,7 @@ class DeadbandTurn final : public SteeringAlgorithm {
   /// about one step later.
   static constexpr Angle kArrived{10};
 
-  /// @brief Makes the rule. It keeps nothing from one call to the next.
+  /// @brief Constructs the rule. It has no state.
   DeadbandTurn() = default;
 
   /// @brief Computes the turn: none within the dead band, none while the motor is too fast to brake

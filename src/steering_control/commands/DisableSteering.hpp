@@ -8,7 +8,7 @@ class SteeringDevice;
 
 /// @brief The order to switch the steering off.
 /// @function Passes the order to switch off to the steering device.
-/// @secret What must be done on the steering device to switch it off.
+/// @secret The steps that switch the steering device off.
 /// @role{steering-commands, Concrete Command}
 class DisableSteering final : public SteeringCommand {
  public:

@@ -8,7 +8,7 @@ class SteeringDevice;
 
 /// @brief The order to switch the steering on.
 /// @function Passes the order to switch on to the steering device.
-/// @secret What must be done on the steering device to switch it on.
+/// @secret The steps that switch the steering device on.
 /// @role{steering-commands, Concrete Command}
 class EnableSteering final : public SteeringCommand {
  public:

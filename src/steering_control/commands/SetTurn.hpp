@@ -8,7 +8,7 @@ class SteeringDevice;
 
 /// @brief The order to turn the steering.
 /// @function Passes the speed that the motor shall have to the steering device.
-/// @secret What must be done on the steering device to make it turn.
+/// @secret The steps that turn the steering device.
 /// @role{steering-commands, Concrete Command}
 class SetTurn final : public SteeringCommand {
  public:

@@ -6,7 +6,7 @@ namespace wr {
 
 /// @brief The motor is off: the steering can be moved from outside.
 /// @function Switches the motor on when that is ordered, and makes no step.
-/// @secret What switches the motor on.
+/// @secret The event that switches the motor on.
 /// @role{steering-switch, Concrete State}
 class PoweredOff final : public SteeringPower {
  public:

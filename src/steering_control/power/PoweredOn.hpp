@@ -6,7 +6,7 @@ namespace wr {
 
 /// @brief The motor is on: it holds the steering, or turns it.
 /// @function Lets the motor step at each tick, and switches it off when that is ordered.
-/// @secret What switches the motor off, and what a motor that is on does at a tick.
+/// @secret The event that switches the motor off, and the work of a motor that is on at a tick.
 /// @role{steering-switch, Concrete State}
 class PoweredOn final : public SteeringPower {
  public:

@@ -5,14 +5,14 @@ namespace wr {
 class SteeringDevice;
 
 /// @brief Whether the motor of the steering is on.
-/// @function Gives the steering device one way to be switched on and off and to tick, whether its motor
+/// @function Defines one interface to switch the steering device on and off and to tick, whether its motor
 /// is on or off.
-/// @secret What differs between a motor that is on and one that is off.
+/// @secret The differences between a motor that is on and one that is off.
 /// @role{steering-switch, State}
 ///
 /// @patternapp{steering-switch, State, Switch on and switch off the steering device}
-/// @why What it takes to switch the steering on or off, and whether it can step, depends on whether it is
-/// on. Each case is a module, so no operation asks for it.
+/// @why The steps that switch the steering on or off, and whether it can step, depend on whether it
+/// is on. Each case is a module, so no operation asks for it.
 /// @changes The actions that switch the motor on or off. Another case, such as a motor that is on with
 /// less current.
 class SteeringPower {
@@ -30,7 +30,7 @@ class SteeringPower {
   /// @isr{yes}
   virtual void disable(SteeringDevice& device) = 0;
 
-  /// @brief Does what one tick demands of the motor.
+  /// @brief Runs one tick of the motor.
   /// @param device device whose motor it is
   /// @isr{yes}
   virtual void tick(SteeringDevice& device) = 0;

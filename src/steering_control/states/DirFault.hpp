@@ -7,7 +7,7 @@ namespace wr {
 /// @brief The steering could not be controlled: its motor stays off.
 /// @function Keeps the motor off, whatever is ordered, until an order to hold shows that somebody
 /// noticed.
-/// @secret What ends a fault.
+/// @secret The event that ends a fault.
 /// @role{steering-controller-states, Concrete State}
 class DirFault final : public DirState {
  public:

@@ -7,7 +7,7 @@ namespace wr {
 /// @brief The motor is on, and the steering keeps its position.
 /// @function Begins a turn when the algorithm wants one, and leaves the steering where it is until
 /// then.
-/// @secret What begins a turn.
+/// @secret The event that begins a turn.
 /// @role{steering-controller-states, Concrete State}
 class DirHolding final : public DirState {
  public:

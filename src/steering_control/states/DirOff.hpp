@@ -6,7 +6,7 @@ namespace wr {
 
 /// @brief The motor is off: nobody orders.
 /// @function Waits with the motor off until an order to follow comes, then switches the motor on.
-/// @secret What switches the steering on.
+/// @secret The event that switches the steering on.
 /// @role{steering-controller-states, Concrete State}
 class DirOff final : public DirState {
  public:

@@ -6,22 +6,22 @@ namespace wr {
 
 class DirController;
 
-/// @brief What the steering controller does at a tick: a state of the steering.
-/// @function Gives the steering controller one way to tick, in whatever state the steering is.
-/// @secret What differs between the states of the steering.
+/// @brief A state of the steering: defines the work of the controller at a tick.
+/// @function Defines one interface for the tick of the steering controller in all states.
+/// @secret The differences between the states of the steering.
 /// @role{steering-controller-states, State}
 ///
 /// @patternapp{steering-controller-states, State, Operation states of the steering device controller}
-/// @why What the controller of the steering does at a tick depends on the state of the steering. Each state
-/// is a module, so the rules of one state are read and changed in one place.
-/// @changes The actions of a state, or what leads from it to another. A new state, such as one that
+/// @why The work of the steering controller at a tick depends on the state of the steering. Each
+/// state is a module, so the rules of one state are read and changed in one place.
+/// @changes The actions of a state, or its transitions. A new state, such as one that
 /// searches the middle after start.
 class DirState {
  public:
   DirState(const DirState&) = delete;
   DirState& operator=(const DirState&) = delete;
 
-  /// @brief Does what one tick demands, and changes the state when that is due.
+  /// @brief Runs one tick, and changes the state when that is due.
   /// @param controller controller that ticks
   /// @isr{yes}
   virtual void tick(DirController& controller) = 0;

@@ -7,7 +7,7 @@ namespace wr {
 /// @brief The steering turns towards its target.
 /// @function Lets the motor turn as the algorithm demands, until it has come to rest; watches whether
 /// the steering moves.
-/// @secret How a turn is led and watched, and what ends it.
+/// @secret How a turn is led and watched, and the event that ends it.
 /// @role{steering-controller-states, Concrete State}
 class DirTurning final : public DirState {
  public:

@@ -10,15 +10,15 @@ namespace wr {
 
 /// @brief Brings the current of a wheel to its set-point: a set torque.
 ///
-/// @function Gives the wheel the voltage that drives the current through the winding, plus the voltage
-/// that the turning motor opposes to it, and regulates what the model misses.
+/// @function Computes the voltage that drives the current through the winding, plus the voltage
+/// that the turning motor induces against it, and regulates the error of this model.
 ///
 /// @secret The model of the motor's winding, and how its velocity is foreseen.
 ///
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class CurrentAlgorithm final : public WheelAlgorithm {
  public:
-  /// @brief Makes the algorithm.
+  /// @brief Constructs the algorithm.
   CurrentAlgorithm();
 
   /// @brief Calculates the voltage. All quotients are rounded towards zero.
@@ -29,13 +29,13 @@ class CurrentAlgorithm final : public WheelAlgorithm {
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
-  /// @brief Learns what was applied.
+  /// @brief Receives the applied voltage.
   /// @param tension voltage that is at the wheel [mV], positive forwards
   /// @satisfies FR-301
   /// @isr{no}
   void applied(Tension tension) override;
 
-  /// @brief Forgets the velocity of the cycle before and the errors.
+  /// @brief Clears the velocity of the cycle before and the errors.
   /// @isr{no}
   void reset() override;
 

@@ -14,7 +14,7 @@ struct PiGains {
   std::int32_t integral = 0;      ///< voltage that each cycle of the error adds [uV per unit]
 };
 
-/// @brief Takes an error to zero.
+/// @brief Regulates an error to zero.
 ///
 /// @function Adds a share of the present error and a share of each error before it to one voltage. An error
 /// that comes from a voltage that could not be applied is not kept.
@@ -35,16 +35,15 @@ class PiRegulator final {
   /// @isr{no}
   [[nodiscard]] static std::int32_t majority(const Copies& copies);
 
-  /// @brief Makes a regulator without memory.
+  /// @brief Constructs a regulator without memory.
   /// @param gains how strongly it acts
   explicit PiRegulator(const PiGains& gains);
 
   PiRegulator(const PiRegulator&) = delete;
   PiRegulator& operator=(const PiRegulator&) = delete;
 
-  /// @brief Takes the error of the cycle that ends.
-  /// @param error what should have been measured less what was measured, in the unit of the gains, -65535
-  /// to 65535
+  /// @brief Processes the error of the cycle that ends.
+  /// @param error expected value less measured value, in the unit of the gains, -65535 to 65535
   /// @return voltage that works against the error [mV], rounded towards zero
   /// @post The part of the integral is at most the supply.
   /// @satisfies FR-83
@@ -61,7 +60,7 @@ class PiRegulator final {
   /// @isr{no}
   void missed(Tension shortfall);
 
-  /// @brief Forgets all errors.
+  /// @brief Clears all errors.
   /// @isr{no}
   void reset();
 

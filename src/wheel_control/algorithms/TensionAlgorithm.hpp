@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief Gives a wheel the voltage of its set-point.
+/// @brief Sets the voltage of a wheel to its set-point.
 ///
 /// @function Passes the set-point on as voltage.
 ///
@@ -13,7 +13,7 @@ namespace wr {
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class TensionAlgorithm final : public WheelAlgorithm {
  public:
-  /// @brief Makes the algorithm. It has no state.
+  /// @brief Constructs the algorithm. It has no state.
   TensionAlgorithm() = default;
 
   /// @brief Calculates the voltage of the set-point.
@@ -29,7 +29,7 @@ class TensionAlgorithm final : public WheelAlgorithm {
   /// @isr{no}
   void applied(Tension tension) override;
 
-  /// @brief Has nothing to forget.
+  /// @brief Does nothing: the algorithm has no state.
   /// @isr{no}
   void reset() override;
 };

@@ -10,8 +10,8 @@ namespace wr {
 
 /// @brief Brings a wheel to a velocity, and keeps it there.
 ///
-/// @function Gives the wheel the voltage that it needs at the set-point when nothing loads it, and
-/// regulates what a load changes.
+/// @function Computes the voltage that the wheel needs at the set-point without load, and regulates
+/// the effect of a load.
 ///
 /// @secret The model of a wheel that follows its set-point, the gains that correct a difference from it,
 /// and how a measured velocity is checked by voltage and current.
@@ -19,7 +19,7 @@ namespace wr {
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class VelocityAlgorithm final : public WheelAlgorithm {
  public:
-  /// @brief Makes the algorithm for a wheel at rest.
+  /// @brief Constructs the algorithm for a wheel at rest.
   VelocityAlgorithm();
 
   /// @brief Calculates the voltage. All quotients are rounded towards zero. For up to 5 cycles in a row
@@ -36,14 +36,14 @@ class VelocityAlgorithm final : public WheelAlgorithm {
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
-  /// @brief Learns what was applied. After another voltage than the calculated one the model goes on from
+  /// @brief Receives the applied voltage. After another voltage than the calculated one the model goes on from
   /// the measured velocity.
   /// @param tension voltage that is at the wheel [mV], positive forwards
   /// @satisfies FR-301
   /// @isr{no}
   void applied(Tension tension) override;
 
-  /// @brief Forgets load and model. The model begins at the next measured velocity.
+  /// @brief Clears load and model. The model begins at the next measured velocity.
   /// @isr{no}
   void reset() override;
 

@@ -27,7 +27,7 @@ class Advance final : public WheelBehaviour {
   /// @isr{no}
   Tension apply(Tension demand, Velocity velocity) override;
 
-  /// @brief Needs no note: what was applied before does not count.
+  /// @brief Does nothing: the voltage applied before does not matter.
   /// @param applied is not used
   /// @satisfies FR-80
   /// @isr{no}

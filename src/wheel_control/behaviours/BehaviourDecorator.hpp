@@ -6,7 +6,7 @@ namespace wr {
 
 /// @brief A behaviour that extends another behaviour.
 ///
-/// @function Forwards what a behaviour does not extend to the behaviour that it wraps.
+/// @function Forwards the operations that a behaviour does not extend to the behaviour that it wraps.
 ///
 /// @secret Which operations of the wrapped behaviour are passed on as they are.
 ///
@@ -15,7 +15,7 @@ namespace wr {
 /// @patternapp{behaviour-extensions, Decorator, Algorithm extensions to establish the wheels' behaviour}
 /// @why Some movements of a wheel combine or extend simpler ones: to reverse is to stop and then to
 /// advance in the other orientation.
-/// @changes An extension may change, or a new one may be needed, without change to what it extends.
+/// @changes An extension may change, or a new one may be needed, without change to the extended behaviour.
 class BehaviourDecorator : public WheelBehaviour {
  public:
   Tension apply(Tension demand, Velocity velocity) override;

@@ -18,13 +18,13 @@ namespace wr {
 /// @role{behaviour-extensions, Concrete Decorator}
 class Reverse final : public BehaviourDecorator {
  public:
-  /// @brief Binds the behaviour to what it combines. The wheel is oriented forwards.
+  /// @brief Binds the behaviour to its parts. The wheel is oriented forwards.
   /// @param wrapped behaviour within one orientation
   /// @param stop stops the wheel
   /// @param setOrientation changes the orientation
   Reverse(WheelBehaviour& wrapped, WheelBehaviour& stop, WheelCommand& setOrientation);
 
-  /// @brief Has the demand applied when it agrees with the orientation. Otherwise the wheel is stopped
+  /// @brief Applies the demand when it agrees with the orientation. Otherwise the wheel is stopped
   /// until, in two cycles in a row, its velocity was below 40 rpm, or below 80 rpm after ten cycles
   /// without voltage, or had the direction of the demand, and no voltage is left; then the
   /// orientation changes. A demand of less than 0.1 V the
@@ -52,7 +52,7 @@ class Reverse final : public BehaviourDecorator {
   bool backwards_ = false;
   Tension applied_{};
   std::uint8_t slowCycles_ = 0;    // slow cycles in a row, while stopped
-  std::uint8_t brakedCycles_ = 0;  // cycles without tension, while it waits
+  std::uint8_t brakedCycles_ = 0;  // cycles without voltage, while it waits
 };
 
 }  // namespace wr

@@ -18,7 +18,7 @@ class SoftStart final : public BehaviourDecorator {
   /// @param wrapped behaviour that applies the limited voltage
   explicit SoftStart(WheelBehaviour& wrapped);
 
-  /// @brief Has the demand applied, with a magnitude at most 12 V above the one before. A demand of the
+  /// @brief Applies the demand, and raises its magnitude by at most 12 V per cycle. A demand of the
   /// other sign starts again from 0.
   /// @param demand voltage that is demanded [mV], -24000 to 24000, positive forwards
   /// @param velocity measured velocity [0.1 rpm]

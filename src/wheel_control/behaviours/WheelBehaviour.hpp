@@ -6,7 +6,7 @@ namespace wr {
 
 /// @brief How a demanded voltage is applied to a wheel.
 ///
-/// @function Applies a voltage in each cycle through commands of the wheel, and returns what it applied.
+/// @function Applies a voltage in each cycle through commands of the wheel, and returns the applied voltage.
 ///
 /// @secret The steps of a cycle by which a wheel moves as demanded.
 ///

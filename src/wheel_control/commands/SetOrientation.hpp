@@ -7,7 +7,7 @@ namespace wr {
 
 /// @brief Sets the orientation of a wheel.
 ///
-/// @function Makes the wheel turn forwards or backwards, by the sign of a voltage.
+/// @function Sets the wheel to turn forwards or backwards, by the sign of a voltage.
 ///
 /// @secret How the orientation follows from a voltage.
 ///

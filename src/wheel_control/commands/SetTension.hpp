@@ -7,7 +7,7 @@ namespace wr {
 
 /// @brief Sets the voltage of a wheel.
 ///
-/// @function Gives the wheel the magnitude of a voltage; its orientation stays.
+/// @function Sets the magnitude of the wheel's voltage; its orientation stays.
 ///
 /// @secret That the voltage of a wheel has no sign.
 ///

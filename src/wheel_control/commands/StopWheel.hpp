@@ -7,9 +7,9 @@ namespace wr {
 
 /// @brief Stops a wheel.
 ///
-/// @function Takes all voltage from the wheel, whatever voltage it is given.
+/// @function Sets the voltage of the wheel to 0, whatever its argument is.
 ///
-/// @secret What it takes to stop a wheel.
+/// @secret The steps that stop a wheel.
 ///
 /// @role{wheel-commands, Concrete Command}
 class StopWheel final : public WheelCommand {

@@ -8,7 +8,7 @@ namespace wr {
 ///
 /// @function Lets the controller and the behaviours of a wheel act on it.
 ///
-/// @secret What an action on a wheel has in common with the others: it takes a voltage.
+/// @secret The common part of the actions on a wheel: each has a voltage as its argument.
 ///
 /// @role{wheel-commands, Command}
 ///

@@ -8,10 +8,10 @@ namespace wr {
 
 /// @brief The order to follow the set-point.
 ///
-/// @function Has the controller control the wheel, unless its overcurrent trip has acted, and writes the
+/// @function Lets the controller control the wheel, unless its overcurrent trip has acted, and writes the
 /// applied voltage into the work of the cycle.
 ///
-/// @secret What control does at a wheel after an overcurrent trip.
+/// @secret The control of a wheel after an overcurrent trip.
 ///
 /// @role{wheel-orders, Concrete Strategy}
 class ApplyControl final : public WheelOrder {

@@ -8,7 +8,7 @@ namespace wr {
 
 /// @brief The order to stand still.
 ///
-/// @function Has the controller stop the wheel, and releases its latched faults when that is ordered.
+/// @function Lets the controller stop the wheel, and releases its latched faults when that is ordered.
 ///
 /// @secret When a driver may be used again after its overcurrent trip.
 ///

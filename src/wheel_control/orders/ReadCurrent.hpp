@@ -8,7 +8,7 @@ namespace wr {
 
 /// @brief The order to read the current of a wheel.
 ///
-/// @function Has the current measured, and takes the value of the controller into the work of the
+/// @function Triggers the measurement of the current, and adds the value of the controller to the work of the
 /// cycle.
 ///
 /// @secret Which module measures a current, and that the report shows the value that control uses.

@@ -8,7 +8,7 @@ namespace wr {
 
 /// @brief The order to read the velocity of a wheel.
 ///
-/// @function Has the velocity measured, and takes the value of the controller into the work of the
+/// @function Triggers the measurement of the velocity, and adds the value of the controller to the work of the
 /// cycle.
 ///
 /// @secret Which module measures a velocity, and that the report shows the value that control uses.

@@ -7,7 +7,7 @@ namespace wr {
 
 /// @brief The order to register the position of a wheel.
 ///
-/// @function Takes the position of the wheel, and how many edges its sensor rejected, into the work of
+/// @function Adds the position of the wheel, and the number of edges that its sensor rejected, to the work of
 /// the cycle.
 ///
 /// @secret Which sensor counts the position of a wheel.

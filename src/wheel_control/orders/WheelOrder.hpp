@@ -11,8 +11,8 @@ namespace wr {
 /// @brief The work of one wheel in one cycle: order, measured values, applied voltage.
 /// @datatype
 struct WheelWork {
-  WheelSetPoint setPoint{};        ///< what the wheel shall reach
-  WheelMeasurements measured{};    ///< what was measured at the wheel
+  WheelSetPoint setPoint{};        ///< target of the wheel
+  WheelMeasurements measured{};    ///< measured values of the wheel
   std::optional<Tension> applied;  ///< voltage of the wheel; nothing while none is applied
   bool release = false;            ///< latched faults of the wheel are to be released
 };
@@ -26,8 +26,8 @@ struct WheelWork {
 /// @role{wheel-orders, Strategy}
 ///
 /// @patternapp{wheel-orders, Strategy, Orders for wheel control system}
-/// @why The main controller orders a wheel system to register the position of the wheel, to read what a
-/// sensor measured, to control or to halt. The system executes each order in the same way.
+/// @why The main controller orders a wheel system to register the position of the wheel, to read the value of a
+/// sensor, to control or to halt. The system executes each order in the same way.
 /// @changes The way in which an order is carried out may change, or a new order may be needed.
 class WheelOrder {
  public:
@@ -35,7 +35,7 @@ class WheelOrder {
   WheelOrder& operator=(const WheelOrder&) = delete;
 
   /// @brief Carries out the order.
-  /// @param work work of this cycle; what the order contributes is filled in
+  /// @param work work of this cycle; the order fills in its own values
   /// @isr{no}
   virtual void execute(WheelWork& work) = 0;
 

@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::ElementsAreArray;
 using testing::IsEmpty;
 
-/// @brief What the decoder says to bytes from the line, without Nothing.
+/// @brief Results of the decoder for bytes from the line, without Nothing.
 std::vector<Decoded> push(FrameDecoder& decoder, const Bytes& line) {
   std::vector<Decoded> said;
   for (const std::uint8_t byte : line) {

@@ -655,7 +655,7 @@ TEST_F(PcConnectionTest, FR45_PayloadsThatAreTooShortAreCounted) {
   EXPECT_FALSE(orders.available());
 }
 
-/// @brief A longer payload is accepted, up to 200 bytes, and what follows the known fields is ignored.
+/// @brief A longer payload is accepted, up to 200 bytes, and bytes after the known fields are ignored.
 /// @verifies FR-248
 TEST_F(PcConnectionTest, FR248_LongerPayloadsAreAccepted) {
   const auto longer = [](Bytes payload, std::size_t size) {
@@ -849,7 +849,7 @@ TEST_F(PcConnectionTest, FR30_AWelcomeWithoutRoomIsDropped) {
   EXPECT_EQ(lastSession(), 1);
 }
 
-/// @brief The first frame after start follows a zero byte, which ends what a firmware before may have left on
+/// @brief The first frame after start follows a zero byte, which ends a frame that an earlier firmware may have left on
 /// the line. The frames after it do not.
 /// @verifies FR-247
 TEST_F(PcConnectionTest, FR247_TheFirstFrameFollowsAZeroByte) {
@@ -1034,7 +1034,7 @@ ReportData reportOfCycle8() {
   return data;
 }
 
-/// @brief The reports of the examples are what the firmware makes of the same data.
+/// @brief The firmware builds the reports of the examples from the same data.
 /// @verifies FR-61
 /// @verifies FR-62
 /// @verifies FR-65

@@ -61,7 +61,7 @@ TEST_F(BufferReaderTest, FR50_NeitherSignalMayBeOld) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief After a read both signals must hold a new value.
+/// @brief After a read both signals must have a new value.
 /// @verifies FR-20
 /// @verifies FR-50
 TEST_F(BufferReaderTest, FR50_BothSignalsMustBeNew) {

@@ -102,7 +102,7 @@ TEST(OrderMessage, FR241_NeutralMeansThatEachWheelValueIsZero) {
   }
 }
 
-/// @brief What is written is what the protocol says, and is read back the same.
+/// @brief An order is written as the protocol demands, and is read back the same.
 /// @verifies FR-170
 TEST(OrderMessage, IsReadAsItWasWritten) {
   SetPoints setPoints;

@@ -40,7 +40,7 @@ TEST_F(SerialReaderTest, FR20_HoldsNothingAfterStart) {
 /// @verifies FR-170
 TEST_F(SerialReaderTest, ReadsWhatWasSent) {
   auto bytes = orderBytes(0xFFFE, -3200, 0, -3000, 0, 0xFEDCBA98);
-  bytes[11] = 1;  // wheel 1: tension 24000 mV
+  bytes[11] = 1;  // wheel 1: voltage 24000 mV
   bytes[12] = 0xC0;
   bytes[13] = 0x5D;
   ASSERT_TRUE(offer(bytes));

@@ -34,7 +34,7 @@ TEST(Arguments, FR120_TimeIsLimited) {
   EXPECT_EQ(BaseArguments(0, Microseconds(-1)).value(ArgumentId::Elapsed), 0);
 }
 
-/// @brief Each decorator answers for its own names and asks what it wraps for the others, in any
+/// @brief Each decorator answers for its own names and asks the wrapped arguments for the others, in any
 /// order of wrapping.
 /// @verifies FR-120
 /// @verifies FR-124

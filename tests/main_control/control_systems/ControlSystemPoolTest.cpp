@@ -67,7 +67,7 @@ TEST_F(ControlSystemPoolTest, FR62_EmptyPoolGivesNoValue) {
   EXPECT_EQ(outputs, Outputs{});
 }
 
-/// @brief The pool gathers what its systems give.
+/// @brief The pool gathers the values of its systems.
 /// @verifies FR-62
 TEST_F(ControlSystemPoolTest, FR62_PoolGathersValues) {
   pool.add(one);

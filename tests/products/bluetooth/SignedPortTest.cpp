@@ -139,7 +139,7 @@ TEST_F(SignedPortTest, FR263_ZeroByteAloneIsSentAsItIs) {
   EXPECT_TRUE(device.verifies(1, line.takeSent()));
 }
 
-/// @brief The port gives what its line gives: the time of the frame, lost bytes, and room for a frame with its
+/// @brief The port returns the values of its line: the time of the frame, lost bytes, and room for a frame with its
 /// counter and tag. A frame for which the line has no room is not sent, and does not use up a
 /// counter.
 /// @verifies FR-263
@@ -185,8 +185,8 @@ TEST_F(SignedPortTest, FR265_WithoutKeyNothingIsReceivedOrSent) {
   }
 }
 
-/// @brief A frame that is longer than any, and what follows the counter in place of digits, is dropped; the
-/// next right frame is given.
+/// @brief A frame that is longer than any, or has other characters than digits after its counter, is dropped; the
+/// next right frame is returned.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_StrangeBytesAreDropped) {
   line.arrive(scenario::Bytes(1000, 1));

@@ -29,7 +29,7 @@ class SteeringGeometryTest : public ControllerFixture {
   SteeringGeometry mode{source};
 };
 
-/// @brief What extends a mode and is none itself does not change the mode of the controller.
+/// @brief An extension of a mode does not change the mode of the controller.
 /// @verifies FR-17
 TEST_F(SteeringGeometryTest, FR17_LeavesTheChangeOfTheModeToTheMode) {
   RetainedStop::Cells cells{};

@@ -25,7 +25,7 @@ std::vector<std::filesystem::path> scenarios() {
 
 class ScenariosWithSafety : public testing::TestWithParam<std::filesystem::path> {};
 
-/// @brief The robot with safety functions does what each scenario expects that is not of the paper's design alone.
+/// @brief The robot with safety functions meets each scenario that is not of the paper's design alone.
 /// @verifies NFR-6
 TEST_P(ScenariosWithSafety, NFR6_RobotDoesWhatIsExpected) {
   const scenario::Scenario scenario = scenario::Scenario::load(GetParam());

@@ -24,7 +24,7 @@ Edge fall(std::uint64_t at) {
   return {.at = Instant(at), .rising = false};
 }
 
-/// @brief The basic collector knows the last edge, and nothing else.
+/// @brief The basic collector stores only the last edge.
 /// @verifies FR-120
 TEST(InstantCollector, FR120_BasicKnowsTheLastEdge) {
   BasicCollector basic;

@@ -79,7 +79,7 @@ TEST_F(SensorCollectorTest, FR123_RejectsNoChange) {
   EXPECT_EQ(unclear(), 1U);
 }
 
-/// @brief A change of both levels is rejected: nobody knows its direction. What follows counts from
+/// @brief A change of both levels is rejected: its direction is unknown. Later edges count from
 /// the new levels.
 /// @verifies FR-123
 TEST_F(SensorCollectorTest, FR123_RejectsDoubleChange) {

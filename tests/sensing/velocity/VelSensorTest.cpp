@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Rpm, VelocityAccuracy,
                          testing::Values(5, 7.3, 9.9, 10, 10.1, 20, 49.9, 60, 100, 150, 299.7, 300,
                                          -5, -20, -150, -300));
 
-/// @brief Before any edge the wheel stands.
+/// @brief Before any edge the wheel is at rest.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_StandsAtStart) {
   cycles(0, 1);
@@ -79,7 +79,7 @@ TEST_F(VelSensorTest, FR120_StartsFromStandstill) {
   EXPECT_NEAR(measured, 500, 1.5);
 }
 
-/// @brief One edge after a standstill counts as half: the wheel may have stood right before it.
+/// @brief One edge after a standstill counts as half: the wheel may have been at rest right before it.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_FirstEdgeAfterStandstill) {
   for (const int direction : {1, -1}) {

@@ -38,7 +38,7 @@ TEST(ClockOfBoard, StaysWithoutExternalClock) {
   EXPECT_EQ(board.clockHz(), 20'971'520U);
 }
 
-/// @brief The core stands when its clock goes, and time passes on.
+/// @brief The core stops with its clock, and time goes on.
 TEST(ClockOfBoard, CoreStandsWithoutItsClock) {
   VirtualBoard board(Guest("runsAt120MHz").image());
   ASSERT_TRUE(board.runToSleep(10ms));
@@ -152,7 +152,7 @@ TEST(SerialPortOfBoard, FifoTakesEightBytes) {
   EXPECT_THAT(board.takeSent(), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7));
 }
 
-/// @brief An output shows what the program puts out, once it is one.
+/// @brief A pin shows the level of the program, once it is an output.
 TEST(PinOfBoard, OutputIsShown) {
   VirtualBoard board(Guest("drivesPin").image());
   EXPECT_FALSE(board.isOutput('B', 22));

@@ -98,7 +98,7 @@ TEST(PulsesOfBoard, PeriodAndValueChangeTogether) {
   EXPECT_EQ(board.pwmDuty(0, 0), 0.2);
 }
 
-/// @brief A counter without clock stands, and there are no pulses.
+/// @brief A counter without clock is stopped, and there are no pulses.
 TEST(PulsesOfBoard, StandingCounterGivesNone) {
   VirtualBoard board(Guest("stopsPulses").image());
   const auto pulses = pulsesOf(board, 1ms);
@@ -328,7 +328,7 @@ TEST(WorldOfBoard, LevelInterruptsUntilItGoes) {
   EXPECT_LT(notes(board).size(), 20U);
 }
 
-/// @brief What is called at times is called at each multiple of the period, before the instructions
+/// @brief A periodic callback is called at each multiple of the period, before the instructions
 /// of that time, also while the program sleeps.
 TEST(WorldOfBoard, CallsComeAtMultiplesOfTheirPeriod) {
   VirtualBoard board(Guest("emptyProgram").image());

@@ -29,7 +29,7 @@ TEST(ExecutedCodeTest, EachHalfWordHasItsBit) {
   EXPECT_FALSE(code.noted(0x100000));
 }
 
-/// @brief The processor notes what it executes, and not what it jumps over.
+/// @brief The processor records executed instructions, and none that it jumps over.
 TEST(ExecutedCodeTest, WhatIsJumpedOverIsNotExecuted) {
   constexpr std::uint32_t kCode = 0x100;
   const std::array<std::uint8_t, 8> vectors{0, 8, 0, 0, 0x01, 0x01, 0, 0};  // start at kCode

@@ -26,7 +26,7 @@ struct Mistake {
 
 class FindingOfBoard : public testing::TestWithParam<Mistake> {};
 
-/// @brief Each mistake of a program stops the run, and the finding names what the program did.
+/// @brief Each mistake of a program stops the run, and the finding names it.
 TEST_P(FindingOfBoard, NamesWhatTheProgramDid) {
   const Mistake& mistake = GetParam();
   Guest guest(mistake.program);

@@ -128,7 +128,7 @@ TEST_F(HostWiresTest, WheelsTurnAsTheirPinsSay) {
   EXPECT_EQ(converted(pins.wheels[2].current), 2048);
 }
 
-/// @brief Each pulse is a step to the side that the direction says, while the motor is on.
+/// @brief Each pulse is a step to the side of the direction output, while the motor is on.
 TEST_F(HostWiresTest, PulsesTurnTheSteering) {
   const auto pulses = [this](int count) {
     for (int i = 0; i < count; ++i) {

@@ -39,7 +39,7 @@ class HostSchedulerTest : public testing::Test {
   host::HostThread alsoHigh{scheduler, 2};
 };
 
-/// @brief A thread of higher priority runs before the post that pends it returns.
+/// @brief A thread of higher priority runs before the post that triggers it returns.
 TEST_F(HostSchedulerTest, HigherPriorityRunsAtOnce) {
   Body highBody([&] { log.emplace_back("high"); });
   Body lowBody([&] {
@@ -138,7 +138,7 @@ scenario::Bytes readAll(SerialPort& port) {
   return all;
 }
 
-/// @brief Received bytes are read in their order; what finds no room is counted as lost.
+/// @brief Received bytes are read in their order; bytes without room are counted as lost.
 TEST(HostSerialPortTest, ReceivesUpToItsCapacity) {
   host::HostSerialPort port;
   port.arrive(counting(host::HostSerialPort::kReceived + 3));
@@ -146,7 +146,7 @@ TEST(HostSerialPortTest, ReceivesUpToItsCapacity) {
   EXPECT_EQ(readAll(port), counting(host::HostSerialPort::kReceived));
 }
 
-/// @brief A read ends with a zero byte, and the port says when that byte came.
+/// @brief A read ends with a zero byte, and the port returns the time of that byte.
 /// @verifies FR-20
 TEST(HostSerialPortTest, ReadEndsWithAZeroByte) {
   host::HostTimebase time;

@@ -78,8 +78,8 @@ TEST_F(HostSimulationTest, WithoutOrdersTheRobotStands) {
   EXPECT_EQ(world.physics.steeringDegrees(), 0.0);
 }
 
-/// @brief Edges come at their own times: what the firmware counts is the way of the wheel, 60 in a
-/// turn of the shaft, and what it measures is the speed of the wheel.
+/// @brief Edges come at their own times: the firmware counts the way of the wheel, 60 in a
+/// turn of the shaft, and measures the speed of the wheel.
 TEST_F(HostSimulationTest, FirmwareCountsTheWayOfTheWheels) {
   connect();
   cycles(30, velocity(1000));
@@ -103,8 +103,8 @@ TEST_F(HostSimulationTest, RemoteControlDrivesTheRobot) {
   EXPECT_NEAR(world.physics.groundSpeed(), 0, 0.001);
 }
 
-/// @brief A reset starts new firmware with the cause; the robot rolls on, and what is stored about its pins
-/// is of the new firmware.
+/// @brief A reset starts new firmware with the cause; the robot rolls on, and the stored state of its pins
+/// is that of the new firmware.
 TEST_F(HostSimulationTest, ResetStartsNewFirmwareInTheSameRobot) {
   connect();
   cycles(40, velocity(1000));

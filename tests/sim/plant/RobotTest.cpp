@@ -141,7 +141,7 @@ TEST_F(RobotTest, OrientationTurnsEverything) {
   EXPECT_NEAR(other.currentVolts(3) - Robot::kMiddle, Robot::kMiddle - robot.currentVolts(3), 0.01);
 }
 
-/// @brief No energy comes from nowhere: what the supply gave in a run up and down is more than the
+/// @brief No energy comes from nowhere: the supply delivers more in a run up and down than the
 /// energy of the robot's movement, and while it coasts that energy only falls.
 TEST_F(RobotTest, EnergyIsOnlyLost) {
   double supplied = 0;
@@ -186,7 +186,7 @@ TEST_F(RobotTest, CoastingIsNotBraking) {
   EXPECT_GT(coasted, braked + 0.3);
 }
 
-/// @brief A robot that stands does not move until the force exceeds what holds it.
+/// @brief A robot at rest does not move until the force exceeds its rolling resistance.
 TEST_F(RobotTest, StandsUntilTheForceExceedsStaticFriction) {
   drive({.duty = 0.02, .backwards = false, .enabled = true});
   run(2000);
@@ -196,7 +196,7 @@ TEST_F(RobotTest, StandsUntilTheForceExceedsStaticFriction) {
   EXPECT_GT(robot.distance(), 0.1);
 }
 
-/// @brief On a slope of 4 percent the robot stands without current; on 20 percent it rolls down.
+/// @brief On a slope of 4 percent the robot is at rest without current; on 20 percent it rolls down.
 TEST_F(RobotTest, RollsDownASteepSlope) {
   robot.setSlope(4);
   run(3000);

@@ -10,7 +10,7 @@ namespace {
 using programs::Pace;
 using std::chrono::milliseconds;
 
-/// A clock that stands still but for what the test and a sleep do to it.
+/// A clock that only the test and a sleep advance.
 class PaceOfTheRobot : public testing::Test {
  protected:
   Pace::Clock::time_point clock;

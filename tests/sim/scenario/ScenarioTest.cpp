@@ -258,7 +258,7 @@ TEST(ScenarioPlayerTest, HostHasNoExternalClock) {
   EXPECT_THROW(static_cast<void>(played("at 0 clock lost\nat 10 end\n")), std::runtime_error);
 }
 
-/// @brief What the world does reaches the robot, and true values can be expected of it.
+/// @brief Events of the world reach the robot, and its true values can be expected.
 TEST(ScenarioPlayerTest, WorldActsOnTheRobot) {
   const auto outcome = played(
       "seed 5\nat 0 noise off\nat 100 slope 20\nat 2200 expect way between -3000 -10\n"
@@ -282,7 +282,7 @@ TEST(ScenarioPlayerTest, RangesThatDoNotHoldAreTold) {
                                   "text:5: distance is 0.0, not between -2 and -1, at 350 ms"}));
 }
 
-/// @brief A connected PC gets reports, which hold what is expected of them.
+/// @brief A connected PC gets reports, which meet the expectations.
 TEST(ScenarioPlayerTest, ExpectationsLookAtTheLastReport) {
   const auto outcome = played(
       "at 0 connect\nat 250 order velocity 300\nat 360 expect cycle 3\nat 360 expect held yes\n"

@@ -8,8 +8,8 @@
 
 namespace wr::test {
 
-/// The robot on the host, where a test also reaches what is behind the PC's line: the remote
-/// control, the scheduler, and one control system that notes its orders.
+/// The robot on the host, where a test also reaches the devices behind the PC's line: the remote
+/// control, the scheduler, and one control system that records its orders.
 class HostSteppedRobot : public SteppedRobot {
  public:
   explicit HostSteppedRobot(host::HostEquipment equipment = host::HostEquipment::Whole)

@@ -47,8 +47,8 @@ class MainControlRobot final : public HostSteppedRobot {
   MainControlRobot() : HostSteppedRobot(host::HostEquipment::MainControl) {}
 };
 
-/// @brief In 10000 random sequences of orders from both sources the robot does in every cycle what a
-/// reference written from the requirements does, and takes each transition of both machines often.
+/// @brief In 10000 random sequences of orders from both sources the robot behaves in every cycle like a
+/// reference written from the requirements, and takes each transition of both machines often.
 /// @verifies FR-10
 /// @verifies FR-11
 /// @verifies FR-12

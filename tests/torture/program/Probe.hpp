@@ -6,8 +6,8 @@
 
 namespace wr::torture {
 
-/// @brief What all registers hold before a thing that may cause exceptions, and after it. The
-/// functions in probe.S know the places of the members.
+/// @brief Values of all registers before an action that may cause exceptions, and after it. The
+/// functions in probe.S use the offsets of the members.
 struct Probe {
   std::array<std::uint32_t, 13> core;
   std::uint32_t flags;

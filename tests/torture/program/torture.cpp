@@ -54,8 +54,8 @@ std::uint32_t randomLines() {
 }
 
 void note(Kind kind, std::uint32_t detail) {
-  // Of ICSR not what machines may compute in several ways: VECTPENDING with or without BASEPRI,
-  // ISRPENDING with or without the lines that are not enabled, RETTOBASE in thread mode.
+  // Of ICSR not the bits that machines may compute in several ways: VECTPENDING with or without
+  // BASEPRI, ISRPENDING with or without the lines that are not enabled, RETTOBASE in thread mode.
   const std::uint32_t controlBits = depth == 0 ? 0x940001FF : 0x940009FF;
   const Masks now = masks();
   log.add({kind,
@@ -237,7 +237,7 @@ void sleep() {
   setInterruptMask(0);
 }
 
-/// @brief What is in the floating-point registers is not kept by the next exception.
+/// @brief The next exception does not keep the floating-point registers.
 void forgetFloatingPoint() {
   if (depth == 0) {
     setControl(control() & ~bit(2));
@@ -340,7 +340,7 @@ void act(std::uint32_t inner) {
   note(action);
 }
 
-/// @brief Records what a fault has left, clears it, and lets the program go on behind it.
+/// @brief Records the state after a fault, clears it, and lets the program go on behind it.
 void settleFault(std::uint32_t* frame) {
   const std::uint32_t status = read(kFaultStatus);
   const std::uint32_t address = (status & bit(15)) != 0 ? read(kBusFaultAddress) : 0;

@@ -27,7 +27,7 @@ template <class Design>
 class OneWheelLine final : public scenario::RobotSession {
  public:
   /// Makes and starts the design.
-  /// @param more what the design needs besides, in a product that has more devices
+  /// @param more further devices of the design, in a product that has more devices
   template <class... More>
   explicit OneWheelLine(More&... more)
       : pins(scheduler_), physics_(kSeed), binding_(pins, physics_), design_(devices(), more...) {

@@ -22,13 +22,13 @@ class PatternDesign {
 
   void start();
 
-  // What the interrupts call.
+  // Called by the interrupts.
   void cycleTimerExpired();
   void tickTimerExpired();
   void hallEdge();
   void remoteControlEdge();
 
-  // What the main loop calls after each interrupt: here the threads do the work.
+  // Called by the main loop after each interrupt: here the threads do the work.
   void run() {}
 
  private:

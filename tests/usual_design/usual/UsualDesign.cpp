@@ -338,7 +338,7 @@ void UsualDesign::sendReport() {
   }
   payload.put16(measured);
   payload.putNearest16(applied_.value_or(Tension()).count());
-  payload.put32(0);  // tensions of the wheels 1 to 3
+  payload.put32(0);  // voltages of the wheels 1 to 3
   payload.put16(0);
   payload.put8(0);  // turn of the steering
   payload.put8(applied_ ? 1 : 0);
@@ -724,7 +724,8 @@ void UsualDesign::measureVelocity(const HallRecord& record, Instant now) {
     const std::int32_t edges = record.count - seenCount_;
     const Instant from = standing_ ? measuredAt_ : *seenEdge_;
     if (standing_) {
-      // The wheel stood between two edges: the way to the first one is half of one, on average.
+      // The wheel was at rest between two edges: the way to the first one is half of one, on
+      // average.
       const std::int32_t direction = std::clamp<std::int32_t>(edges, -1, 1);
       measured = velocityOf(2 * edges - direction, (now - from) * 2);
     } else {

@@ -29,13 +29,13 @@ class UsualDesign {
 
   void start();
 
-  // What the interrupts call.
+  // Called by the interrupts.
   void cycleTimerExpired();
   void tickTimerExpired();
   void hallEdge();
   void remoteControlEdge();
 
-  // What the main loop calls after each interrupt.
+  // Called by the main loop after each interrupt.
   void run() {
     if (pulses_.load(std::memory_order_relaxed) != begun_) {
       cycle();

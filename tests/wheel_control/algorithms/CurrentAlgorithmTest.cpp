@@ -15,7 +15,7 @@ class CurrentAlgorithmTest : public testing::Test {
   CurrentAlgorithm algorithm;
 };
 
-/// @brief A wheel at rest gets the tension that drives the current through its winding.
+/// @brief A wheel at rest gets the voltage that drives the current through its winding.
 /// @verifies FR-85
 TEST_F(CurrentAlgorithmTest, FR85_WindingAtRest) {
   EXPECT_EQ(calculate(4000, 0, 0), Tension(6000));
@@ -23,7 +23,7 @@ TEST_F(CurrentAlgorithmTest, FR85_WindingAtRest) {
   EXPECT_EQ(calculate(-4000, 0, 0), Tension(-6000));
 }
 
-/// @brief The velocity is foreseen from the two last ones, and what the motor makes at it is added.
+/// @brief The velocity is foreseen from the two last ones, and its induced voltage is added.
 /// @verifies FR-85
 TEST_F(CurrentAlgorithmTest, FR85_ForeseesTheVelocity) {
   EXPECT_EQ(calculate(0, 1000, 0), Tension(5236));
@@ -40,7 +40,7 @@ TEST_F(CurrentAlgorithmTest, FR85_CorrectsTheError) {
   EXPECT_EQ(calculate(2000, 0, 1900), Tension(3000 + 150 + 75));
 }
 
-/// @brief A reset forgets what was corrected, and the velocity before.
+/// @brief A reset clears the correction and the velocity before.
 /// @verifies FR-85
 TEST_F(CurrentAlgorithmTest, FR85_ResetForgetsTheCorrection) {
   algorithm.applied(calculate(2000, 0, 0));
@@ -57,7 +57,7 @@ TEST_F(CurrentAlgorithmTest, FR85_NewSetPointIsNoError) {
   EXPECT_EQ(calculate(4000, 0, 2000), Tension(6000));
 }
 
-/// @brief An error that a missing tension explains is not kept.
+/// @brief An error that a missing voltage explains is not kept.
 /// @verifies FR-301
 TEST_F(CurrentAlgorithmTest, FR301_ExplainedErrorIsNotKept) {
   calculate(10000, 0, 0);

@@ -12,7 +12,7 @@ class PiRegulatorTest : public testing::Test {
   PiRegulator regulator{{.proportional = 3000, .integral = 500}};
 };
 
-/// @brief The tension is a share of the error plus a share of each error so far.
+/// @brief The voltage is a share of the error plus a share of each error so far.
 /// @verifies FR-83
 TEST_F(PiRegulatorTest, FR83_AddsErrorAndSumOfErrors) {
   EXPECT_EQ(regulator.regulate(100), Tension(350));
@@ -44,7 +44,7 @@ TEST_F(PiRegulatorTest, FR301_IntegralStaysWithinTheSupply) {
   EXPECT_EQ(regulator.regulate(0), Tension(-24000));
 }
 
-/// @brief An error that a missing tension explains is not kept; an error of the other sign is.
+/// @brief An error that a missing voltage explains is not kept; an error of the other sign is.
 /// @verifies FR-301
 TEST_F(PiRegulatorTest, FR301_ExplainedErrorIsNotKept) {
   regulator.regulate(1000);
@@ -58,7 +58,7 @@ TEST_F(PiRegulatorTest, FR301_ExplainedErrorIsNotKept) {
   EXPECT_EQ(regulator.regulate(-100), Tension(-300 + 450));
 }
 
-/// @brief A missing tension below 0.1 V explains nothing: the integral can raise a demand that waits for
+/// @brief A missing voltage below 0.1 V explains nothing: the integral can raise a demand that waits for
 /// a change of orientation.
 /// @verifies FR-301
 TEST_F(PiRegulatorTest, FR301_SlightShortfallExplainsNothing) {
@@ -84,7 +84,7 @@ TEST(PiRegulatorMemory, FR224_OneBitIsCorrected) {
   }
 }
 
-/// @brief After a reset neither errors nor missing tension are known.
+/// @brief After a reset neither errors nor missing voltage are left.
 /// @verifies FR-301
 TEST_F(PiRegulatorTest, FR301_ResetForgets) {
   regulator.regulate(1000);

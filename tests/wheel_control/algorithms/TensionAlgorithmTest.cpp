@@ -5,7 +5,7 @@
 namespace wr::test {
 namespace {
 
-/// @brief The tension is the set-point, whatever was measured or applied.
+/// @brief The voltage is the set-point, independent of measured and applied values.
 /// @verifies FR-80
 TEST(TensionAlgorithmTest, FR80_TensionIsTheSetPoint) {
   TensionAlgorithm algorithm;

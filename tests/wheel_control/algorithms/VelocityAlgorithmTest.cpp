@@ -15,7 +15,7 @@ class VelocityAlgorithmTest : public testing::Test {
   VelocityAlgorithm algorithm;
 };
 
-/// @brief The first tension is what the motor needs at the set-point without load.
+/// @brief The first voltage is that of the motor at the set-point without load.
 /// @verifies FR-82
 TEST_F(VelocityAlgorithmTest, FR82_BeginsWithTheTensionOfTheSetPoint) {
   EXPECT_EQ(calculate(1500, 0), Tension(7854));
@@ -25,7 +25,7 @@ TEST_F(VelocityAlgorithmTest, FR82_BeginsWithTheTensionOfTheSetPoint) {
   EXPECT_EQ(calculate(0, 700), Tension(0));
 }
 
-/// @brief A wheel that follows the model gets that tension and no other.
+/// @brief A wheel that follows the model gets that voltage and no other.
 /// @verifies FR-82
 TEST_F(VelocityAlgorithmTest, FR82_WheelOfTheModelNeedsNoCorrection) {
   double velocity = 0;
@@ -39,7 +39,7 @@ TEST_F(VelocityAlgorithmTest, FR82_WheelOfTheModelNeedsNoCorrection) {
   }
 }
 
-/// @brief A wheel that stays behind the model gets more tension with each cycle.
+/// @brief A wheel that stays behind the model gets more voltage with each cycle.
 /// @verifies FR-83
 /// @verifies FR-300
 TEST_F(VelocityAlgorithmTest, FR83_LoadRaisesTheTension) {
@@ -55,7 +55,7 @@ TEST_F(VelocityAlgorithmTest, FR83_LoadRaisesTheTension) {
   }
 }
 
-/// @brief After a tension that could not be applied the model goes on from what was measured.
+/// @brief After a voltage that could not be applied the model goes on from the measured velocity.
 /// @verifies FR-301
 TEST_F(VelocityAlgorithmTest, FR301_ModelGoesOnFromTheMeasuredVelocity) {
   calculate(3000, 0);
@@ -68,7 +68,7 @@ TEST_F(VelocityAlgorithmTest, FR301_ModelGoesOnFromTheMeasuredVelocity) {
 }
 
 /// @brief A wheel at 100 rpm with 7 V and 1.1 A: a measured velocity of 10 rpm cannot be. For 5 cycles the
-/// tension stays; then it is believed.
+/// voltage stays; then it is believed.
 /// @verifies FR-224
 TEST_F(VelocityAlgorithmTest, FR224_DoubtfulVelocityIsNotRegulated) {
   Tension steady;

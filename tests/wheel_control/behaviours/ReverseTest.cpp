@@ -47,7 +47,7 @@ TEST_F(ReverseTest, FR87_SlightDemandTurnsNothing) {
   EXPECT_EQ(apply(-99, 0), Tension(-99));
 }
 
-/// @brief A demand against the orientation stops the wheel; after two slow cycles without tension the
+/// @brief A demand against the orientation stops the wheel; after two slow cycles without voltage the
 /// orientation changes, and the demand is applied.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_StopsThenTurns) {
@@ -91,7 +91,7 @@ TEST_F(ReverseTest, FR87_AWheelThatTurnsAlongIsNoReversal) {
   EXPECT_EQ(apply(5000, 401), Tension(5000));
 }
 
-/// @brief Slow cycles do not suffice while tension is left.
+/// @brief Slow cycles do not suffice while voltage is left.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_NoTurnWhileTensionIsLeft) {
   reverse.resume(Tension(9600));
@@ -139,7 +139,7 @@ TEST_F(ReverseTest, FR81_RiseBeginsAtWhatIsLeft) {
 }
 
 /// @brief A wheel that a slope keeps turning may turn the other way below 80 rpm, after ten cycles without
-/// tension; at 80 rpm it may not.
+/// voltage; at 80 rpm it may not.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_ACreepingWheelIsTurned) {
   apply(1000, 790);
@@ -155,7 +155,7 @@ TEST_F(ReverseTest, FR87_ACreepingWheelIsTurned) {
 }
 
 /// @brief Whatever is demanded and measured, the output keeps to the three rules: the orientation changes
-/// at a wheel that is slow or turns along, and without tension only, the tension rises by 12 V at
+/// at a wheel that is slow or turns along, and without voltage only, the voltage rises by 12 V at
 /// most, and it falls by 2.4 V at most while the demand opposes.
 /// @verifies FR-87
 /// @verifies FR-81
@@ -165,7 +165,7 @@ TEST_F(ReverseTest, FR87_FR81_RulesHoldForAnyDemand) {
   std::uniform_int_distribution<int> velocities(-960, 960);
   std::uniform_int_distribution<int> lengths(1, 12);
   int before = 0;
-  int waited = 0;  // cycles without tension
+  int waited = 0;  // cycles without voltage
   int slow = 0;
   int flips = 0;
   for (int run = 0; run < 2000; ++run) {
@@ -194,7 +194,7 @@ TEST_F(ReverseTest, FR87_FR81_RulesHoldForAnyDemand) {
   EXPECT_GT(flips, 10);
 }
 
-/// @brief On the wheel itself the orientation changes with no tension at the output.
+/// @brief On the wheel itself the orientation changes with no voltage at the output.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_WheelTurnsWithoutTension) {
   ControlledWheel one;

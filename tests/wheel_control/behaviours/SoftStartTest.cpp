@@ -16,7 +16,7 @@ class SoftStartTest : public testing::Test, protected SpiedCommands {
   SoftStart softStart{advance};
 };
 
-/// @brief The tension rises by 12 V a cycle at most, and reaches the demand.
+/// @brief The voltage rises by 12 V a cycle at most, and reaches the demand.
 /// @verifies FR-81
 TEST_F(SoftStartTest, FR81_RisesStepByStep) {
   EXPECT_EQ(apply(24000), Tension(12000));
@@ -32,7 +32,7 @@ TEST_F(SoftStartTest, FR81_MagnitudeRisesStepByStep) {
   EXPECT_EQ(apply(-20000), Tension(-20000));
 }
 
-/// @brief A lower tension passes at once, and the next rise begins there.
+/// @brief A lower voltage passes at once, and the next rise begins there.
 /// @verifies FR-81
 TEST_F(SoftStartTest, FR81_FallPassesAtOnce) {
   apply(12000);
@@ -50,14 +50,14 @@ TEST_F(SoftStartTest, FR81_FlipStartsAgain) {
   EXPECT_EQ(apply(24000), Tension(12000));
 }
 
-/// @brief After another behaviour the rise begins at what that one applied.
+/// @brief After another behaviour the rise begins at its voltage.
 /// @verifies FR-81
 TEST_F(SoftStartTest, FR81_RisesFromWhatAnotherBehaviourApplied) {
   softStart.resume(Tension(5000));
   EXPECT_EQ(apply(24000), Tension(17000));
 }
 
-/// @brief Advance alone applies what is demanded, at once.
+/// @brief Advance alone applies the demand, at once.
 /// @verifies FR-80
 TEST_F(SoftStartTest, FR80_AdvanceAppliesAtOnce) {
   advance.resume(Tension(1000));

@@ -8,10 +8,10 @@
 
 namespace wr::test {
 
-/// What several commands were ordered to do, in sequence: name of the command and tension.
+/// Orders of several commands, in sequence: name of the command and voltage.
 using CommandLog = std::vector<std::pair<std::string, int>>;
 
-/// A command that notes what it is ordered to do.
+/// A command that records its orders.
 class SpyCommand final : public WheelCommand {
  public:
   SpyCommand(std::string name, CommandLog& log) : name_(std::move(name)), log_(log) {}
@@ -23,7 +23,7 @@ class SpyCommand final : public WheelCommand {
   CommandLog& log_;
 };
 
-/// The behaviours of a wheel on commands that note what they are ordered to do.
+/// The behaviours of a wheel on commands that record their orders.
 class SpiedCommands {
  public:
   CommandLog log;

@@ -7,7 +7,7 @@ namespace {
 
 class WheelCommandTest : public testing::Test, protected ControlledWheel {};
 
-/// @brief The tension of a wheel has no sign: both signs give the same duty cycle.
+/// @brief The voltage of a wheel has no sign: both signs give the same duty cycle.
 /// @verifies FR-80
 TEST_F(WheelCommandTest, FR80_SetTensionTakesTheMagnitude) {
   for (const Tension tension : {Tension(6000), Tension(-6000)}) {
@@ -18,7 +18,7 @@ TEST_F(WheelCommandTest, FR80_SetTensionTakesTheMagnitude) {
   }
 }
 
-/// @brief The sign of a tension is the orientation; its magnitude does not count.
+/// @brief The sign of a voltage is the orientation; its magnitude does not count.
 /// @verifies FR-87
 TEST_F(WheelCommandTest, FR87_SetOrientationTakesTheSign) {
   setOrientation.execute(Tension(-1));
@@ -28,7 +28,7 @@ TEST_F(WheelCommandTest, FR87_SetOrientationTakesTheSign) {
   EXPECT_EQ(pwm.dutyCycle(), DutyCycle(0));
 }
 
-/// @brief StopWheel takes all tension away, whatever tension it is given.
+/// @brief StopWheel sets the voltage to 0, whatever its argument is.
 /// @verifies FR-88
 TEST_F(WheelCommandTest, FR88_StopWheelTakesAllTension) {
   setTension.execute(Tension(6000));

@@ -84,7 +84,7 @@ TEST_F(WheelOrderTest, FR91_MissingPositionIsNoMotion) {
   EXPECT_TRUE(work.measured.blind);
 }
 
-/// @brief Too much current switches the driver off in the interrupt. It is on again, without tension, in
+/// @brief Too much current switches the driver off in the interrupt. It is on again, without voltage, in
 /// the second control cycle, and so it stays: the wheel brakes.
 /// @verifies FR-89
 /// @verifies FR-94

@@ -21,7 +21,7 @@ PROGRAM pendsTwoInside() {
   note(11);
 }
 
-// Line 1 pends line 2 while it runs.
+// Line 1 triggers line 2 while it runs.
 static void nest(std::uint8_t priorityOfOne, std::uint8_t priorityOfTwo) {
   stopWatchdog();
   forgetNotes();

@@ -1,4 +1,4 @@
-// Programs that do what a board would not forgive.
+// Programs with mistakes that a board would not forgive.
 
 #include "guest.hpp"
 

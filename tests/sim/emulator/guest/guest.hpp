@@ -1,5 +1,5 @@
-// What the programs share. They name registers by their addresses, so that they share no mistake
-// with the drivers or with the models of the registers.
+// The common part of the programs. They name registers by their addresses, so that they share no
+// mistake with the drivers or with the models of the registers.
 
 #pragma once
 

@@ -14,7 +14,7 @@ struct Encoding {
   std::string_view name;
   std::string_view bits;
   std::string_view differ = "";  ///< fields that must not be equal, two by two
-  bool toNearest = false;        ///< the engine rounds it as FPSCR says, which is wrong
+  bool toNearest = false;        ///< the engine rounds it by FPSCR, which is wrong
   bool qTooOften =
       false;  ///< the engine sets Q when a part of the sum is too large, which is wrong
 };

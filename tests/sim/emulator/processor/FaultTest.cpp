@@ -15,7 +15,7 @@ constexpr std::uint32_t kCode = 0x100;
 constexpr std::uint32_t kLower = 0x1FFFF000;
 constexpr std::uint32_t kUpper = 0x20000000;
 
-/// @brief What an instruction must not do. Written by hand from the ARMv7-M ARM, for Unicorn lets most
+/// @brief Forbidden actions of instructions. Written by hand from the ARMv7-M ARM, for Unicorn lets most
 /// of it pass.
 struct Case {
   std::string name;
@@ -122,7 +122,7 @@ TEST_F(FaultTest, FloatingPointUnitMustBeOn) {
   EXPECT_EQ(execute({0xEE30, 0x0A00}), Trap::FpuOff);
 }
 
-/// @brief The first use of the floating-point unit takes the modes of FPDSCR, and notes that it is used.
+/// @brief The first use of the floating-point unit takes the modes of FPDSCR, and records its use.
 TEST_F(FaultTest, FirstUseOfTheFloatingPointUnitTakesItsDefaults) {
   core_.fpu = {.on = true, .activates = true, .defaults = 0x01000000};
   EXPECT_EQ(execute({0xEE30, 0x0A00}), Trap::None);
@@ -130,8 +130,8 @@ TEST_F(FaultTest, FirstUseOfTheFloatingPointUnitTakesItsDefaults) {
   EXPECT_EQ(core_.registers.control, Registers::kFpActive);
 }
 
-/// @brief A conversion from a fixed-point number rounds to the nearest one, whatever FPSCR says: A7.7.230.
-/// Unicorn rounds it as FPSCR says.
+/// @brief A conversion from a fixed-point number rounds to the nearest one, whatever FPSCR is: A7.7.230.
+/// Unicorn rounds it by FPSCR.
 TEST_F(FaultTest, ConversionFromFixedPointRoundsToNearest) {
   constexpr std::uint32_t kUp = 1U << 22;
   core_.registers.fpscr = kUp;

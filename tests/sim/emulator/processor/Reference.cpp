@@ -17,7 +17,7 @@ void check(uc_err error) {
   }
 }
 
-/// The registers of a state, and what they are called by the engine.
+/// The registers of a state, and their names in the engine.
 class Registers {
  public:
   explicit Registers(State& state) {

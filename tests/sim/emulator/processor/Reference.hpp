@@ -9,7 +9,7 @@ struct uc_struct;
 
 namespace wr::emulator::reference {
 
-/// @brief What an instruction reads and writes.
+/// @brief Inputs and results of an instruction.
 struct State {
   std::array<std::uint32_t, 15> core{};  ///< registers 0 to 14
   std::uint32_t pc = 0;
@@ -25,8 +25,8 @@ inline constexpr std::uint32_t kCodeSize = 0x1000;
 inline constexpr std::uint32_t kRam = 0x20000000;
 inline constexpr std::uint32_t kRamSize = 0x2000;
 
-/// @brief The Cortex-M4 of the Unicorn engine, which is written by others: a second opinion on what
-/// instructions do. It is under the GPL, and linked to these tests only.
+/// @brief The Cortex-M4 of the Unicorn engine, which is written by others: a second opinion on
+/// instructions. It is under the GPL, and linked to these tests only.
 class UnicornCore {
  public:
   UnicornCore();
@@ -34,7 +34,7 @@ class UnicornCore {
   UnicornCore(const UnicornCore&) = delete;
   UnicornCore& operator=(const UnicornCore&) = delete;
 
-  /// @brief Executes what is given, from its start to its end.
+  /// @brief Executes the given code, from its start to its end.
   /// @param code one instruction, or IT and one
   /// @param state before, and after
   /// @return false when it is undefined or faults

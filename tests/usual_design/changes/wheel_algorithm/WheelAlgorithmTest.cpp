@@ -15,7 +15,7 @@ constexpr int unloaded(int tenthRpm) {
   return 5236 * tenthRpm / 1000;
 }
 
-/// @brief The first cycles after a step apply the tension of a set-point that rises by 20 rpm in each.
+/// @brief The first cycles after a step apply the voltage of a set-point that rises by 20 rpm in each.
 TYPED_TEST(RampedVelocity, RisesByTwentyRpmInACycle) {
   const scenario::PcOrder step{.id = 2, .wheels = {{{0, 3000}}}};
   this->robot.physics().setFault(plant::Fault::Hall, 0, true);  // so that the error stays small
