@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -23,7 +23,10 @@ LITERALS = re.compile(
 )
 ENTRY = re.compile(r"^   (\S.*)$")
 NOT = re.compile(r"^      Not: (.*)\.$")
-PLAIN = re.compile(r"^\* ((?:``[^`]+``(?:, )?)+): (.*)$")
+PLAIN = re.compile(r"^\* ((?:``[^`]+``(?:,\s+)?)+): (.*(?:\n  .*)*)", re.MULTILINE)
+RIGHT = re.compile(r"\. Right in (.*)$", re.DOTALL)
+IN_BACKQUOTES = re.compile(r"``([^`]+)``")
+QUESTION = re.compile(r"\b(?:what|who)\b(?=[^.?!:;]*\?)", re.IGNORECASE)
 QUOTED = Path("design/paper.toml")  # has the words of the paper
 LEAST_WORDS = 2  # of a text in quotes: shorter ones are names
 
@@ -56,16 +59,23 @@ def read_terms(text: str) -> Iterator[Term]:
                 yield Term(words.strip("`"), f'"{entry}"')
         elif match := ENTRY.match(line):
             entry = match[1]
-        elif match := PLAIN.match(line):
-            for words in re.findall(r"``([^`]+)``", match[1]):
-                yield Term(words, match[2])
+    for match in PLAIN.finditer(text):
+        better = " ".join(RIGHT.sub("", match[2]).split())
+        for words in IN_BACKQUOTES.findall(match[1]):
+            yield Term(" ".join(words.split()), better)
 
 
-def pattern_of(terms: list[Term]) -> re.Pattern[str]:
+def right_phrases(text: str) -> list[str]:
+    """The phrases in which a word of the list of plain words is right."""
+    plain = (RIGHT.search(match[2]) for match in PLAIN.finditer(text))
+    return [phrase for right in plain if right for phrase in IN_BACKQUOTES.findall(right[1])]
+
+
+def pattern_of(phrases: Iterable[str]) -> re.Pattern[str]:
     """Whole words; a blank means any white space, and a capital is no difference."""
-    longest = sorted((term.words for term in terms), key=len, reverse=True)
+    longest = sorted((" ".join(phrase.split()) for phrase in phrases), key=len, reverse=True)
     words = "|".join(re.escape(words).replace(r"\ ", r"\s+") for words in longest)
-    return re.compile(rf"(?<![\w.-])(?:{words})(?![\w-])", re.IGNORECASE)
+    return re.compile(rf"(?<![\w.-])(?:{words or '(?!)'})(?![\w-])", re.IGNORECASE)
 
 
 def prose_of(path: Path) -> str:
@@ -73,7 +83,11 @@ def prose_of(path: Path) -> str:
     text = path.read_text(encoding="utf-8")
     if path.suffix not in PROSE:
         text = _remarks(path, text)
-    return LITERALS.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+    return _blank(LITERALS, text)
+
+
+def _blank(pattern: re.Pattern[str], text: str) -> str:
+    return pattern.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
 
 
 def _remarks(path: Path, text: str) -> str:
@@ -98,15 +112,16 @@ def _is_prose(kind: _TokenType, part: str) -> bool:
 
 def lint_prose(root: Path) -> list[ProseFinding]:
     """All findings, by file and line."""
-    terms = list(read_terms((root / GLOSSARY).read_text(encoding="utf-8")))
-    better = {term.words.lower(): term.better for term in terms}
-    pattern = pattern_of(terms)
+    glossary = (root / GLOSSARY).read_text(encoding="utf-8")
+    better = {term.words.lower(): term.better for term in read_terms(glossary)}
+    pattern = pattern_of(better)
+    right = pattern_of(right_phrases(glossary))
     findings = []
     for path in files_below(root, FOLDERS):
         file = str(path.relative_to(root))
         if path.suffix not in (*PROSE, *CODE) or path in (root / GLOSSARY, root / QUOTED):
             continue
-        prose = prose_of(path)
+        prose = _blank(right, _blank(QUESTION, prose_of(path)))
         for match in pattern.finditer(prose):
             words = " ".join(match[0].split())
             line = prose.count("\n", 0, match.start()) + 1
