@@ -147,7 +147,7 @@ def size_figures(sizes: dict[str, Size], own: Iterable[str]) -> dict[str, int]:
 
 
 def own_sources(root: Path, sizes: dict[str, dict[str, Size]], design: str) -> list[Path]:
-    """What is written for one design only: its sources, and what they alone include."""
+    """Returns the sources of one design, with the headers that no other design includes."""
     closures = {one: closure(root, sources_in(root, sizes, one)) for one in sizes}
     others = set().union(*(closures[one] for one in sizes if one != design))
     return sorted(closures[design] - others)

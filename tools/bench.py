@@ -33,7 +33,7 @@ from weeding_robot_client.orders import Orders as Sender
 from weeding_robot_client.orders import arm, connect, not_connected
 from weeding_robot_client.script import Wish
 
-# What ./wr bench measures besides: the baseline design, and what the records of the tests cost.
+# ./wr bench also measures the baseline design and the cost of the records of the tests.
 BESIDES = (task_record.BASELINE, task_record.TESTS_TRACE, task_record.TESTS_PLAIN)
 CORE_PER_MS = 120_000
 BOARD = "board"  # the run of a connected board
@@ -46,7 +46,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Builds the image for the K64 and plays the paper's four scenarios with it on "
         "the virtual K64 in the simulated robot, 1000 control cycles each: instructions, time from "
         "the clock pulse to the report, load, latencies, and the speed of the simulator. Compares "
-        "the patterns with the baseline design, and what the records of the calls cost. "
+        "the patterns with the baseline design, and measures the cost of the records of the calls. "
         "With --port, gives the same orders to a connected board and takes the cycles that its "
         "reports contain. Lift the robot: its wheels will turn with up to 300 rpm. The orders are "
         "those of a PC: no remote control is needed, it may be off.",
@@ -116,7 +116,7 @@ def wishes(orders: list[Orders], seconds: float | None) -> Iterator[Wish]:
 
 
 def on_board(root: Path, port: Path, seconds: float | None) -> int:
-    """Gives the orders of the scenarios to a board, and adds what it measured to the record."""
+    """Sends the orders of the scenarios to a board, and adds its measurements to the record."""
     record = read_record(root / BENCH, Record) or {}
     for paper in SCENARIOS:
         text = (root / FOLDER / f"{paper.name}.scenario").read_text(encoding="utf-8")
@@ -167,7 +167,7 @@ def costs(reports: list[Report]) -> BenchRun:
     if not told:
         raise FailureError("no report of a cycle that read an order")
     if not any(report.awake_cycles for report in told):
-        raise FailureError("what answers counts no processor cycles")
+        raise FailureError("the device at this port does not count processor cycles; choose the port of the board")
     starts = [report.start_cycles for report in told]
     return BenchRun(
         report_ms=spread([report.report_cycles / CORE_PER_MS for report in told], 4),

@@ -1,4 +1,4 @@
-"""Plays the scenarios of the paper on the virtual K64, and keeps what the runs cost."""
+"""Plays the scenarios of the paper on the virtual K64, and records the cost of the runs."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def measure(root: Path, paper: Paper, record: Record, log: TextIO) -> str:
 def play(
     root: Path, log: TextIO, name: str, timing: str, *more: str, product: str = DEFAULT
 ) -> tuple[dict[str, Any], float]:
-    """What the board program measured, and the seconds of one core that it took."""
+    """Measurements of the board program, and the seconds of one core that it needed."""
     output = root / "build" / "bench" / f"{product}-{name}-{timing}.json"
     output.parent.mkdir(parents=True, exist_ok=True)
     output.unlink(missing_ok=True)

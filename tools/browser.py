@@ -13,7 +13,7 @@ def find_browser() -> str | None:
 
 
 def works(browser: str | None) -> bool:
-    """Whether the browser starts: where it is an empty package, its command only says so."""
+    """Whether the browser starts: the command of an empty package only prints a message."""
     if browser is None:
         return False
     try:

@@ -18,7 +18,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "check",
         description="Builds the model and the site, and checks both against the code. Prints each "
-        "finding as 'file:line: [check] what is wrong; how to fix it'.",
+        "finding as 'file:line: [check] fault; fix'.",
     )
     parser.add_argument(
         "--drift",
@@ -37,7 +37,7 @@ def run(root: Path, options: argparse.Namespace) -> int:
 
 
 def seed_some(root: Path, checks: list[str]) -> int:
-    """Seeds the faults of some checks, and prints what became of each."""
+    """Seeds the faults of some checks, and prints the result of each."""
     from tools.seed_faults import seed
 
     with only_one(root, "check"):
@@ -65,7 +65,7 @@ def report(findings: list[Finding], failed: Iterable[str]) -> int:
     """Prints the findings and the failed tasks; returns the exit code."""
     from traceability.checks import message, sort
 
-    first = ("syntax-error", "design-entry")  # what others may follow from
+    first = ("syntax-error", "design-entry")  # others may follow from these
     for finding in sorted(sort(findings), key=lambda one: one.check not in first):
         print(message(finding))
     names = list(failed)

@@ -1,4 +1,4 @@
-"""Builds and runs the firmware and its tests with CMake. Each stage does only what changed."""
+"""Builds and runs the firmware and its tests with CMake. Each stage redoes only changed parts."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from traceability.reading.results import cost_of
 from traceability.sources import FRAMES, TESTED, files_below, source_hash
 
 _building: dict[str, threading.Lock] = defaultdict(threading.Lock)
-# CMake keeps what it once read of them, so that a change needs a fresh configuration.
+# CMake caches their values, so that a change needs a fresh configuration.
 SETTINGS = ("CMakePresets.json", "setup/k64-toolchain.cmake")
 # The parts of a copy that is built and tested.
 COPIED = (*TESTED, "docs", "design", "setup", *FRAMES)
@@ -85,7 +85,7 @@ def gtest_counts(results: Path) -> Counts:
 
 
 def write_failures(results: Path, log: TextIO) -> None:
-    """What failed in a result file of GoogleTest, with the seed that shows it again."""
+    """Returns the failures in a result file of GoogleTest, with the seed that repeats them."""
     for suite in json.loads(results.read_text())["testsuites"]:
         for test in suite["testsuite"]:
             if "failures" not in test:
@@ -115,7 +115,7 @@ def results_of(root: Path, run_name: str) -> Path:
 
 
 def program_of(root: Path, run_name: str) -> Path:
-    """The program that holds the tests; their results are in its folder."""
+    """The program with the tests; their results are in its folder."""
     if run_name == BOARD:
         return root / "build" / BOARD_PRESET / "tests" / BOARD_TESTS
     return root / "build" / run_name / "tests" / TESTS
@@ -216,7 +216,7 @@ def outcome_of(counts: Counts) -> Outcome:
 
 
 def sources_of(root: Path, preset: str, *targets: str) -> list[str]:
-    """The files of the project that Ninja knows to be inputs of targets, by their paths in it."""
+    """Returns the files of the project that Ninja lists as inputs, by their paths in it."""
     folder = root / "build" / preset
 
     def ask(*words: str) -> list[str]:

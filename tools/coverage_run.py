@@ -1,4 +1,4 @@
-"""What the tests executed altogether, counted by gcovr from what gcc itself wrote in their run.
+"""Coverage of all tests together, counted by gcovr from the counters of gcc.
 
 A line in several functions, as one of a template does, counts once.
 """
@@ -42,7 +42,7 @@ def count_coverage(root: Path, log: TextIO) -> str:
 
 
 def remove_stale_notes(root: Path, build: Path, log: TextIO) -> None:
-    """Removes what gcc wrote for sources that exist no longer: gcovr fails with it."""
+    """Removes the counters of sources that exist no longer: gcovr fails with them."""
     for kind in ("gcno", "gcda"):
         for file in sorted(build.rglob(f"*.cpp.{kind}")):
             if not any(source.exists() for source in _sources(root, build, file)):

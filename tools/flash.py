@@ -21,7 +21,7 @@ from traceability.reading.products import image_of
 
 USB = Path("/sys/bus/usb/devices")
 ARM = "0d28"  # vendor of the debug probe that is on the FRDM-K64F
-# What pyOCD and OpenOCD say when they find none.
+# Messages of pyOCD and OpenOCD when they find none.
 NO_PROBE = ("No connected debug probes", "unable to find a matching CMSIS-DAP device")
 ADVICE = """\
 Connect a USB cable to the socket of the board that is marked SDA, and try again. Or name the
@@ -65,7 +65,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="write this key (32 hexadecimal digits) into the image of weeding_robot_pc_bluetooth",
     )
     parser.add_argument(
-        "--dry-run", action="store_true", help="check the image, and say what would be done"
+        "--dry-run", action="store_true", help="check the image, and print the steps without doing them"
     )
     parser.set_defaults(run=lambda root, options: flash(root, options, parser))
 
@@ -100,7 +100,7 @@ def flash(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
 
 
 def checked(image: Path) -> str:
-    """Says the size of an image that does not lock the chip; fails for any other."""
+    """Prints the size of an image that does not lock the chip; fails for any other."""
     try:
         content = image.read_bytes()
     except OSError as error:
@@ -162,7 +162,7 @@ def pyocd(image: Path, flags: tuple[str, ...]) -> Way:
 
 
 def compared(image: Path, copy: Path) -> str:
-    """Reports that the flash holds the image; fails at the first byte that differs."""
+    """Reports that the flash equals the image; fails at the first byte that differs."""
     wanted = image.read_bytes()
     try:
         found = copy.read_bytes()

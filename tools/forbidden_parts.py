@@ -1,4 +1,4 @@
-"""What no image may hold: parts of the language and library without bounds in time or memory."""
+"""Parts of the language and library without bounds in time or memory: no image contains them."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ PURPOSES = (
 
 
 def lock_problems(image: bytes) -> list[str]:
-    """What is wrong with the flash configuration field of an image; empty when nothing is."""
+    """Returns the fault in the flash configuration field of an image; empty when it has none."""
     if len(image) < FIELD + SIZE:
         return [f"the image has {len(image)} bytes: it ends before the field at 0x400 to 0x40F"]
     if len(image) > FLASH:

@@ -20,7 +20,7 @@ class BusyError(Exception):
 
 @contextmanager
 def only_one(root: Path, command: str) -> Iterator[None]:
-    """Holds the lock of the project; raises BusyError when another process holds it.
+    """Locks the project; raises BusyError when another process holds it.
 
     The system frees the lock of a process that ended, in whatever way.
     """

@@ -27,8 +27,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Builds the portal from the sources, serves it on this machine and opens it. "
         "Then builds the firmware for this machine and for the K64, runs its tests with "
         "traces and coverage, and with the image on the virtual K64, measures the image, and "
-        "rebuilds the pages with the results. An open page shows what still runs, and updates "
-        "itself. What did not change since it was run last is not run again. Findings and failed "
+        "rebuilds the pages with the results. An open page shows the running tasks, and updates "
+        "itself. Tasks whose inputs did not change are not run again. Findings and failed "
         "tests do not stop the portal from being built.",
     )
     add_port(parser)
@@ -76,7 +76,7 @@ def finish(root: Path, failed: list[str], start: float, cold: bool) -> int:
 
 
 class Pages(AbstractContextManager["Pages"]):
-    """Rebuilds the pages when a task ended, and writes what runs for the open page."""
+    """Rebuilds the pages when a task ended, and writes the running tasks for the open page."""
 
     def __init__(self, root: Path) -> None:
         self.root = root

@@ -30,7 +30,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Builds a copy of the firmware that holds small faults in the methods of the "
         "trees, each behind its number, and runs with one after the other the tests of the "
         "requirements that the method serves. The score is shown in the portal; it is no gate. "
-        "Faults that no test finds are listed as file:line, and what was changed.",
+        "Faults that no test finds are listed as file:line, with the change.",
     )
     parser.add_argument(
         "--minutes",
@@ -71,7 +71,7 @@ def _mutate(root: Path, options: argparse.Namespace) -> int:
         if ready:
             ready = steps.run(title, action)
         else:
-            steps.skip(title, "what it needs is missing")
+            steps.skip(title, "its inputs are missing")
     if not ready:
         return 1
     assert run.model is not None
@@ -86,7 +86,7 @@ def _mutate(root: Path, options: argparse.Namespace) -> int:
 
 
 class _Run:
-    """The steps, and what one leaves for the next."""
+    """The steps, with the results that each one passes to the next."""
 
     def __init__(self, root: Path, seed: int, longest: float, out: TextIO) -> None:
         self.root = root

@@ -24,7 +24,7 @@ LITERALS = re.compile(
 ENTRY = re.compile(r"^   (\S.*)$")
 NOT = re.compile(r"^      Not: (.*)\.$")
 PLAIN = re.compile(r"^\* ((?:``[^`]+``(?:,\s+)?)+): (.*(?:\n  .*)*)", re.MULTILINE)
-RIGHT = re.compile(r"\. Right in (.*)$", re.DOTALL)
+RIGHT = re.compile(r"\.\s+Right\s+in\s(.*)$", re.DOTALL)
 IN_BACKQUOTES = re.compile(r"``([^`]+)``")
 QUESTION = re.compile(r"\b(?:what|who)\b(?=[^.?!:;]*\?)", re.IGNORECASE)
 QUOTED = Path("design/paper.toml")  # has the words of the paper
@@ -33,7 +33,7 @@ LEAST_WORDS = 2  # of a text in quotes: shorter ones are names
 
 @dataclass(frozen=True)
 class Term:
-    """Words that are not used, and what is written in their place."""
+    """Words that are not used, and their replacement."""
 
     words: str
     better: str
@@ -72,9 +72,9 @@ def right_phrases(text: str) -> list[str]:
 
 
 def pattern_of(phrases: Iterable[str]) -> re.Pattern[str]:
-    """Whole words; a blank means any white space, and a capital is no difference."""
+    """Whole words; a blank is any white space, # any number, and a capital no difference."""
     longest = sorted((" ".join(phrase.split()) for phrase in phrases), key=len, reverse=True)
-    words = "|".join(re.escape(words).replace(r"\ ", r"\s+") for words in longest)
+    words = "|".join(map(re.escape, longest)).replace(r"\ ", r"\s+").replace(r"\#", r"\d+")
     return re.compile(rf"(?<![\w.-])(?:{words or '(?!)'})(?![\w-])", re.IGNORECASE)
 
 

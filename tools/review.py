@@ -25,7 +25,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "review",
         description="Shows the texts that carry the verdict of one requirement: its text, tree, "
-        "safety goals, methods, tests, fixtures and scenarios, with what changed since its "
+        "safety goals, methods, tests, fixtures and scenarios, with the changes since its "
         "baseline. Then asks the questions of the checklist, and records your answers in "
         "requirements/reviews.toml. A reviewer is a person who wrote none of these texts, by git. "
         "With --baseline it asks nothing: it records the hashes of the present texts in "
@@ -65,7 +65,7 @@ def record_baseline(
     texts_of: Callable[[Requirement], list[LinkText]],
     ids: list[str],
 ) -> int:
-    """Prints what changed, and takes it into the baseline."""
+    """Prints the changes, and records them in the baseline."""
     from traceability.model.reviews import NAMES_OF_TEXTS, write_baseline
 
     changed = [requirements[name] for name in ids or requirements if requirements[name].suspicions]
@@ -138,7 +138,7 @@ def answer_to(question: str, advice: str, accepted: Callable[[str], bool]) -> st
 def shown(
     root: Path, baseline: Baseline, requirement: Requirement, texts: list[LinkText]
 ) -> Iterator[str]:
-    """The texts that a reviewer reads, and what changed in each; of a file of support its path."""
+    """The texts that a reviewer reads, with their changes; of a file of support its path."""
     for text in texts:
         yield f"== {text.kind} {text.name} ({text.place.file}:{text.place.line})"
         if text.kind != "support":

@@ -1,4 +1,4 @@
-"""Seeds the faults in copies of the project, checks the copies, and keeps what was found."""
+"""Seeds the faults in copies of the project, checks the copies, and records the findings."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def _outcomes(root: Path, faults: list[Fault]) -> Iterator[Outcome]:
 def grouped(faults: list[Fault]) -> list[list[Fault]]:
     """Groups whose faults share no file: they can be seeded together, and distinguished.
 
-    One that does not compile hides what else is wrong: it stays alone.
+    One that does not compile hides the other faults: it is checked alone.
     """
     alone = [[fault] for fault in faults if not fault.compiles]
     groups: list[tuple[set[str], list[Fault]]] = []
@@ -121,7 +121,7 @@ class Copy:
         return [*report.findings, *made]
 
     def seed(self, faults: list[Fault]) -> list[Outcome]:
-        """What is not found among others, or does not compile with them, is seeded again, alone."""
+        """Seeds a fault again, alone, when it is not found among others or does not compile with them."""
         outcomes = self._seed(faults)
         if len(faults) == 1:
             return outcomes
@@ -148,7 +148,7 @@ class Copy:
         return [_outcome(*pair, new, error) for pair in zip(faults, lines, strict=True)]
 
     def _cached(self) -> list[Path]:
-        """What is kept of each file. What Doxygen said belongs to its XML, which stays."""
+        """The files to keep. The messages of Doxygen belong to its XML, which stays."""
         found = sorted((self.tree / "build" / "model").rglob("*.*"))
         kinds = (".json", ".facts")
         return [path for path in found if path.suffix in kinds and path.name != "doxygen.json"]
@@ -157,7 +157,7 @@ class Copy:
         return {path: path.stat().st_mtime_ns for path in self._cached()}
 
     def _restore(self, kept: dict[str, bytes | None]) -> None:
-        """The files as they were, and what was read from them: so nothing is read a second time."""
+        """The files before the faults, with their parsed content: so no file is read twice."""
         for file, content in kept.items():
             if content is None:
                 (self.tree / file).unlink(missing_ok=True)
@@ -202,7 +202,7 @@ def _content(path: Path) -> bytes | None:
 
 
 def copy_part(root: Path, tree: Path, name: str) -> None:
-    """The precompiled library holds the path of its tree: each copy makes its own."""
+    """The precompiled library contains the path of its tree: each copy builds its own."""
     source, target = root / name, tree / name
     if source.is_dir():
         ignored = shutil.ignore_patterns("python", "standard*", "__pycache__", "xml")

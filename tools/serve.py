@@ -15,7 +15,7 @@ from tools.task_graph import WAKE
 ADDRESS = "127.0.0.1"
 PORT = 8000
 SITE = Path("build/site")
-STATUS = SITE / "status.json"  # what still runs, for the open page
+STATUS = SITE / "status.json"  # running tasks, for the open page
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -49,7 +49,7 @@ class Handler(SimpleHTTPRequestHandler):
 
     # The name of the parameter is that of the base class.
     def log_message(self, format: str, *args: object) -> None:  # noqa: A002
-        """Says nothing for each page."""
+        """Prints nothing for each page."""
 
 
 def make_server(site: Path, port: int) -> ThreadingHTTPServer:

@@ -1,4 +1,4 @@
-"""./wr impact: what a change may affect."""
+"""./wr impact: effects of a change."""
 
 from __future__ import annotations
 

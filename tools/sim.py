@@ -66,7 +66,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 
 def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
-    """Builds what is asked for, and becomes it."""
+    """Builds the chosen program, and replaces this process with it."""
     if options.product not in (DEFAULT, PAPER) and not options.board:
         parser.error(f"--product {options.product} needs --board")
     if options.trace and not options.board:

@@ -57,7 +57,7 @@ class Section:
 
 
 def image_sizes(elf: Path, linker_map: Path) -> dict[str, Size]:
-    """Part -> size. The sum of all parts is what arm-none-eabi-size says of the whole image."""
+    """Part -> size. The sum is the size that arm-none-eabi-size reports for the whole image."""
     inputs: dict[str, list[tuple[str, int]]] = defaultdict(list)
     for name, part, size in contributions(linker_map.read_text(encoding="utf-8")):
         inputs[name].append((part, size))
@@ -142,7 +142,7 @@ def sizes_of(root: Path, product: str) -> dict[str, Size]:
 
 
 def write_products(root: Path) -> dict[str, Size]:
-    """Measures the images of all products, and leaves what each holds."""
+    """Measures the images of all products, and writes the parts of each."""
     wholes, records = {}, {}
     known = module_names(root)
     for product in PRODUCTS:

@@ -20,11 +20,11 @@ Result = TypeVar("Result")
 
 
 class FailureError(Exception):
-    """A step failed. The message says what is wrong."""
+    """A step failed, for the reason in the message."""
 
 
 class MissingError(FailureError):
-    """What the command needs is not there."""
+    """An input of the command is missing."""
 
 
 # The programs that this process started, and that still run.

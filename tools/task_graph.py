@@ -36,7 +36,7 @@ LONG = 10  # [s] a task that is expected to take longer is announced when it sta
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a task returns: a note, and whether its results are bad although it has results."""
+    """Result of a task: a note, and whether its results are bad although it has results."""
 
     note: str
     failed: bool = False
@@ -51,17 +51,17 @@ class Task:
     action: Callable[[TextIO], Outcome | str | None]
     inputs: tuple[str, ...] = ()
     results: tuple[str, ...] = ()  # removed before the task runs
-    must_exist: tuple[str, ...] = ()  # what it writes besides
+    must_exist: tuple[str, ...] = ()  # its other outputs
     after: tuple[str, ...] = ()
     inputs_from: tuple[str, ...] = ()  # tasks that find inputs of this one
-    always: bool = False  # for a build, where the build tool itself knows what changed
-    state: Callable[[], str] | None = None  # what decides besides files
+    always: bool = False  # for a build, where the build tool itself finds the changes
+    state: Callable[[], str] | None = None  # inputs that are no files
     quiet: bool = False  # prints its own lines
 
 
 @dataclass
 class Progress:
-    """What runs, waits and ended; the portal shows it."""
+    """The running, waiting and ended tasks; the portal shows them."""
 
     running: dict[str, tuple[float, float | None]] = field(default_factory=dict)
     waiting: dict[str, float | None] = field(default_factory=dict)
@@ -254,7 +254,7 @@ class Graph:
     def run(
         self, names: Iterable[str], changed: Callable[[Task | None, Progress], None] | None = None
     ) -> Reporter:
-        """Runs the named tasks and those that they need; returns what became of them.
+        """Runs the named tasks and those that they need; returns their results.
 
         ``changed`` gets the task that ended with new results, if one did, and the progress.
         """
@@ -275,7 +275,7 @@ class Graph:
 
     def _doit(self, task: Task) -> DoitTask:
         inputs = [str(path.relative_to(self.root)) for path in files_below(self.root, task.inputs)]
-        # What an earlier task makes need not exist yet.
+        # The output of an earlier task need not exist yet.
         inputs += [name for name in task.inputs if name.startswith("build/") and name not in inputs]
         state = task.state() if task.state is not None else ""
         step = Step(self.root, task)

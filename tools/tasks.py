@@ -1,6 +1,6 @@
-"""The tasks of the project: what each does, what it reads, and what it leaves.
+"""The tasks of the project: their actions, inputs and outputs.
 
-What the sources of a program are, Ninja finds. All other inputs are declared here, and only here.
+Ninja finds the sources of a program. All other inputs are declared here, and only here.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ TESTS_SANITIZE = "tests (sanitize)"
 DOCUMENTS, PAGES = "documents", "tests (pages)"
 PAGES_RECORD = Path("build/pages.json")
 FIRMWARE = (HOST_FIRMWARE, K64_FIRMWARE, task_record.IMAGES)
-# What the pages show besides the sources. The first ones are those that a reader waits for most.
+# Results that the pages show besides the sources. A reader waits most for the first ones.
 RESULT_TASKS = (
     *FIRMWARE,
     task_record.TESTS_TRACE,
@@ -83,7 +83,7 @@ SHOWN_RESULTS = (
     *("image_k64.json", "driver_faults.json", "mutation.json", "drift.json"),
     *("trace.cost.json", "plain.cost.json"),
 )
-# Each folder of tests/python, and what its tests read besides the tools.
+# Each folder of tests/python, and the inputs of its tests besides the tools.
 PYTHON_TESTS: dict[str, tuple[str, ...]] = {
     "reading": (*DESIGN, "sim", "design", "tests/support", "tests/usual_design"),
     "model": ("design", "requirements", "sim/scenario"),
@@ -117,7 +117,7 @@ def pages_graph(root: Path, out: TextIO | None = None) -> Graph:
 
 
 def builds(root: Path) -> list[Task]:
-    """Ninja itself finds what to build; each task returns the sources that Ninja knows."""
+    """Ninja itself finds the targets to build; each task returns the sources that Ninja lists."""
 
     def made(name: str, *programs: tuple[str, tuple[str, ...]]) -> Task:
         def action(log: TextIO) -> Outcome:
@@ -248,7 +248,7 @@ def checks_of_tools(root: Path) -> list[Task]:
 
 
 def seed_faults(root: Path, log: TextIO) -> Outcome:
-    """Each fault must be found; what was found, and where, is on a page of the portal."""
+    """Each fault must be found; a page of the portal shows the findings and their places."""
     from tools.seed_faults import seed_all
 
     outcomes = seed_all(root)

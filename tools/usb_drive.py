@@ -82,7 +82,7 @@ def copy(image: Path, folder: Path, log: TextIO) -> str:
 
 
 def failure(folder: Path) -> str:
-    """What the probe says of a copy that failed."""
+    """Returns the message of the probe after a failed copy."""
     file = file_of(folder, (FAILURE,))
     try:
         return " ".join(file.read_text(errors="replace").split()) if file else ""

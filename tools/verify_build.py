@@ -95,7 +95,7 @@ def environment(root: Path, copy: Path) -> dict[str, str]:
 
 
 def compare(root: Path, copy: Path, *, images: bool) -> Iterator[str]:
-    """What differs, a line each."""
+    """Returns the differences, a line each."""
     for product in PRODUCTS:
         name = image_of(product, ".bin")
         if file_hash(root / name) != file_hash(copy / name):

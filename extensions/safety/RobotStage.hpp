@@ -12,7 +12,7 @@ namespace wr {
 
 /// @brief The last stage of an order: all control systems of the robot.
 ///
-/// @function Passes each order on to every control system of the robot, so that the stages before it need not know how many there are.
+/// @function Passes each order on to every control system of the robot, so that the stages before it do not depend on their number.
 ///
 /// @secret How many control systems receive an order.
 class RobotStage final : public OrderStage {

@@ -210,11 +210,11 @@ bool CortexM4::isTolerated(const std::string& what) const {
   return unmodelledCall_ && unmodelledCall_(what);
 }
 
-void CortexM4::refuse(std::uint32_t address, std::string id, std::string what) {
+void CortexM4::refuse(std::uint32_t address, std::string id, std::string event) {
   if (faultsAreProblems_) {
-    report(std::move(id), std::move(what));
+    report(std::move(id), std::move(event));
   } else if (!refused_) {
-    refused_ = Refused{address, std::move(id), std::move(what)};
+    refused_ = Refused{address, std::move(id), std::move(event)};
     core_.trap(Trap::Refused);
   }
 }

@@ -122,8 +122,8 @@ class CortexM4 {
 
   /// @brief An access of a window gets a bus fault, or is a problem when faults are.
   /// @param id kind of finding
-  /// @param what what happened, in words
-  void refuse(std::uint32_t address, std::string id, std::string what);
+  /// @param event in words
+  void refuse(std::uint32_t address, std::string id, std::string event);
 
   /// @brief Stops the program with a problem, whatever the treatment of faults.
   void report(std::string id, std::string what);

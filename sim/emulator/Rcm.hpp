@@ -7,7 +7,7 @@
 
 namespace wr::emulator {
 
-/// @brief Reset control: holds the cause of the last reset.
+/// @brief Reset control: stores the cause of the last reset.
 /// K64P144M120SF5RM, chapter Reset Control Module (RCM).
 class Rcm final : public Peripheral {
  public:

@@ -8,10 +8,10 @@ namespace wr::programs {
 
 /// @brief Returns the result of a system call. Throws std::system_error when it is negative.
 /// @param result the result
-/// @param what the call, for the error
-inline int checked(int result, const std::string& what) {
+/// @param name the call, for the error
+inline int checked(int result, const std::string& name) {
   if (result < 0) {
-    throw std::system_error(errno, std::generic_category(), what);
+    throw std::system_error(errno, std::generic_category(), name);
   }
   return result;
 }

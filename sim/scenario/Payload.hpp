@@ -49,7 +49,7 @@ struct FrameLimit {
 };
 
 /// @brief Reads a number with the least byte first. Bytes that the body does not have are 0: the sender
-/// may know fewer fields.
+/// may have fewer fields.
 /// @param body a frame without its CRC
 /// @param offset place of the number in the payload
 /// @param value gets the number

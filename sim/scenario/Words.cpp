@@ -35,9 +35,9 @@ bool Words::nextIsNumber() const {
   return !done() && parse<std::int64_t>(words_[next_]).has_value();
 }
 
-std::string Words::take(const std::string& what) {
+std::string Words::take(const std::string& name) {
   if (done()) {
-    throw ScenarioError(what + " is missing");
+    throw ScenarioError(name + " is missing");
   }
   return words_[next_++];
 }
@@ -75,11 +75,11 @@ std::int16_t Words::value() {
   return *number;
 }
 
-double Words::number(const std::string& what) {
-  const std::string word = take(what);
+double Words::number(const std::string& name) {
+  const std::string word = take(name);
   const auto number = parse<double>(word);
   if (!number) {
-    throw ScenarioError("'" + word + "' is not " + what);
+    throw ScenarioError("'" + word + "' is not " + name);
   }
   return *number;
 }
@@ -93,11 +93,11 @@ std::size_t Words::wheel() {
   return *number;
 }
 
-std::uint32_t Words::natural(const std::string& what) {
+std::uint32_t Words::natural(const std::string& name) {
   const std::string word = take("a number");
   const auto number = parse<std::uint32_t>(word);
   if (!number) {
-    throw ScenarioError("'" + word + "' is no " + what);
+    throw ScenarioError("'" + word + "' is no " + name);
   }
   return *number;
 }

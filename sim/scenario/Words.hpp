@@ -39,8 +39,8 @@ class Words {
   [[nodiscard]] std::string next() const { return done() ? "" : words_[next_]; }
 
   /// @brief Takes a word.
-  /// @param what name of the word in an error
-  std::string take(const std::string& what);
+  /// @param name name of the word in an error
+  std::string take(const std::string& name);
 
   /// @brief Takes a certain word.
   void skip(const std::string& word);
@@ -56,15 +56,15 @@ class Words {
   std::int16_t value();
 
   /// @brief Takes a number.
-  /// @param what name of the number in an error
-  double number(const std::string& what);
+  /// @param name name of the number in an error
+  double number(const std::string& name);
 
   /// @brief Takes the number of a wheel, 0 to 3.
   std::size_t wheel();
 
   /// @brief Takes a number of 32 bits, at least 0.
-  /// @param what name of the number in an error
-  std::uint32_t natural(const std::string& what);
+  /// @param name name of the number in an error
+  std::uint32_t natural(const std::string& name);
 
   /// @brief Takes a byte of two hexadecimal digits.
   std::uint8_t byte();

@@ -1,4 +1,4 @@
-"""Who calls whom: the module diagram of one module."""
+"""The module diagram of one module: its callers and the modules that it calls."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Class and state diagrams: PlantUML text from the model, and the SVG made fit for a page.
 
-PlantUML knows no CSS variables. The text therefore carries marker colours, and each becomes a
+PlantUML does not support CSS variables. The text therefore carries marker colours, and each becomes a
 variable of the theme in the SVG. All diagrams whose text changed are drawn by one start of Java.
 """
 
@@ -62,7 +62,7 @@ MARKERS = {name: f"#FA{number:02X}5C" for number, name in enumerate(VARIABLES)}
 COLOURS = {MARKERS[name]: variable for name, variable in VARIABLES.items()}
 COLOURS["#FFFFFF"] = "--paper"  # the inside of diamonds
 
-UNSET = "#A80036"  # what PlantUML draws edges with when it is given no colour
+UNSET = "#A80036"  # default colour of edges in PlantUML
 
 LOCATED = re.compile(r'class="(edge|says)" data-for="([^"]*)"')
 
@@ -93,7 +93,7 @@ def role_family(role: str) -> str:
 
 @dataclass
 class Diagram:
-    """A drawing in PlantUML's language, and what a reader without sight hears of it."""
+    """A drawing in PlantUML's language, and its description for a reader without sight."""
 
     id: str
     label: str
@@ -302,7 +302,7 @@ def high_level_diagram(model: Model, links: Links) -> Diagram:
         label = f" : {one.connector}" if one.connector not in ("", "Pipe") else ""
         lines.append(f"{node(one.source)} {LINES[one.kind]} {node(one.target)}{label}")
     lines.append("@enduml")
-    label = "High-level diagram. The table below holds the same connections."
+    label = "High-level diagram. The table below lists the same connections."
     return Diagram("high-level", label, "\n".join(lines))
 
 
@@ -311,7 +311,7 @@ def node(name: str) -> str:
 
 
 def part(model: Model, name: str, links: Links) -> str:
-    """A box: a module, or what lies outside."""
+    """A box: a module, or a part outside the software."""
     module = model.modules.get(name) if name != "PC" else None
     if module is None:
         style = f"{MARKERS['plain']};line:{MARKERS['line'][1:]};line.dotted"

@@ -56,7 +56,7 @@ def types_table(frames: FrameTable) -> str:
 
 
 def fields_table(layout: Layout) -> str:
-    """The fields of a frame. Fields of the wheels stand in one row for each group."""
+    """The fields of a frame. Fields of the wheels share one row for each group."""
     fields = list(layout.fields)
     rows = []
     while fields:
@@ -97,7 +97,7 @@ def meanings(one: Field) -> Iterator[str]:
         yield "bit n: the source whose number is n"
     if one.valid:
         bits = ", ".join(f"{number} ``{name}``" for number, name in enumerate(one.valid))
-        yield f"The bit that says whether a value is valid: {bits}"
+        yield f"The bit that is set when the value is valid: {bits}"
 
 
 def in_line(enumeration: Enumeration) -> str:
@@ -122,7 +122,7 @@ def shown_unit(unit: str, scale: float) -> str:
 
 
 def values_table(enumeration: Enumeration) -> str:
-    """The numbers of an enumeration, with what the client shows."""
+    """The numbers of an enumeration, with the words that the client shows."""
     heads = [enumeration.name, "in scenarios", "shown as", "meaning"]
     heads += [enumeration.detail] if enumeration.detail else []
     rows = []

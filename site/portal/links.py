@@ -36,7 +36,7 @@ def address_in(known: Container[str], address: str, identifier: str) -> str | No
 
 
 class Links:
-    """Addresses of elements; ``None`` for what has no page."""
+    """Addresses of elements; ``None`` for an element without a page."""
 
     def __init__(self, model: Model, checks: set[str]) -> None:
         self.model = model
@@ -63,7 +63,7 @@ class Links:
             return self.module(identifier.partition("::")[0])
         page = self.module(method.module)
         if self.model.modules[method.module].datatype and method.access != "public":
-            return page  # the data dictionary shows what others may call
+            return page  # the data dictionary shows public methods
         return page and f"{page.partition('#')[0]}#{self.method_anchor(method)}"
 
     def find_method(self, identifier: str) -> Method | None:

@@ -1,4 +1,4 @@
-"""Pages of what was measured: virtual K64, closed loop, mutants, the baseline design."""
+"""Pages of measurements: virtual K64, closed loop, mutants, the baseline design."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def driver_coverage(portal: Portal) -> list[DriverFile] | None:
 
 
 def missed_runs(path: str, lines: dict[int, bool]) -> list[Place]:
-    """Runs of missed lines; what lies between two and is no code does not part them."""
+    """Runs of missed lines; lines without code do not separate two of them."""
     runs: list[Place] = []
     missed_before = False
     for line, hit in sorted(lines.items()):

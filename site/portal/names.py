@@ -98,7 +98,7 @@ class Names:
 
     def mod(self, name: str) -> Markup:
         module = self.model.modules.get(name)
-        if module is None:  # what a module holds leads to that module
+        if module is None:  # a member leads to its module
             return anchor(self.links.module(name.partition("::")[0]), name, "mod none")
         kind = "mod d" if module.datatype else f"mod {'a' if module.abstract else 'c'}"
         return anchor(self.links.module(name), name, kind, m=name)
@@ -227,7 +227,7 @@ def _paragraph(text: str) -> str:
 
 
 def gist(brief: str) -> str:
-    """What a brief says after the name that it begins with; empty when it says no more."""
+    """Returns the part of a brief after the name at its start; empty when there is none."""
     return brief.partition(": ")[2]
 
 

@@ -124,7 +124,7 @@ def verify(model: Model, checks: int, faults: int) -> list[Entry]:
     trees = sum(requirement.tree is not None for requirement in requirements.values())
     safety = [
         Entry("safety", "Safety case", "safety/index.html", "", len(case.goals)),
-        Entry("safety_cost", "What it cost to add safety", "safety/cost.html"),
+        Entry("safety_cost", "Cost of the safety extensions", "safety/cost.html"),
     ]
     return [
         Entry("requirements", "Requirements", "requirements/index.html", "R", len(requirements)),

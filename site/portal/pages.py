@@ -146,7 +146,7 @@ def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
 
 
 def execution(portal: Portal) -> dict[str, Any]:
-    """The contexts, the highest priority first; what has none comes last."""
+    """The contexts, the highest priority first; modules without one come last."""
     contexts = portal.model.contexts.values()
     ordered = sorted(contexts, key=lambda one: (one.priority is None, one.priority or 0))
     return {"contexts": ordered, "wide": True}
@@ -193,7 +193,7 @@ def structure(portal: Portal) -> dict[str, Any]:
     return {"tops": tops, "anchor": logic_anchor}
 
 
-# The pages of the navigation, each with what its template needs besides the model.
+# The pages of the navigation, each with the values that its template needs besides the model.
 VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
     **dict.fromkeys(
         (

@@ -66,7 +66,7 @@ def checks_of(portal: Portal, change: LikelyChange) -> list[str]:
 
 
 def hidden_names(owner: Module | LogicModule) -> dict[str, list[str]]:
-    """What the secret of a module or of a folder names, by kind."""
+    """The hidden names of a module or of a folder, by kind."""
     found = {"registers": list(owner.registers)} if isinstance(owner, Module) else {}
     for name in owner.hides:
         found.setdefault(kind_of(name), []).append(name)
@@ -84,7 +84,7 @@ def kind_of(name: str) -> str:
 
 @dataclass
 class Heir:
-    """A module in a family of subclasses: what it adds to the interface, and what it overrides."""
+    """A module in a family of subclasses: the methods that it adds and those that it overrides."""
 
     module: Module
     depth: int
@@ -147,7 +147,7 @@ def concordance(portal: Portal) -> dict[str, Any]:
 
 
 def target_link(portal: Portal, target: str) -> Markup:
-    """What an entry of the concordance names, as a link."""
+    """Returns the element of an entry of the concordance, as a link."""
     kind, _, name = target.partition(":")
     makers: dict[str, Callable[[str], Markup]] = {
         "module": portal.names.mod,
@@ -165,7 +165,7 @@ def target_link(portal: Portal, target: str) -> Markup:
 
 
 def page_of(portal: Portal, kind: str, name: str) -> tuple[str | None, str]:
-    """Address and title of what is not an element with a page of its own."""
+    """Returns address and title of an element without a page of its own."""
     model = portal.model
     if kind == "machine":
         machine = model.machines.get(name)

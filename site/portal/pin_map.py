@@ -9,7 +9,7 @@ from pathlib import Path
 from portal.tables import comma_separated
 
 HEADER = Path("src/k64/pins.hpp")
-COLUMNS = ("pin", "connected to", "use", "signal", "on the FRDM-K64F", "what it does")
+COLUMNS = ("pin", "connected to", "use", "signal", "on the FRDM-K64F", "effect")
 BEGIN = re.compile(r"kPinTable = std::to_array<PinRow>\(\{$")
 END = "});"
 TEXT = r'"([^"\\]+)"'
@@ -33,7 +33,7 @@ def pin_map(root: Path) -> str:
 
 
 def roles(text: str) -> dict[str, str]:
-    """Enumerator of Role -> what its comment says."""
+    """Enumerator of Role -> its comment."""
     _, _, enum = text.partition("enum class Role")
     return dict(ROLE.findall(enum.partition("};")[0]))
 

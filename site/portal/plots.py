@@ -26,7 +26,7 @@ class Tick:
 
 @dataclass
 class Axis:
-    """What lies at its two ends, and the round values between them."""
+    """The values at its two ends, and the round values between them."""
 
     first: float
     last: float
@@ -39,7 +39,7 @@ class Axis:
 
 @dataclass
 class Line:
-    """A curve: its class, what it is called, and its path in the drawing."""
+    """A curve: its class, its name, and its path in the drawing."""
 
     kind: str
     words: str
@@ -53,7 +53,7 @@ class Drawing:
     x: list[Tick]
     y: list[Tick]
     lines: list[Line]
-    words: str  # for those who do not see it
+    words: str  # for a reader without sight
     width: ClassVar[int] = WIDTH
     height: ClassVar[int] = HEIGHT
 

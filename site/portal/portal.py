@@ -1,4 +1,4 @@
-"""What the pages are made from: the model, its links, and what is derived from both once."""
+"""The content of the pages: the model, its links, and the values derived from both."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ from traceability.schema import (
 
 SITE = Path(__file__).resolve().parents[1]
 
-WITHOUT_TERMS = ("source_file", "home")  # code, and the page that says what to read first
+WITHOUT_TERMS = ("source_file", "home")  # code, and the page that shows where to begin
 LATER = {"doc-warning", "link-doc", "link-site"}  # known after Sphinx and on the finished site
 # They need results of these sources.
 DYNAMIC = {"tree-dynamic", "req-passed", "req-line", "fsm-seen", "hazard-scenario"}
@@ -52,7 +52,7 @@ DYNAMIC = {"tree-dynamic", "req-passed", "req-line", "fsm-seen", "hazard-scenari
 
 @dataclass
 class CheckText:
-    """What a check is for; made from the registry of checks. Plain text."""
+    """Returns the purpose of a check, from the registry of checks. Plain text."""
 
     id: str
     title: str
@@ -155,7 +155,7 @@ class Portal:
         return Page(name, title, body, nav, wide)
 
     def view(self, name: str, values: Callable[[Portal], dict[str, Any]]) -> Page:
-        """The page of an entry of the navigation, with what its template needs."""
+        """Returns the page of an entry of the navigation, with the values for its template."""
         entry = self.navigation.entries[name]
         page = entry.address.removesuffix(".html")
         return self.page(page, entry.title, name, name, **values(self))
@@ -299,7 +299,7 @@ class Portal:
         return [*own, *verifying]
 
     def source_of(self, source: SourceReference) -> Markup:
-        """Where a requirement comes from, with a link to what has a page here."""
+        """Returns the source of a requirement, with a link where the source has a page here."""
         if not source.kind:
             return self.names.text(source.name)
         if source.kind == "goal":
@@ -351,7 +351,7 @@ class Portal:
         return sum(len(test.results) for test in tests)
 
     def callers(self, method: Method) -> list[Markup]:
-        """What calls it in the modules: methods, nested classes, and first values of constants."""
+        """Returns its callers in the modules: methods, nested classes, and first values of constants."""
         found = []
         for name in method.called_by:
             module, _, rest = name.partition("::")
@@ -375,7 +375,7 @@ class Portal:
         ]
 
     def in_paper(self, name: str) -> list[PaperElement]:
-        """What the paper names that is this module, one of its methods, or this application."""
+        """Returns the names in the paper of this module, its methods, or this application."""
         return [
             element
             for element in self.model.paper
@@ -388,7 +388,7 @@ class Portal:
         return check in LATER and not self.findings_of(check)
 
     def verdict_of(self, check: str) -> Markup:
-        """What this run knows of a check when the pages are written."""
+        """Returns the result of a check at the time when the pages are written."""
         if found := len(self.findings_of(check)):
             return names.glyph("bad", f"{found} found")
         if self.is_later(check):
@@ -398,7 +398,7 @@ class Portal:
         return names.glyph("ok", "holds")
 
     def outcome_of(self, fault: Fault) -> Outcome | None:
-        """What became of a fault; ``None`` when it was not seeded in the present state."""
+        """Returns the result of a fault; ``None`` when it was not seeded in the present state."""
         return next((one for one in self.model.outcomes or [] if one.name == fault.name), None)
 
     def verdict_on(self, fault: Fault) -> Markup:

@@ -60,7 +60,7 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
 
 
 def covered_methods(requirement: Requirement) -> list[dict[str, MethodCoverage]]:
-    """A row for each body of a method of the tree: target -> what the tests executed of it."""
+    """A row for each body of a method of the tree: target -> its lines that the tests executed."""
     rows: dict[tuple[str, int], dict[str, MethodCoverage]] = {}
     for binding, methods in requirement.coverage.items():
         for method in methods:

@@ -1,4 +1,4 @@
-"""The pages of the safety case, and of what it cost to add safety."""
+"""The pages of the safety case, and of the cost of the safety extensions."""
 
 from __future__ import annotations
 

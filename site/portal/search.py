@@ -15,7 +15,7 @@ from portal.portal import SITE, Portal
 from portal.sections import sections_of, terms_of
 from traceability.schema import Module
 
-# Group, key, title, text, address; then what is found too, and shown only where it is found.
+# Group, key, title, text, address; then words that are searched, and shown only when they match.
 Entry = tuple[str, ...]
 # Groups of entries -> the kind that Sphinx's inventory names.
 NAMED = {
@@ -146,7 +146,7 @@ def safety_entries(portal: Portal) -> Iterator[Entry]:
 
 
 def paper_entries(portal: Portal) -> Iterator[Entry]:
-    """The places of the paper, and what it names there."""
+    """The places of the paper, and the names in each."""
     page, model = "concordance.html", portal.model
     for place in model.paper_places:
         yield "Paper", "", place.id, place.title, f"{page}#{paper_anchor(place.id)}"

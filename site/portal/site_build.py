@@ -25,7 +25,7 @@ PARTS = 8  # of the pages: more than cores, so that none waits long for another
 
 @dataclass
 class SiteResult:
-    """How many pages the site has, and what Sphinx warned of."""
+    """The number of pages of the site, and the warnings of Sphinx."""
 
     pages: int
     warnings: list[Finding] = field(default_factory=list)
@@ -38,7 +38,7 @@ def build_site(root: Path, model: Model, report: Report) -> SiteResult:
     try:
         portal = Portal(root, model, report, check_texts())
     except DiagramError as error:
-        fix = "correct what the diagram is made from, see the message of PlantUML"
+        fix = "correct the source of the diagram, see the message of PlantUML"
         return SiteResult(0, [Finding(Place("design", 0), "doc-diagram", str(error), fix)])
     kept = write_sources(portal, pages)
     with get_context("fork").Pool(os.cpu_count() or 1, _share, (portal, site)) as pool:
@@ -60,7 +60,7 @@ def check_texts() -> list[CheckText]:
     return [CheckText(c.id, c.title, c.why, c.holds, c.blind, c.fix) for c in CHECKS]
 
 
-# What a process is forked with: too large to be sent to it.
+# Inherited by a forked process: too large to be sent to it.
 _shared: list[tuple[Portal, Path]] = []
 
 

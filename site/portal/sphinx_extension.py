@@ -1,4 +1,4 @@
-"""The Sphinx extension of the portal: roles and an inventory that name what the model knows."""
+"""The Sphinx extension of the portal: roles and an inventory for the elements of the model."""
 
 from __future__ import annotations
 

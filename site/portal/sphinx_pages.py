@@ -29,7 +29,7 @@ from traceability.schema import Finding, Module
 from traceability.sources import files_below, hash_of
 
 SCENARIO = Path("sim/scenario/examples/stop.scenario")
-# What hand-written pages include from other folders: the file, its name next to them, the text.
+# Includes of hand-written pages from other folders: the file, its name next to them, the text.
 INCLUDED = (
     (PINS, "pin_map.csv", pin_map),
     (SCENARIO, "example.scenario", lambda root: (root / SCENARIO).read_text("utf-8")),
@@ -37,13 +37,13 @@ INCLUDED = (
     (DEBIAN, "packages.csv", package_table),
     (PRODUCTS, "products.inc", product_table),
 )
-FRAME = "frame.txt"  # what all pages have around their body
+FRAME = "frame.txt"  # the part of all pages around their body
 BODIES = "_bodies"  # below the pages: those that templates make, without the layout
 UNKNOWN_TO_BREATHE = re.compile(r"\s*<(satisfies|verifies|innerclass)\b.*?</\1>", re.DOTALL)
 
 
 def write_sources(portal: Portal, pages: Path) -> set[str]:
-    """Writes what Sphinx reads; returns the names of the pages."""
+    """Writes the input of Sphinx; returns the names of the pages."""
     shown = [m for m in portal.designs if doxygen_file(portal, m)]
     kept = copy_docs(portal.root / "docs", pages / "docs") | write_members(shown, pages)
     remove_others(pages, "*.rst", [f"{name}.rst" for name in kept])
@@ -77,7 +77,7 @@ def write_members(modules: list[Module], pages: Path) -> set[str]:
 
 
 def write_included(portal: Portal, target: Path) -> None:
-    """What hand-written pages include from other folders of the project, and a drawing."""
+    """Writes the files that hand-written pages include from other folders, and a drawing."""
     root = portal.root
     if PACKAGES in portal.drawn:
         write_changed(target / f"{PACKAGES}.svg", portal.drawn[PACKAGES])
@@ -89,7 +89,7 @@ def write_included(portal: Portal, target: Path) -> None:
 
 
 def copy_doxygen(portal: Portal, modules: list[Module], target: Path) -> None:
-    """What Breathe needs: the classes of the modules, without what it does not know.
+    """Writes the input of Breathe: the classes of the modules, without elements that it does not read.
 
     Breathe reads a class again when its file is newer, so only changed files are replaced.
     """
@@ -157,7 +157,7 @@ def run_sphinx(
     portal: Portal, pages: Path, site: Path, made: Callable[[], list[Page]]
 ) -> list[Finding]:
     cache = portal.root / "build" / "pages-cache"
-    sound = cache / "sound-docs"  # names what was read without a warning
+    sound = cache / "sound-docs"  # names the pages that were read without a warning
     docs = hash_of(pages, files_below(pages, ("docs", "_generated", "links.json")))
     collector = WarningCollector(portal.root, pages)
     with patch_docutils(), docutils_namespace():

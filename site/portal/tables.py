@@ -21,7 +21,7 @@ def command_table(root: Path) -> str:
     """Each command of ./wr, as its help has it."""
     usage = (root / COMMANDS).read_text(encoding="utf-8").partition("\nTEXT\n")[0]
     rows = ((f"``./wr {name}``", does) for name, does in COMMAND.findall(usage))
-    return comma_separated(("command", "what it does"), rows)
+    return comma_separated(("command", "effect"), rows)
 
 
 def package_table(root: Path) -> str:
@@ -33,7 +33,7 @@ def package_table(root: Path) -> str:
 def product_table(root: Path) -> str:
     """Each product with its composition, as a table of a hand-written page."""
     rows = ((f"``{one.name}``", f":source:`{one.composition}`", one.text) for one in listed(root))
-    return list_table((30, 34, 36), ("product", "its composition", "what it has"), rows)
+    return list_table((30, 34, 36), ("product", "its composition", "its parts"), rows)
 
 
 def list_table(widths: Iterable[int], heads: Iterable[str], rows: Iterable[tuple[str, ...]]) -> str:

@@ -1,4 +1,4 @@
-"""What the pages show of the verification of each requirement."""
+"""The verification of each requirement, for the pages."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def branches_of(methods: Iterable[MethodCoverage]) -> Share | None:
 
 @dataclass
 class Bar:
-    """A row of the chart: what the tests of the requirements of a section executed."""
+    """A row of the chart: the lines that the tests of a section's requirements executed."""
 
     section: str
     host_lines: Share | None
@@ -67,7 +67,7 @@ def chart(sections: dict[str, list[Requirement]]) -> list[Bar]:
     ]
 
 
-# What requirements are filtered by -> the values of one requirement.
+# Filter of the requirements -> the values of one requirement.
 Facets = dict[str, Sequence[str]]
 
 

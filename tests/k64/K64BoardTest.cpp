@@ -314,7 +314,7 @@ std::string nameOf(const testing::TestParamInfo<Ending>& ending) {
 class K64BoardEnds : public testing::TestWithParam<Ending> {};
 
 /// @brief Whatever ends the firmware: the outputs become safe, then comes a reset, and the Welcome of the
-/// next start reports what it was, and where. It is reported for one start only.
+/// next start reports its kind and its place. It is reported for one start only.
 /// @verifies FR-75
 /// @verifies FR-76
 /// @verifies FR-77

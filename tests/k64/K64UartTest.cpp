@@ -15,7 +15,7 @@ class K64UartOnBoard : public testing::Test {
  protected:
   K64UartOnBoard() { robot.startUp(); }
 
-  // Frames of a type that the robot does not know; it counts each one that comes whole.
+  // Frames of a type that the robot does not define; it counts each complete one.
   void sendUnknown(int frames) {
     for (int i = 0; i < frames; ++i) {
       robot.arrive(robot.pc.frame(0x55, {}));

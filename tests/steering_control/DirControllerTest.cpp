@@ -124,7 +124,7 @@ TEST_F(DirControllerTest, FR111_EachWindowIsJudgedAlone) {
   EXPECT_LE(control.clock.now() - begin, milliseconds(600));
 }
 
-/// @brief The status of each tick has the time of the tick, and shows what the motor did, the end
+/// @brief The status of each tick has the time of the tick, and shows the work of the motor, the end
 /// stops, and the newest position with its own time.
 /// @verifies FR-116
 TEST_F(DirControllerTest, FR116_TheStatusTellsWhatTheSteeringDoes) {

@@ -34,7 +34,7 @@ void __gcov_init(const gcov_info* unit);
 
 namespace {
 
-// What gcc writes: a header of four words, then records of a tag, a length in bytes and words.
+// The format of gcc: a header of four words, then records of a tag, a length in bytes and words.
 // A negative length means counters that are all zero.
 constexpr std::size_t kHeader = 4;
 constexpr std::uint32_t kFunction = 0x01000000;

@@ -1,4 +1,4 @@
-// What Main Control and one wheel do, in the baseline design and in that of the robot: the same
+// Behaviour of Main Control and one wheel, in the baseline design and in that of the robot: the same
 // tests.
 
 #include <array>

@@ -1,5 +1,5 @@
-// What the mutated copies of the sources call: each operation as it is written, or, when the mutant
-// that the variable WR_MUTANT of the environment names is one of it, the operation changed.
+// The operations of the mutated copies of the sources. Each one works as written, or changed when
+// the environment variable WR_MUTANT names one of its mutants.
 
 #pragma once
 
@@ -20,7 +20,7 @@ inline bool on(int number) {
   return active() == number;
 }
 
-/// @brief What is added to a constant: 1, -1 or nothing.
+/// @brief Value that is added to a constant: 1, -1 or 0.
 inline int offset(int number) {
   return on(number) ? 1 : on(number + 1) ? -1 : 0;
 }

@@ -213,7 +213,7 @@ class _Finder:
         self.add(Point(start, end, before, ")", mutants, at, ","))
 
     def operator(self, cursor: Cursor) -> tuple[str, tuple[int, int]]:
-        """The operator between two operands, and where it stands."""
+        """The operator between two operands, and its place."""
         children = list(cursor.get_children())
         if len(children) < 2 or not all(child.kind.is_expression() for child in children):
             return "", (0, 0)

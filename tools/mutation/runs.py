@@ -13,13 +13,13 @@ from traceability.reading.results import plain_name
 
 SLOWER = 10  # times as long as without a mutant: then a test hangs
 LEAST_SECONDS = 2.0
-HANGS = 2  # tests that may hang: what would run after them stays undecided
+HANGS = 2  # tests that may hang: the tests after them stay undecided
 LINE = re.compile(rb"^\[ +(RUN|OK|FAILED|SKIPPED) +\] ([\w/]+)\.([\w/]+)", re.MULTILINE)
 
 
 @dataclass
 class Outcome:
-    """What tests gave: those that failed, those that passed. The others are undecided."""
+    """Results of tests: those that failed, those that passed. The others are undecided."""
 
     failed: set[str] = field(default_factory=set)
     passed: set[str] = field(default_factory=set)
@@ -28,7 +28,7 @@ class Outcome:
 def run_tests(program: Path, mutant: int, seconds: dict[str, float]) -> Outcome:
     """Runs tests with a mutant switched on; 0 is none.
 
-    ``seconds`` names the tests, and says how long each took without a mutant. A test that ends the
+    ``seconds`` has the time of each test without a mutant. A test that ends the
     program has failed; the others run in the next process.
     """
     outcome = Outcome()

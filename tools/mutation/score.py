@@ -1,4 +1,4 @@
-"""Which mutants are tried, with which tests, and what is kept of it."""
+"""Chooses the mutants and their tests, and records the results."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ RESULT = RESULTS / "mutation.json"
 
 @dataclass
 class Plan:
-    """What is known before the first mutant runs."""
+    """Data that exists before the first mutant runs."""
 
     methods: dict[str, list[str]]  # method -> requirements whose trees hold it
     verifying: dict[str, set[str]]  # requirement -> its tests on this machine
@@ -106,7 +106,7 @@ def order(mutants: list[Mutant], plan: Plan, seed: int) -> list[int]:
 
 
 def measure(program: Path, plan: Plan, seconds: dict[str, float]) -> list[str]:
-    """Notes the time of each test that passes without a mutant. Returns those that do not."""
+    """Records the time of each test that passes without a mutant. Returns those that do not."""
     names = set().union(*plan.executing.values()) if plan.executing else set()
     wanted = {name: seconds.get(name, 1.0) for name in sorted(names)}
     outcome = run_tests(program, 0, wanted)
@@ -161,7 +161,7 @@ def try_all(
 def record(
     tried: list[Tried], origin: Mapping[str, str], seed: int, total: int, minutes: float
 ) -> dict[str, Any]:
-    """What is written: all that the model makes its scores from."""
+    """The record from which the model computes its scores."""
     return {
         **origin,
         "seed": seed,

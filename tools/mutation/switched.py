@@ -79,7 +79,7 @@ def switched(path: Path, points: list[Point], numbers: Iterator[int]) -> str:
     for order, point in enumerate(points):
         number, *_ = [next(numbers) for _ in point.mutants]
         length = point.end - point.start
-        # At one place, what ends comes before what begins.
+        # At one place, an end comes before a begin.
         before = (point.start, 1, order)
         after = (point.end, 0, -order)
         if length == 0:

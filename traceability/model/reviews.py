@@ -43,7 +43,7 @@ BASELINE_HEADING = """\
 # and is no review. Written by ./wr review --baseline.
 """
 REVIEWS_HEADING = """\
-# The reviews of requirements by persons who wrote none of the texts. Written by ./wr review ID.
+# The reviews of requirements by persons other than the authors of the texts. Written by ./wr review ID.
 """
 # How messages name a text of each kind.
 NAMES_OF_TEXTS = {

@@ -144,7 +144,7 @@ TEST_F(PcConnectionTest, FR30_TheBuildIdIsHexadecimal) {
               testing::MatchesRegex("[0-9a-f]+"));
 }
 
-/// @brief The Welcome holds the cause of the reset and the kind, number and address of the fault.
+/// @brief The Welcome contains the cause of the reset and the kind, number and address of the fault.
 /// Each Welcome of a start has the same content.
 /// @verifies FR-76
 TEST_F(PcConnectionTest, FR76_EachWelcomeTellsCauseAndFault) {
@@ -967,7 +967,7 @@ TEST_F(PcConnectionTest, FR40_TheConnectionAcceptsEachExample) {
   EXPECT_FALSE(orders.stopOrdered());
 }
 
-/// @brief The Welcome of the examples that reports a fault is what the firmware makes of the same start.
+/// @brief The firmware sends the Welcome of the example that reports a fault, after the same start.
 /// @verifies FR-76
 TEST_F(PcConnectionTest, FR76_TheWelcomeAfterAFaultAgreesWithTheExample) {
   start = {ResetCause::Software, FaultKind::Assertion, 3, 0x4A6E};

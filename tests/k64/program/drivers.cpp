@@ -1,4 +1,4 @@
-// A composition without a robot: the devices of the board do what bytes from the PC order. Each
+// A composition without a robot: bytes from the PC are orders to the devices of the board. Each
 // answer is a row of numbers of 16 bits, the low byte first.
 
 #include <algorithm>

@@ -70,7 +70,7 @@ TEST_F(HostSimulationTest, TimeStandsWhereItWasAskedFor) {
   EXPECT_FALSE(world.robot.watchdog().missed());
 }
 
-/// @brief A robot that gets no order stands, and its sensors report no motion.
+/// @brief A robot without an order does not move, and its sensors report no motion.
 TEST_F(HostSimulationTest, WithoutOrdersTheRobotStands) {
   connect();
   world.runUntil(at(5'000));

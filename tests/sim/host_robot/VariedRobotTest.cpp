@@ -11,7 +11,7 @@
 namespace wr::test {
 namespace {
 
-// The firmware in a robot whose parameters it does not know: a seed chooses them.
+// The firmware in a robot with other parameters than it assumes: a seed chooses them.
 class VariedRobot : public testing::TestWithParam<std::uint32_t> {
  protected:
   VariedRobot() {

@@ -4,7 +4,7 @@
 namespace wr::test {
 namespace {
 
-// Adds the remote control, and compares what no report contains as well.
+// Adds the remote control, and also compares values that no report contains.
 class ComparisonInside final : public Comparison {
  public:
   ComparisonInside(HostSteppedRobot& robot, std::mt19937& random)

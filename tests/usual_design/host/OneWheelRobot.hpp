@@ -30,7 +30,7 @@ struct DesignName {
 };
 
 /// At which failed read in a row the mode changes first, and then at each one that follows. The
-/// baseline design changes it when its counter reaches N, as the figure of nested ifs does. In the
+/// baseline design changes it when its counter reaches N, as Figure 7 of the paper does. In the
 /// state machine the N-th failed read leads to the last waiting state, the next one to
 /// Reconnecting, and the one after it changes the mode.
 template <class Design>

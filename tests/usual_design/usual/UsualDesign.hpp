@@ -19,7 +19,7 @@
 
 namespace wr {
 
-/// Main Control and one wheel in the baseline design: one class, variables that hold the state, and
+/// Main Control and one wheel in the baseline design: one class, variables for the state, and
 /// conditions on them. Interrupts collect; the main loop runs a control cycle at each clock pulse.
 class UsualDesign {
  public:

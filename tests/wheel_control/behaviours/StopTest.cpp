@@ -30,7 +30,7 @@ TEST_F(StopTest, FR88_MagnitudeFallsBackwards) {
   EXPECT_EQ(log, (CommandLog{{"tension", -600}, {"stop", 0}}));
 }
 
-/// @brief What another behaviour applied before does not count: each call has the present value.
+/// @brief The value that another behaviour applied before has no effect: each call has the present value.
 /// @verifies FR-88
 TEST_F(StopTest, FR88_StartsFromWhatItIsTold) {
   stop.resume(Tension(20000));

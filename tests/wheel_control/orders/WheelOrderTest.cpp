@@ -56,7 +56,7 @@ TEST_F(WheelOrderTest, FR93_OldCurrentIsMissing) {
   EXPECT_EQ(work.measured.current, std::nullopt);
 }
 
-/// @brief ApplyControl brings the set-point to the wheel, and reports what was applied.
+/// @brief ApplyControl passes the set-point to the wheel, and reports the applied value.
 /// @verifies FR-80
 /// @verifies FR-94
 TEST_F(WheelOrderTest, FR80_FR94_AppliesAndTells) {

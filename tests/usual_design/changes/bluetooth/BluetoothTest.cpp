@@ -70,7 +70,7 @@ TYPED_TEST(BluetoothMode, StopOfTheDeviceActsInEachMode) {
   EXPECT_FALSE(this->robot.report().stop());
 }
 
-/// @brief What the device sends besides orders changes nothing.
+/// @brief Other bytes of the device than orders have no effect.
 TYPED_TEST(BluetoothMode, PassesOverAllButOrders) {
   this->robot.commandByPc();
   for (std::uint16_t id = 2; id < 20; ++id) {
