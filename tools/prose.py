@@ -18,7 +18,7 @@ GLOSSARY = Path("docs/glossary.rst")
 PROSE = (".rst", ".md", ".dox", ".html")  # text, but for its marks
 CODE = (".py", ".cpp", ".hpp", ".h", ".toml", ".tree", ".txt", ".cmake", "")
 LITERALS = re.compile(
-    r"\{%.*?%\}|\{\{.*?\}\}|\{#|#\}|<[^>]*>|``[^`]*``|`[^`\n]*`|:[\w-]+:(?=`)|\{\w[^}]*\}|\S*[_/:]{1,2}\w\S*",
+    r"\{%.*?%\}|\{\{.*?\}\}|\{#|#\}|<[^>]*>|``[^`]*``|`[^`\n]*`|:[\w-]+:(?=`)|\{\w[^}]*\}|[^\s<>]*[_/:]{1,2}\w[^\s<>]*",
     re.DOTALL,
 )
 ENTRY = re.compile(r"^   (\S.*)$")
@@ -91,14 +91,14 @@ def _blank(pattern: re.Pattern[str], text: str) -> str:
 
 
 def _remarks(path: Path, text: str) -> str:
-    """The comments of code, and its quotations that have several words."""
+    """The comments of code, and its quotations that have several words. A phrase ends at code."""
     name = {"": "wr.sh", ".tree": "a.sh", ".txt": "CMakeLists.txt"}.get(path.suffix, path.name)
     try:
         tokens = get_lexer_for_filename(name).get_tokens_unprocessed(text)
     except ClassNotFound:
         return ""
     return "".join(
-        part if _is_prose(kind, part) else re.sub(r"[^\n]", " ", part) for _, kind, part in tokens
+        part if _is_prose(kind, part) else re.sub(r"[^\n]", "\0", part) for _, kind, part in tokens
     )
 
 

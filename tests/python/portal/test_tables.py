@@ -29,7 +29,7 @@ TEXT
 def test_each_command_of_the_help_is_a_row(tmp_path: Path) -> None:
     (tmp_path / COMMANDS).write_text(USAGE)
     assert list(csv.reader(command_table(tmp_path).splitlines())) == [
-        ["command", "what it does"],
+        ["command", "effect"],
         ["``./wr portal``", "build and serve"],
         ["``./wr test``", "run every test"],
         ["``./wr bring-up``", "check a new robot"],

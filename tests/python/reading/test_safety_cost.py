@@ -1,4 +1,4 @@
-"""What it cost to add safety, as git counts it."""
+"""Cost of the safety extensions, as git counts it."""
 
 from __future__ import annotations
 

@@ -22,6 +22,8 @@ Plain words
 -----------
 
 * ``anew``, ``once more``: again
+* ``twixt``: its noun. Right in
+  ``twixt # o'clock``
 """
 
 
@@ -44,6 +46,7 @@ def test_the_terms_are_those_of_the_glossary() -> None:
         ("has nabobs", '"subclass"'),
         ("anew", "again"),
         ("once more", "again"),
+        ("twixt", "its noun"),
     ]
 
 
@@ -88,3 +91,22 @@ def test_words_may_be_on_two_lines(root: Path) -> None:
     assert found(root, "docs/a.rst", "It is read once\nmore.\n") == [
         'docs/a.rst:1: [prose] "once more": write again'
     ]
+
+
+def test_a_plain_word_is_right_in_some_phrases_and_in_a_question(root: Path) -> None:
+    terms = TERMS.replace("``twixt``", "``twixt``, ``what``")
+    (root / GLOSSARY).write_text(terms)
+    assert found(root, "docs/a.rst", "Sleep twixt 2 o'clock and\n3.\n") == []
+    assert found(root, "docs/a.rst", "What happens now?\n") == []
+    assert found(root, "docs/a.rst", "Twixt two o'clock.\n\nThis is what happens.\n") == [
+        'docs/a.rst:1: [prose] "Twixt": write its noun',
+        'docs/a.rst:3: [prose] "what": write its noun',
+    ]
+
+
+def test_a_phrase_ends_at_code(root: Path) -> None:
+    assert found(root, "design/a.toml", 'a = "all of it once"\nb = "more than one"\n') == []
+
+
+def test_a_word_next_to_a_tag_is_found(root: Path) -> None:
+    assert len(found(root, "site/templates/a.html", "<p>A nabob</p>\n")) == 1
