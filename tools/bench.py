@@ -167,7 +167,7 @@ def costs(reports: list[Report]) -> BenchRun:
     if not told:
         raise FailureError("no report of a cycle that read an order")
     if not any(report.awake_cycles for report in told):
-        raise FailureError("the device at this port does not count processor cycles; choose the port of the board")
+        raise FailureError("this port counts no processor cycles: choose that of the board")
     starts = [report.start_cycles for report in told]
     return BenchRun(
         report_ms=spread([report.report_cycles / CORE_PER_MS for report in told], 4),

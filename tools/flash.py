@@ -65,7 +65,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="write this key (32 hexadecimal digits) into the image of weeding_robot_pc_bluetooth",
     )
     parser.add_argument(
-        "--dry-run", action="store_true", help="check the image, and print the steps without doing them"
+        "--dry-run", action="store_true", help="check the image, and only print the steps"
     )
     parser.set_defaults(run=lambda root, options: flash(root, options, parser))
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import shutil
+import sys
 import tempfile
+import time
 from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import FIRST_EXCEPTION, Future, ProcessPoolExecutor, wait
 from multiprocessing import get_context
 from pathlib import Path
 
@@ -19,7 +21,10 @@ from traceability.schema import Finding
 
 NEAR = 2  # lines between the expected place and the finding: a comment is above its declaration
 WORKERS = 2
+PROGRESS = 30.0  # [s] between two lines of progress
 BUILT = ("build/model", "build/results", "build/tasks.json")
+FORK = get_context("fork")
+tried = FORK.Value("i", 0)  # faults, counted by all workers
 LINKED = ("build/trace", "build/host", "build/k64")  # only read
 PAGES = ("build/pages", "build/pages-cache", "build/site", "build/diagrams")
 
@@ -31,9 +36,9 @@ def seed_all(root: Path) -> list[Outcome]:
     stages = {"sources"} | ({"results"} if fresh else set())
     if (root / PAGES[2]).is_dir():
         stages |= {"pages", "site"}
-    tried = [fault for fault in faults if fault.stage in stages]
-    outcomes = list(_outcomes(root, tried))
-    write_record(root, outcomes, len(faults) - len(tried), commit(root))
+    possible = [fault for fault in faults if fault.stage in stages]
+    outcomes = list(_outcomes(root, possible))
+    write_record(root, outcomes, len(faults) - len(possible), commit(root))
     return outcomes
 
 
@@ -48,9 +53,10 @@ def seed(root: Path, checks: list[str]) -> list[Outcome]:
 
 def _outcomes(root: Path, faults: list[Fault]) -> Iterator[Outcome]:
     """By stage; the groups of a stage are shared out among copies."""
+    tried.value = 0
     with (
         tempfile.TemporaryDirectory(prefix="drift-") as folder,
-        ProcessPoolExecutor(WORKERS, mp_context=get_context("fork")) as pool,
+        ProcessPoolExecutor(WORKERS, mp_context=FORK) as pool,
     ):
         work = []
         for stage in dict.fromkeys(fault.stage for fault in faults):
@@ -60,12 +66,24 @@ def _outcomes(root: Path, faults: list[Fault]) -> Iterator[Outcome]:
                 (root, Path(folder) / f"{stage}{part}", stage, groups[part::parts])
                 for part in range(parts)
             ]
-        done = {
-            outcome.name: outcome
-            for part in pool.map(_seed_part, *zip(*work, strict=True))
-            for outcome in part
-        }
+        parts_done = [pool.submit(_seed_part, *part) for part in work]
+        _show_progress(parts_done, len(faults))
+        done = {outcome.name: outcome for part in parts_done for outcome in part.result()}
     yield from (done[fault.name] for fault in faults)
+
+
+def _show_progress(parts: list[Future[list[Outcome]]], faults: int) -> None:
+    """Prints the number of faults that were tried, until all parts have ended."""
+    start = time.monotonic()
+    while wait(parts, PROGRESS, FIRST_EXCEPTION).not_done:
+        if any(part.done() and part.exception() for part in parts):
+            return
+        seconds = time.monotonic() - start
+        print(
+            f"        {tried.value} of {faults} faults tried, {seconds:.0f} s",
+            file=sys.__stdout__,
+            flush=True,
+        )
 
 
 def grouped(faults: list[Fault]) -> list[list[Fault]]:
@@ -89,7 +107,12 @@ def grouped(faults: list[Fault]) -> list[list[Fault]]:
 
 def _seed_part(root: Path, tree: Path, stage: str, groups: list[list[Fault]]) -> list[Outcome]:
     copy = Copy(root, tree, stage)
-    return [outcome for group in groups for outcome in copy.seed(group)]
+    outcomes = []
+    for group in groups:
+        outcomes += copy.seed(group)
+        with tried.get_lock():
+            tried.value += len(group)
+    return outcomes
 
 
 class Copy:
@@ -121,7 +144,7 @@ class Copy:
         return [*report.findings, *made]
 
     def seed(self, faults: list[Fault]) -> list[Outcome]:
-        """Seeds a fault again, alone, when it is not found among others or does not compile with them."""
+        """Seeds the faults together, and each one again, alone, that was not found."""
         outcomes = self._seed(faults)
         if len(faults) == 1:
             return outcomes

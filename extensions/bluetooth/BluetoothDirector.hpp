@@ -33,7 +33,7 @@ class BluetoothDirector final {
 
   /// @brief Builds all parts of the robot. The mode at start is PC.
   /// @post start() can be called.
-  /// @errors A second call ends the program with the assertion PartDouble.
+  /// @errors A second call ends the program with the assertion PartBuiltTwice.
   /// @satisfies FR-150
   /// @satisfies NFR-1
   /// @isr{no}

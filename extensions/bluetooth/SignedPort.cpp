@@ -7,9 +7,9 @@ namespace wr {
 
 namespace {
 
-constexpr std::size_t kChunk = 64;
-constexpr std::size_t kMostChunks = 64;  // bytes of more than one cycle at 115200 baud
-constexpr unsigned kDigit = 4;           // bits
+constexpr std::size_t kChunkSize = 64;
+constexpr std::size_t kMaxChunks = 64;  // bytes of more than one cycle at 115200 baud
+constexpr unsigned kDigit = 4;          // bits
 constexpr std::size_t kCounterDigits = 8;
 constexpr std::size_t kTagDigits = 16;
 static_assert(kCounterDigits + kTagDigits == SignedPort::kTrailer);
@@ -59,9 +59,9 @@ SignedPort::SignedPort(SerialPort& port, const SipHash::Key& key, RandomSource& 
     : port_(port), key_(key), nonce_(random.draw()) {}
 
 std::size_t SignedPort::read(std::span<std::uint8_t> bytes) {
-  std::array<std::uint8_t, kChunk> chunk{};
+  std::array<std::uint8_t, kChunkSize> chunk{};
   std::size_t received = chunk.size();
-  for (std::size_t i = 0; i < kMostChunks && received > 0 && given_ == ready_; ++i) {
+  for (std::size_t i = 0; i < kMaxChunks && received > 0 && given_ == ready_; ++i) {
     received = port_.read(chunk);
     for (const std::uint8_t byte : std::span(chunk).first(received)) {
       collect(byte);
@@ -82,7 +82,7 @@ std::size_t SignedPort::free() const {
 }
 
 bool SignedPort::write(std::span<const std::uint8_t> bytes) {
-  if (!works() || bytes.empty() || bytes.size() > FrameEncoder::kMostBytes) {
+  if (!works() || bytes.empty() || bytes.size() > FrameEncoder::kMaxBytes) {
     return false;
   }
   const auto frame = bytes.first(bytes.size() - 1);
@@ -150,7 +150,7 @@ bool SignedPort::accept() {
 
 // A flood of wrong frames must not take the room of frames to send.
 void SignedPort::challenge() {
-  if (port_.free() < 2 * FrameEncoder::kMostBytes) {
+  if (port_.free() < 2 * FrameEncoder::kMaxBytes) {
     return;
   }
   std::array<std::uint8_t, sizeof(std::uint64_t) + sizeof(std::uint32_t)> payload{};

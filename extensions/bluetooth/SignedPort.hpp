@@ -68,7 +68,7 @@ class SignedPort final : public SerialPort {
   [[nodiscard]] std::uint16_t lostBytes() const override;
 
  private:
-  using Coded = std::array<std::uint8_t, FrameEncoder::kMostBytes + kTrailer>;
+  using Coded = std::array<std::uint8_t, FrameEncoder::kMaxBytes + kTrailer>;
 
   /// @brief Checks whether there is a key and a random number.
   /// @return true when both are there

@@ -6,7 +6,7 @@ namespace wr {
 
 namespace {
 
-constexpr Current kMost(12000);  // 3 A below the overcurrent trip
+constexpr Current kMaxCurrent(12000);  // 3 A below the overcurrent trip
 constexpr std::int32_t kWinding =
     1000;  // [mOhm] less than any winding has: the current stays below
 constexpr std::int32_t kThousand = 1000;
@@ -24,8 +24,8 @@ Tension CurrentLimited::calculate(std::int16_t setPoint, const WheelFeedback& fe
   if (!applied_) {
     return demand;
   }
-  const Tension most = *applied_ + across(kMost - feedback.current);
-  const Tension least = *applied_ + across(-kMost - feedback.current);
+  const Tension most = *applied_ + across(kMaxCurrent - feedback.current);
+  const Tension least = *applied_ + across(-kMaxCurrent - feedback.current);
   return std::clamp(demand, least, most);
 }
 

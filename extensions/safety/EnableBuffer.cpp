@@ -6,15 +6,15 @@ namespace wr {
 
 namespace {
 
-constexpr std::int32_t kMiddle = 1500;         // [us]
+constexpr std::int32_t kMiddlePulse = 1500;    // [us]
 constexpr std::int32_t kFullDeflection = 500;  // [us]: the deflection is in us
 
 // Widths of the pulses of the switch; those out of the range order a stop.
-constexpr Microseconds kShortest(900);
-constexpr Microseconds kLongest(2100);
+constexpr Microseconds kShortestPulse(900);
+constexpr Microseconds kLongestPulse(2100);
 
 bool inRange(Microseconds width) {
-  return width >= kShortest && width <= kLongest;
+  return width >= kShortestPulse && width <= kLongestPulse;
 }
 
 }  // namespace
@@ -28,11 +28,11 @@ std::int32_t EnableBuffer::fullDeflection() const {
 }
 
 void EnableBuffer::keep(std::int32_t value, Instant at) {
-  const Microseconds width(kMiddle + value);
+  const Microseconds width(kMiddlePulse + value);
   if (inRange(width)) {
     pipe_.write(width, at);
   }
-  const bool stops = !inRange(width) || width < EnableSwitch::kLeastNoStop;
+  const bool stops = !inRange(width) || width < EnableSwitch::kMinNoStopPulse;
   if (stops && stopBefore_) {
     stop_.write(width, at);
   }

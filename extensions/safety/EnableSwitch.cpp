@@ -10,9 +10,9 @@ namespace wr {
 namespace {
 
 // Widths of the pulses of the enable switch. Between the bands the position stays.
-constexpr Microseconds kLeastPc(1350);
-constexpr Microseconds kMostPc(1650);
-constexpr Microseconds kLeastDrive(1750);
+constexpr Microseconds kMinPcPulse(1350);
+constexpr Microseconds kMaxPcPulse(1650);
+constexpr Microseconds kMinDrivePulse(1750);
 
 constexpr Microseconds kLifetime = milliseconds(200);  // of a pulse
 
@@ -63,13 +63,13 @@ bool EnableSwitch::stopOrdered() const {
 }
 
 EnableSwitch::Position EnableSwitch::positionOf(Microseconds width, Position before) {
-  if (width < kLeastNoStop) {
+  if (width < kMinNoStopPulse) {
     return Position::Stop;
   }
-  if (width >= kLeastDrive) {
+  if (width >= kMinDrivePulse) {
     return Position::Drive;
   }
-  return width >= kLeastPc && width <= kMostPc ? Position::Pc : before;
+  return width >= kMinPcPulse && width <= kMaxPcPulse ? Position::Pc : before;
 }
 
 void EnableSwitch::takePosition(Instant now) {

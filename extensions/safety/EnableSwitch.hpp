@@ -34,7 +34,7 @@ class EnableSwitch final : public ModeDecorator {
   };
 
   /// @brief Shortest pulse of the switch that orders no stop.
-  static constexpr Microseconds kLeastNoStop{1250};
+  static constexpr Microseconds kMinNoStopPulse{1250};
 
   /// @brief Binds the switch to the mode that it extends. It begins with a stop.
   /// @param wrapped the extended mode

@@ -11,22 +11,23 @@ namespace {
 // The parameters are shares of the resistance and of the motor constant, divided by the share of
 // the supply, and the voltage of the current sensor's offset. These are their variances before the
 // first cycle, and the limits of the learned values.
-constexpr std::array<float, 3> kFirst{0.13F * 0.13F, 0.13F * 0.13F, 0.25F * 0.25F};
-constexpr float kGreatest = 0.5F;
-constexpr float kDrift = 1e-6F;  // growth of a variance in a cycle: temperature and battery
+constexpr std::array<float, 3> kInitialVariances{0.13F * 0.13F, 0.13F * 0.13F, 0.25F * 0.25F};
+constexpr float kMaxVariance = 0.5F;
+constexpr float kVarianceDrift = 1e-6F;  // growth of a variance in a cycle: temperature and battery
 
 // Standard deviations of the measured voltage balance.
-constexpr float kNoise = 0.1F;       // [V] always
-constexpr float kOfVelocity = 0.3F;  // of the change of the induced voltage since the cycle before
-constexpr float kOfTension = 0.2F;   // of the change of the voltage since the cycle before
-constexpr float kOfCurrent = 0.02F;  // of the voltage across the winding
+constexpr float kNoise = 0.1F;  // [V] always
+constexpr float kVelocityNoise =
+    0.3F;  // of the change of the induced voltage since the cycle before
+constexpr float kTensionNoise = 0.2F;   // of the change of the voltage since the cycle before
+constexpr float kCurrentNoise = 0.02F;  // of the voltage across the winding
 
 // Evidence: logarithm of the probability of these measurements with swapped leads, divided by that
 // with right leads.
-constexpr float kSwapped = 12.0F;
-constexpr float kPerCycle = 6.0F;      // two cycles are needed
-constexpr float kBackPerCycle = 3.0F;  // as much a cycle takes back
-constexpr float kDoubtful = 3.0F;      // from here on nothing is learned
+constexpr float kSwappedThreshold = 12.0F;
+constexpr float kMaxRisePerCycle = 6.0F;  // two cycles are needed
+constexpr float kMaxFallPerCycle = 3.0F;  // as much a cycle takes back
+constexpr float kDoubtThreshold = 3.0F;   // from here on nothing is learned
 
 // Up to this voltage the bring-up turns a wheel whose leads may be swapped.
 constexpr Tension kBringUp(1000);
@@ -79,17 +80,17 @@ bool LeadsWatch::swapped(const WheelMeasurements& measured, std::optional<Tensio
     weigh(cycle);
   }
   // Without edges the measured velocity is only the greatest possible one.
-  if (evidence_ < kDoubtful && (cycle.moved || measured.velocity == Velocity())) {
+  if (evidence_ < kDoubtThreshold && (cycle.moved || measured.velocity == Velocity())) {
     learn(cycle);
   }
-  return evidence_ >= kSwapped;
+  return evidence_ >= kSwappedThreshold;
 }
 
 void LeadsWatch::reset() {
   deviations_ = {};
   doubts_ = {};
   for (std::size_t row = 0; row < kParameters; ++row) {
-    doubts_[row][row] = kFirst[row];
+    doubts_[row][row] = kInitialVariances[row];
   }
   evidence_ = 0;
   tension_ = Tension();
@@ -108,9 +109,9 @@ LeadsWatch::Cycle LeadsWatch::examine(const WheelMeasurements& measured, Tension
   for (std::size_t row = 0; row < kParameters; ++row) {
     cycle.spread[row] = product(doubts_[row], cycle.inputs);
   }
-  cycle.variance = square(kNoise) + square(kOfVelocity * induced(velocity - velocity_)) +
-                   square(kOfTension * volts(tension - tension_)) +
-                   square(kOfCurrent * cycle.inputs[0]) +
+  cycle.variance = square(kNoise) + square(kVelocityNoise * induced(velocity - velocity_)) +
+                   square(kTensionNoise * volts(tension - tension_)) +
+                   square(kCurrentNoise * cycle.inputs[0]) +
                    std::max(product(cycle.inputs, cycle.spread), 0.0F);
   cycle.moved =
       velocity > Velocity() ? way > HallCount() : velocity < Velocity() && way < HallCount();
@@ -124,7 +125,8 @@ LeadsWatch::Cycle LeadsWatch::examine(const WheelMeasurements& measured, Tension
 void LeadsWatch::weigh(const Cycle& cycle) {
   const float turning = (1 + deviations_[kInduced]) * cycle.inputs[kInduced];
   const float shown = -2 * turning * (cycle.unexplained + turning) / cycle.variance;
-  evidence_ = std::clamp(evidence_ + std::clamp(shown, -kBackPerCycle, kPerCycle), 0.0F, kSwapped);
+  evidence_ = std::clamp(evidence_ + std::clamp(shown, -kMaxFallPerCycle, kMaxRisePerCycle), 0.0F,
+                         kSwappedThreshold);
 }
 
 // A step of the recursive least squares.
@@ -132,11 +134,11 @@ void LeadsWatch::learn(const Cycle& cycle) {
   for (std::size_t row = 0; row < kParameters; ++row) {
     const float gain = cycle.spread[row] / cycle.variance;
     deviations_[row] =
-        std::clamp(deviations_[row] + gain * cycle.unexplained, -kGreatest, kGreatest);
+        std::clamp(deviations_[row] + gain * cycle.unexplained, -kMaxVariance, kMaxVariance);
     for (std::size_t column = 0; column < kParameters; ++column) {
       doubts_[row][column] -= gain * cycle.spread[column];
     }
-    doubts_[row][row] = std::min(doubts_[row][row] + kDrift, kFirst[row]);
+    doubts_[row][row] = std::min(doubts_[row][row] + kVarianceDrift, kInitialVariances[row]);
   }
 }
 

@@ -6,21 +6,21 @@ namespace wr {
 
 namespace {
 
-constexpr std::int32_t kChange = 8;  // [us] more than the jitter of a receiver
-constexpr Microseconds kLongest = milliseconds(2000);
+constexpr std::int32_t kMinChange = 8;  // [us] more than the jitter of a receiver
+constexpr Microseconds kMaxStillness = milliseconds(2000);
 
 }  // namespace
 
 bool RcVigilance::expired(const Deflections& deflections, bool moving, Instant now) {
   bool changed = !moving;
   for (std::size_t channel = 0; channel < kChannels; ++channel) {
-    changed = changed || std::abs(deflections[channel] - reference_[channel]) > kChange;
+    changed = changed || std::abs(deflections[channel] - reference_[channel]) > kMinChange;
   }
   if (changed) {
     reference_ = deflections;
     changedAt_ = now;
   }
-  return now - changedAt_ > kLongest;
+  return now - changedAt_ > kMaxStillness;
 }
 
 }  // namespace wr

@@ -7,7 +7,7 @@ namespace wr {
 namespace {
 
 // Marks valid content; neither erased nor empty memory has it.
-constexpr std::uint32_t kMark = 0x96C3'0000;
+constexpr std::uint32_t kRetainedMark = 0x96C3'0000;
 constexpr std::uint32_t kMarkBits = 0xFFFF'0000;
 constexpr std::uint32_t kByte = 0xFF;
 constexpr unsigned kCauseShift = 8;
@@ -15,7 +15,7 @@ constexpr unsigned kCauseShift = 8;
 constexpr RetainedProtection::Stop kDoubtful{.cause = StopCause::MissingMeasurement};
 
 std::uint32_t encoded(const RetainedProtection::Stop& stop) {
-  return kMark | static_cast<std::uint32_t>(stop.cause) << kCauseShift | stop.wheel;
+  return kRetainedMark | static_cast<std::uint32_t>(stop.cause) << kCauseShift | stop.wheel;
 }
 
 bool possible(std::uint32_t cause, std::uint32_t wheel) {
@@ -41,7 +41,7 @@ RetainedProtection::Stop RetainedProtection::stored() const {
   const std::uint32_t value = cells_.value;
   const std::uint32_t cause = value >> kCauseShift & kByte;
   const std::uint32_t wheel = value & kByte;
-  if (cells_.check != ~value || (value & kMarkBits) != kMark || !possible(cause, wheel)) {
+  if (cells_.check != ~value || (value & kMarkBits) != kRetainedMark || !possible(cause, wheel)) {
     return kDoubtful;
   }
   return {.cause = static_cast<StopCause>(cause), .wheel = static_cast<std::uint8_t>(wheel)};

@@ -56,7 +56,7 @@ void SafetyBuilder::buildController() {
 }
 
 void SafetyBuilder::buildSystem() {
-  require(!chain_, AssertId::PartDouble);
+  require(!chain_, AssertId::PartBuiltTwice);
   for (ControlSystemBuilder* builder : parts_.systems) {
     builder->buildSystem();
     robot_.add(builder->system());

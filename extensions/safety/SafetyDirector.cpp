@@ -9,7 +9,7 @@ SafetyDirector::SafetyDirector(ControlSystemPoolBuilder& poolBuilder,
     : poolBuilder_(poolBuilder), controllerBuilder_(controllerBuilder), devices_(devices) {}
 
 void SafetyDirector::construct() {
-  require(!modes_, AssertId::PartDouble);
+  require(!modes_, AssertId::PartBuiltTwice);
   poolBuilder_.buildSystems();
   poolBuilder_.buildPool();
   poolBuilder_.buildTimer();

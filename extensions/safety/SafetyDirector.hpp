@@ -50,7 +50,7 @@ class SafetyDirector final {
 
   /// @brief Builds a robot that the PC and the remote control command.
   /// @post start() can be called.
-  /// @errors A second call ends the program with the assertion PartDouble.
+  /// @errors A second call ends the program with the assertion PartBuiltTwice.
   /// @satisfies FR-285
   /// @satisfies FR-293
   /// @isr{no}

@@ -32,7 +32,7 @@ class SafetyPcDirector final {
 
   /// @brief Builds the robot.
   /// @post start() can be called.
-  /// @errors A second call ends the program with the assertion PartDouble.
+  /// @errors A second call ends the program with the assertion PartBuiltTwice.
   /// @satisfies FR-293
   /// @isr{no}
   void construct();

@@ -11,28 +11,28 @@ namespace wr {
 namespace {
 
 // 0.5 m/s^2 in a cycle of 0.1 s are 0.05 m/s; 300 rpm of the motor shaft are 0.85 m/s.
-constexpr std::int32_t kChange = 176;  // [0.1 rpm] in a cycle
+constexpr std::int32_t kMaxChangePerCycle = 176;  // [0.1 rpm] in a cycle
 
 // A slope of 2.4 V in a cycle is that of a stop.
-constexpr Tension kRise(1000);  // in a cycle, away from 0
-constexpr Tension kFall(2400);  // in a cycle, towards 0
+constexpr Tension kMaxRisePerCycle(1000);  // in a cycle, away from 0
+constexpr Tension kMaxFallPerCycle(2400);  // in a cycle, towards 0
 
 // A robot that a slope or a curve makes too fast gets lower set-points.
-constexpr std::int32_t kFast = 100;  // [0.1 rpm] above the greatest set-point
-constexpr std::int32_t kWhole = 1000;
-constexpr std::int32_t kLeastShare = 100;  // [0.001]
-constexpr std::int32_t kForeseen = 2;      // cycles
-constexpr std::int32_t kLowered = 60;      // [0.001] in a cycle
-constexpr std::int32_t kRaised = 10;       // [0.001] in a cycle
+constexpr std::int32_t kOverspeedMargin = 100;  // [0.1 rpm] above the greatest set-point
+constexpr std::int32_t kFullScale = 1000;
+constexpr std::int32_t kMinScale = 100;       // [0.001]
+constexpr std::int32_t kPredictedCycles = 2;  // cycles
+constexpr std::int32_t kScaleFall = 60;       // [0.001] in a cycle
+constexpr std::int32_t kScaleRise = 10;       // [0.001] in a cycle
 
 // In a curve the tyres push the wheels on the outside.
 constexpr std::int32_t kStraight =
-    100;                              // [0.01 degree] up to this angle the robot drives straight on
-constexpr std::int32_t kCurve = 500;  // [0.01 degree]
-constexpr std::int32_t kTightest = SystemConstants::instance().steeringLimit().count();
+    100;  // [0.01 degree] up to this angle the robot drives straight on
+constexpr std::int32_t kCurveAngle = 500;  // [0.01 degree]
+constexpr std::int32_t kTightestAngle = SystemConstants::instance().steeringLimit().count();
 constexpr std::int32_t kFastStraight = SystemConstants::instance().velocityLimit().count();
-constexpr std::int32_t kFastCurve = 2600;     // [0.1 rpm] at kCurve
-constexpr std::int32_t kFastTightest = 2400;  // [0.1 rpm] at kTightest
+constexpr std::int32_t kCurveVelocity = 2600;     // [0.1 rpm] at kCurveAngle
+constexpr std::int32_t kTightestVelocity = 2400;  // [0.1 rpm] at kTightestAngle
 
 bool isVelocity(const WheelSetPoint& setPoint) {
   return setPoint.quantity == WheelQuantity::Velocity;
@@ -44,23 +44,25 @@ std::int32_t between(std::int32_t low, std::int32_t high, std::int32_t part, std
 
 // Greatest set-point of velocity at an angle.
 std::int32_t greatestAt(std::int32_t angle) {
-  if (angle <= kCurve) {
+  if (angle <= kCurveAngle) {
     const std::int32_t part = std::max(angle - kStraight, std::int32_t{0});
-    return between(kFastStraight, kFastCurve, part, kCurve - kStraight);
+    return between(kFastStraight, kCurveVelocity, part, kCurveAngle - kStraight);
   }
-  const std::int32_t part = std::min(angle, kTightest) - kCurve;
-  return between(kFastCurve, kFastTightest, part, kTightest - kCurve);
+  const std::int32_t part = std::min(angle, kTightestAngle) - kCurveAngle;
+  return between(kCurveVelocity, kTightestVelocity, part, kTightestAngle - kCurveAngle);
 }
 
 // Velocity of a wheel without load at a voltage.
 std::int32_t unloadedVelocity(Tension tension) {
-  return tension.count() * kWhole / SystemConstants::instance().motorConstant().count();
+  return tension.count() * kFullScale / SystemConstants::instance().motorConstant().count();
 }
 
 // The next voltage on the way to an order.
 Tension ramped(Tension order, Tension applied) {
-  const Tension most = applied < Tension() ? applied + kFall : applied + kRise;
-  const Tension least = applied > Tension() ? applied - kFall : applied - kRise;
+  const Tension most =
+      applied < Tension() ? applied + kMaxFallPerCycle : applied + kMaxRisePerCycle;
+  const Tension least =
+      applied > Tension() ? applied - kMaxFallPerCycle : applied - kMaxRisePerCycle;
   return std::clamp(order, least, most);
 }
 
@@ -76,7 +78,7 @@ void SetPointRamp::follow(const SetPoints& setPoints, std::uint32_t cycle) {
       greatestAt(std::max(std::abs(measurements.steering.value_or(Angle()).count()),
                           std::abs(setPoints.steering.count())));
   followMeasured(setPoints, measurements, outputs);
-  lowerWhenFast(measurements, most + kFast);
+  lowerWhenFast(measurements, most + kOverspeedMargin);
   SetPoints limited = setPoints;
   limit(limited, most);
   const std::int32_t greatest = greatestChange(limited);
@@ -84,7 +86,8 @@ void SetPointRamp::follow(const SetPoints& setPoints, std::uint32_t cycle) {
     WheelSetPoint& setPoint = limited.wheels[wheel];
     if (isVelocity(setPoint)) {
       const std::int32_t change = setPoint.value - ramped_[wheel];
-      ramped_[wheel] += greatest > kChange ? change * kChange / greatest : change;
+      ramped_[wheel] +=
+          greatest > kMaxChangePerCycle ? change * kMaxChangePerCycle / greatest : change;
       setPoint.value = static_cast<std::int16_t>(ramped_[wheel]);
     } else if (setPoint.quantity == WheelQuantity::Tension) {
       const Tension applied = outputs.tensions[wheel].value_or(Tension());
@@ -96,13 +99,13 @@ void SetPointRamp::follow(const SetPoints& setPoints, std::uint32_t cycle) {
 
 void SetPointRamp::stand(std::uint32_t cycle) {
   ramped_ = {};
-  share_ = kWhole;
+  share_ = kFullScale;
   wrapped().stand(cycle);
 }
 
 void SetPointRamp::recover(std::uint32_t cycle) {
   ramped_ = {};
-  share_ = kWhole;
+  share_ = kFullScale;
   wrapped().recover(cycle);
 }
 
@@ -129,10 +132,10 @@ void SetPointRamp::lowerWhenFast(const Measurements& measurements, std::int32_t 
     const std::int32_t velocity =
         std::abs(measurements.wheels[wheel].velocity.value_or(Velocity()).count());
     const std::int32_t gained = std::max(velocity - velocities_[wheel], std::int32_t{0});
-    fast = fast || velocity + kForeseen * gained > most;
+    fast = fast || velocity + kPredictedCycles * gained > most;
     velocities_[wheel] = velocity;
   }
-  share_ = std::clamp(share_ + (fast ? -kLowered : kRaised), kLeastShare, kWhole);
+  share_ = std::clamp(share_ + (fast ? -kScaleFall : kScaleRise), kMinScale, kFullScale);
 }
 
 // One factor for all wheels keeps the robot on its circle.
@@ -146,7 +149,7 @@ void SetPointRamp::limit(SetPoints& setPoints, std::int32_t most) const {
   for (WheelSetPoint& setPoint : setPoints.wheels) {
     const std::int32_t permitted =
         isVelocity(setPoint) ? setPoint.value * most / greatest : setPoint.value;
-    setPoint.value = static_cast<std::int16_t>(permitted * share_ / kWhole);
+    setPoint.value = static_cast<std::int16_t>(permitted * share_ / kFullScale);
   }
 }
 

@@ -17,16 +17,16 @@ namespace {
 constexpr double kWheelbase = 1.582;  // [m]
 constexpr double kTrack = 1.054;      // [m]
 
-constexpr std::size_t kDegrees = 33;    // 0 to 32
-constexpr std::int32_t kDegree = 100;   // [0.01 degree]
-constexpr std::int32_t kWhole = 10000;  // share of the wheel on the greatest circle
+constexpr std::size_t kDegrees = 33;        // 0 to 32
+constexpr std::int32_t kDegree = 100;       // [0.01 degree]
+constexpr std::int32_t kFullShare = 10000;  // share of the wheel on the greatest circle
 constexpr double kRadians = std::numbers::pi / 180;
 
 // Shares of the wheels at one angle. The front wheel on the outside has the greatest circle.
 struct Shares {
-  std::int32_t innerFront = kWhole;
-  std::int32_t innerRear = kWhole;
-  std::int32_t outerRear = kWhole;
+  std::int32_t innerFront = kFullShare;
+  std::int32_t innerRear = kFullShare;
+  std::int32_t outerRear = kFullShare;
 };
 
 consteval double root(double square) {
@@ -48,7 +48,7 @@ consteval double tangent(double angle) {
 
 // A part of the whole, rounded; parts are not negative.
 consteval std::int32_t shareOf(double part) {
-  return (static_cast<std::int32_t>(2 * kWhole * part) + 1) / 2;
+  return (static_cast<std::int32_t>(2 * kFullShare * part) + 1) / 2;
 }
 
 consteval Shares sharesAt(std::size_t degrees) {
@@ -80,8 +80,8 @@ std::int32_t between(std::int32_t low, std::int32_t high, std::int32_t rest) {
 }
 
 Shares sharesOf(Angle steering) {
-  constexpr std::int32_t kGreatest = (static_cast<std::int32_t>(kDegrees) - 1) * kDegree;
-  const std::int32_t angle = std::min(std::abs(steering.count()), kGreatest);
+  constexpr std::int32_t kMaxAngle = (static_cast<std::int32_t>(kDegrees) - 1) * kDegree;
+  const std::int32_t angle = std::min(std::abs(steering.count()), kMaxAngle);
   const auto degrees = static_cast<std::size_t>(angle / kDegree);
   const std::int32_t rest = angle % kDegree;
   const Shares& low = kShares[degrees];
@@ -92,7 +92,7 @@ Shares sharesOf(Angle steering) {
 }
 
 std::int16_t part(std::int16_t velocity, std::int32_t share) {
-  return static_cast<std::int16_t>(velocity * share / kWhole);
+  return static_cast<std::int16_t>(velocity * share / kFullShare);
 }
 
 }  // namespace

@@ -8,22 +8,22 @@ namespace wr {
 
 namespace {
 
-constexpr std::int32_t kWay = 20;  // [edges] 0.057 m
+constexpr std::int32_t kComparedWay = 20;  // [edges] 0.057 m
 
 // In the tightest curve the slowest wheel has 71 % of the common way. While the robot reverses in a
 // curve it has less, once.
-constexpr std::int32_t kLeastShare = 2;  // half of the common way
+constexpr std::int32_t kMinShareDivisor = 2;  // half of the common way
 
 // Straight on, no wheel needs this current for longer than 1 s. In a curve the set-points of a
 // source can make the wheels work against each other for a while: there it takes 5 s.
-constexpr Current kGreat(11000);
+constexpr Current kHighCurrent(11000);
 constexpr Angle kStraight(1100);
 constexpr std::uint8_t kCurveCycles = 50;
 constexpr std::uint8_t kStraightCycle = 5;  // cycles of a curve that count as much
 
 bool isGreat(std::optional<Current> current) {
   const Current measured = current.value_or(Current());
-  return measured > kGreat || measured < -kGreat;
+  return measured > kHighCurrent || measured < -kHighCurrent;
 }
 
 }  // namespace
@@ -31,13 +31,13 @@ bool isGreat(std::optional<Current> current) {
 std::optional<std::uint8_t> WheelComparison::behind(const Measurements& measurements) {
   add(measurements);
   const std::int32_t way = common();
-  if (std::abs(way) < kWay) {
+  if (std::abs(way) < kComparedWay) {
     return std::nullopt;
   }
   const auto* const least =
       way > 0 ? std::ranges::min_element(ways_) : std::ranges::max_element(ways_);
   const auto wheel = static_cast<std::uint8_t>(least - ways_.begin());
-  const bool late = std::abs(way) >= kLeastShare * (way > 0 ? *least : -*least);
+  const bool late = std::abs(way) >= kMinShareDivisor * (way > 0 ? *least : -*least);
   const bool again = late && late_ == wheel;
   late_ = late ? std::optional(wheel) : std::nullopt;
   ways_ = {};

@@ -11,11 +11,11 @@ namespace wr {
 
 namespace {
 
-constexpr Velocity kGreatest(3300);  // 10 % above the velocity limit
+constexpr Velocity kMaxVelocity(3300);  // 10 % above the velocity limit
 
 // A wheel turns against its voltage.
 constexpr Tension kDriving(1000);
-constexpr Velocity kOpposing(50);
+constexpr Velocity kOpposingVelocity(50);
 constexpr std::int32_t kOpposingPercent = 50;  // of the induced voltage
 constexpr std::int32_t kDrivingPercent = 40;   // of the voltage, for supply, winding and delay
 constexpr std::uint8_t kOpposingCycles = 2;
@@ -28,8 +28,8 @@ constexpr std::uint8_t kTooFastCycles = 3;
 
 // Voltage, velocity and current do not match. The shares cover a supply of 21 to 29 V, and the
 // variation of the resistance and the motor constant with temperature and from motor to motor.
-constexpr Tension kResidual(700);    // offset of the current, and changes during a cycle
-constexpr Tension kNotDriven(1500);  // 1 A in the winding; 1 V turns a wheel at bring-up
+constexpr Tension kResidual(700);         // offset of the current, and changes during a cycle
+constexpr Tension kMaxIdleTension(1500);  // 1 A in the winding; 1 V turns a wheel at bring-up
 constexpr std::int32_t kSupplyPercent = 20;
 constexpr std::int32_t kWindingPercent = 25;
 constexpr std::int32_t kInducedPercent = 10;
@@ -108,7 +108,7 @@ StopCause WheelSupervision::examine(const WheelMeasurements& measured,
   if (opposing) {
     return StopCause::WrongDirection;
   }
-  if (magnitude(velocity) > kGreatest || tooFast) {
+  if (magnitude(velocity) > kMaxVelocity || tooFast) {
     return StopCause::Overspeed;
   }
   if (deviating || swapped) {
@@ -149,7 +149,7 @@ bool WheelSupervision::opposes(const WheelMeasurements& measured) const {
   const Tension bound =
       part(induced(velocity), kOpposingPercent) + part(*tension_, kDrivingPercent);
   const bool powered = (*tension_ > Tension() ? unexplained : -unexplained) > bound;
-  return driven && against && magnitude(velocity) > kOpposing && powered;
+  return driven && against && magnitude(velocity) > kOpposingVelocity && powered;
 }
 
 bool WheelSupervision::exceedsReference(Velocity velocity) const {
@@ -173,7 +173,7 @@ bool WheelSupervision::deviates(const WheelMeasurements& measured) const {
                          part(induced(*measured.velocity), kInducedPercent);
   const bool driven = magnitude(*tension_) > kDriving;
   const bool atRest = *tension_ == Tension() && *measured.velocity == Velocity();
-  const Tension bound = (driven ? kResidual : kNotDriven) + (atRest ? Tension() : shares);
+  const Tension bound = (driven ? kResidual : kMaxIdleTension) + (atRest ? Tension() : shares);
   return magnitude(residual(*tension_, *measured.velocity, *measured.current)) > bound;
 }
 

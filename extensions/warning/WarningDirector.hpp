@@ -30,7 +30,7 @@ class WarningDirector final {
 
   /// @brief Builds all parts of the robot.
   /// @post start() can be called.
-  /// @errors A second call ends the program with the assertion PartDouble.
+  /// @errors A second call ends the program with the assertion PartBuiltTwice.
   /// @satisfies FR-152
   /// @isr{no}
   void construct();

@@ -20,7 +20,7 @@ class ControlSystemBuilder {
   ControlSystemBuilder& operator=(const ControlSystemBuilder&) = delete;
 
   /// @brief Builds the actuator, with the commands that move it.
-  /// @errors A part that is made twice ends the program with the assertion PartDouble.
+  /// @errors A part that is made twice ends the program with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildActuator() = 0;
@@ -28,7 +28,7 @@ class ControlSystemBuilder {
   /// @brief Builds the sensors.
   /// @pre The actuator is made.
   /// @errors A missing part ends the program with the assertion PartMissing, one that is made twice with
-  /// PartDouble.
+  /// PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildSensors() = 0;
@@ -36,7 +36,7 @@ class ControlSystemBuilder {
   /// @brief Builds the controller.
   /// @pre The actuator and the sensors are made.
   /// @errors A missing part ends the program with the assertion PartMissing, one that is made twice with
-  /// PartDouble.
+  /// PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildController() = 0;
@@ -44,7 +44,7 @@ class ControlSystemBuilder {
   /// @brief Builds the system.
   /// @pre All its parts are made.
   /// @errors A missing part ends the program with the assertion PartMissing, one that is made twice with
-  /// PartDouble.
+  /// PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildSystem() = 0;

@@ -18,7 +18,7 @@ void ControlSystemPoolBuilder::buildSystems() {
 }
 
 void ControlSystemPoolBuilder::buildPool() {
-  require(!pool_, AssertId::PartDouble);
+  require(!pool_, AssertId::PartBuiltTwice);
   pool_.emplace();
   for (ControlSystemBuilder* builder : builders_) {
     pool_->add(builder->system());
@@ -26,7 +26,7 @@ void ControlSystemPoolBuilder::buildPool() {
 }
 
 void ControlSystemPoolBuilder::buildTimer() {
-  require(!timer_, AssertId::PartDouble);
+  require(!timer_, AssertId::PartBuiltTwice);
   timer_.emplace(tickTimer_);
   for (ControlSystemBuilder* builder : builders_) {
     timer_->add(builder->tickCommand());

@@ -39,7 +39,7 @@ class ControlSystemPoolBuilder {
   ControlSystemPoolBuilder& operator=(const ControlSystemPoolBuilder&) = delete;
 
   /// @brief Builds each control system.
-  /// @errors A part that is made twice ends the program with the assertion PartDouble.
+  /// @errors A part that is made twice ends the program with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void buildSystems();
@@ -48,7 +48,7 @@ class ControlSystemPoolBuilder {
   /// @pre The control systems are made.
   /// @post pool() can be called.
   /// @errors A missing system ends the program with the assertion PartMissing, a second pool with
-  /// PartDouble.
+  /// PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void buildPool();
@@ -56,7 +56,7 @@ class ControlSystemPoolBuilder {
   /// @brief Builds the second timer and passes it the command of each control system.
   /// @pre The control systems are made.
   /// @errors A missing system ends the program with the assertion PartMissing, a second timer with
-  /// PartDouble.
+  /// PartBuiltTwice.
   /// @satisfies FR-100
   /// @satisfies FR-78
   /// @isr{no}

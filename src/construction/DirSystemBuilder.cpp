@@ -46,18 +46,18 @@ DirSystemBuilder::System::System(const Devices& devices, Actuator& actuator, Sen
 DirSystemBuilder::DirSystemBuilder(const Devices& devices) : devices_(devices) {}
 
 void DirSystemBuilder::buildActuator() {
-  require(!actuator_, AssertId::PartDouble);
+  require(!actuator_, AssertId::PartBuiltTwice);
   actuator_.emplace(devices_);
 }
 
 void DirSystemBuilder::buildSensors() {
-  require(!sensors_, AssertId::PartDouble);
+  require(!sensors_, AssertId::PartBuiltTwice);
   sensors_.emplace(devices_, positions_);
 }
 
 void DirSystemBuilder::buildController() {
   require(actuator_.has_value(), AssertId::PartMissing);
-  require(!control_, AssertId::PartDouble);
+  require(!control_, AssertId::PartBuiltTwice);
   control_.emplace(devices_, *actuator_, targets_, positions_, statuses_);
 }
 
@@ -65,7 +65,7 @@ void DirSystemBuilder::buildSystem() {
   require(actuator_.has_value(), AssertId::PartMissing);
   require(sensors_.has_value(), AssertId::PartMissing);
   require(control_.has_value(), AssertId::PartMissing);
-  require(!system_, AssertId::PartDouble);
+  require(!system_, AssertId::PartBuiltTwice);
   system_.emplace(devices_, *actuator_, *sensors_, *control_, targets_, statuses_);
 }
 

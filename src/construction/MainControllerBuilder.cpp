@@ -50,13 +50,13 @@ MainControllerBuilder::Clock::Clock(PeriodicTimer& timer, MainController& contro
 MainControllerBuilder::MainControllerBuilder(Devices devices) : devices_(std::move(devices)) {}
 
 void MainControllerBuilder::buildConnection() {
-  require(!link_, AssertId::PartDouble);
+  require(!link_, AssertId::PartBuiltTwice);
   link_.emplace(devices_);
 }
 
 void MainControllerBuilder::buildRemoteControl() {
   require(devices_.remoteControl.has_value(), AssertId::PartMissing);
-  require(!remoteControl_, AssertId::PartDouble);
+  require(!remoteControl_, AssertId::PartBuiltTwice);
   const RemoteControlDevices& devices = *devices_.remoteControl;
   remoteControl_.emplace(devices, devices_.timebase,
                          devices.edgeTime != nullptr ? *devices.edgeTime : devices_.timebase);
@@ -67,32 +67,32 @@ void MainControllerBuilder::buildRemoteControl() {
 void MainControllerBuilder::buildModes() {
   require(link_.has_value(), AssertId::PartMissing);
   require(remoteControl_.has_value(), AssertId::PartMissing);
-  require(firstMode_ == nullptr, AssertId::PartDouble);
+  require(firstMode_ == nullptr, AssertId::PartBuiltTwice);
   modes_.emplace(link_->reader, remoteControl_->reader, link_->connection);
   useModes(modes_->rc, modes_->all);
 }
 
 void MainControllerBuilder::buildPcMode() {
   require(link_.has_value(), AssertId::PartMissing);
-  require(firstMode_ == nullptr, AssertId::PartDouble);
+  require(firstMode_ == nullptr, AssertId::PartBuiltTwice);
   pcMode_.emplace(link_->reader, link_->connection);
   useModes(pcMode_->pc, pcMode_->all);
 }
 
 void MainControllerBuilder::useModes(Mode& first, std::span<Mode* const> all) {
-  require(firstMode_ == nullptr, AssertId::PartDouble);
+  require(firstMode_ == nullptr, AssertId::PartBuiltTwice);
   firstMode_ = &first;
   allModes_ = all;
 }
 
 void MainControllerBuilder::buildStates() {
-  require(firstState_ == nullptr, AssertId::PartDouble);
+  require(firstState_ == nullptr, AssertId::PartBuiltTwice);
   states_.emplace();
   useStates(states_->working);
 }
 
 void MainControllerBuilder::useStates(OperationState& first) {
-  require(firstState_ == nullptr, AssertId::PartDouble);
+  require(firstState_ == nullptr, AssertId::PartBuiltTwice);
   firstState_ = &first;
 }
 
@@ -100,7 +100,7 @@ void MainControllerBuilder::buildController(ControlSystemPool& systems) {
   require(link_.has_value(), AssertId::PartMissing);
   require(firstMode_ != nullptr, AssertId::PartMissing);
   require(firstState_ != nullptr, AssertId::PartMissing);
-  require(!controller_, AssertId::PartDouble);
+  require(!controller_, AssertId::PartBuiltTwice);
   controller_.emplace(MainController::Parts{.thread = devices_.thread,
                                             .timebase = devices_.timebase,
                                             .data = data_,
@@ -113,7 +113,7 @@ void MainControllerBuilder::buildController(ControlSystemPool& systems) {
 }
 
 void MainControllerBuilder::buildClock() {
-  require(!clock_, AssertId::PartDouble);
+  require(!clock_, AssertId::PartBuiltTwice);
   clock_.emplace(devices_.cycleTimer, controller());
 }
 

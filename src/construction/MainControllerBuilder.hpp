@@ -99,7 +99,7 @@ class MainControllerBuilder {
 
   /// @brief Builds the reader of the PC's orders, and the link to the PC with its states; it begins
   /// disconnected.
-  /// @errors A link that is made twice ends the program with the assertion PartDouble.
+  /// @errors A link that is made twice ends the program with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void buildConnection();
@@ -108,7 +108,7 @@ class MainControllerBuilder {
   /// The pins interrupt from now on.
   /// @pre The platform gave the devices of the remote control.
   /// @errors Without devices the program ends with the assertion PartMissing, a second time with
-  /// PartDouble.
+  /// PartBuiltTwice.
   /// @satisfies FR-51
   /// @satisfies FR-78
   /// @isr{no}
@@ -117,7 +117,7 @@ class MainControllerBuilder {
   /// @brief Builds the reading modes PC and RC; each is the successor of the other. RC is the first.
   /// @pre The link and the remote control are made.
   /// @errors A missing part ends the program with the assertion PartMissing, modes that are there with
-  /// PartDouble.
+  /// PartBuiltTwice.
   /// @satisfies FR-17
   /// @satisfies FR-78
   /// @isr{no}
@@ -126,7 +126,7 @@ class MainControllerBuilder {
   /// @brief Builds the reading mode PC for a product without other modes: it succeeds itself.
   /// @pre The link is made.
   /// @errors A missing part ends the program with the assertion PartMissing, modes that are there with
-  /// PartDouble.
+  /// PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void buildPcMode();
@@ -134,20 +134,20 @@ class MainControllerBuilder {
   /// @brief Sets reading modes that were built elsewhere.
   /// @param first mode at start
   /// @param all every mode; storage and modes live as long as the builder
-  /// @errors Modes that are there end the program with the assertion PartDouble.
+  /// @errors Modes that are there end the program with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void useModes(Mode& first, std::span<Mode* const> all);
 
   /// @brief Builds the operation states and binds each to its successors. Working is the first.
-  /// @errors States that are there end the program with the assertion PartDouble.
+  /// @errors States that are there end the program with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void buildStates();
 
   /// @brief Sets operation states that were built elsewhere.
   /// @param first state at start; it lives as long as the builder
-  /// @errors States that are there end the program with the assertion PartDouble.
+  /// @errors States that are there end the program with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void useStates(OperationState& first);
@@ -156,7 +156,7 @@ class MainControllerBuilder {
   /// @param systems the control systems of the controller
   /// @pre The link, the modes and the states are made.
   /// @errors A missing part ends the program with the assertion PartMissing, a second controller with
-  /// PartDouble.
+  /// PartBuiltTwice.
   /// @satisfies FR-10
   /// @satisfies FR-78
   /// @isr{no}
@@ -165,7 +165,7 @@ class MainControllerBuilder {
   /// @brief Builds the timer that begins the control cycles, and its command.
   /// @pre The controller is made.
   /// @errors A missing part ends the program with the assertion PartMissing, a second timer with
-  /// PartDouble.
+  /// PartBuiltTwice.
   /// @satisfies FR-1
   /// @satisfies FR-78
   /// @isr{no}

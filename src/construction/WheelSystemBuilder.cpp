@@ -56,26 +56,26 @@ WheelSystemBuilder::System::System(const Devices& devices, Actuator& actuator, S
 WheelSystemBuilder::WheelSystemBuilder(const Devices& devices) : devices_(devices) {}
 
 void WheelSystemBuilder::buildActuator() {
-  require(!actuator_, AssertId::PartDouble);
+  require(!actuator_, AssertId::PartBuiltTwice);
   actuator_.emplace(devices_);
 }
 
 void WheelSystemBuilder::buildSensors() {
   require(actuator_.has_value(), AssertId::PartMissing);
-  require(!sensors_, AssertId::PartDouble);
+  require(!sensors_, AssertId::PartBuiltTwice);
   sensors_.emplace(devices_, actuator_->wheel.cutOff(), velocities_, currents_);
 }
 
 void WheelSystemBuilder::buildController() {
   require(actuator_.has_value(), AssertId::PartMissing);
-  require(!control_, AssertId::PartDouble);
+  require(!control_, AssertId::PartBuiltTwice);
   control_.emplace(devices_, *actuator_, velocities_, currents_, algorithms_);
 }
 
 void WheelSystemBuilder::buildSystem() {
   require(sensors_.has_value(), AssertId::PartMissing);
   require(control_.has_value(), AssertId::PartMissing);
-  require(!system_, AssertId::PartDouble);
+  require(!system_, AssertId::PartBuiltTwice);
   system_.emplace(devices_, *actuator_, *sensors_, *control_);
 }
 
@@ -96,7 +96,7 @@ Command& WheelSystemBuilder::tickCommand() {
 }
 
 void WheelSystemBuilder::useAlgorithms(const std::array<WheelAlgorithm*, 3>& algorithms) {
-  require(!control_, AssertId::PartDouble);
+  require(!control_, AssertId::PartBuiltTwice);
   algorithms_ = algorithms;
 }
 

@@ -96,7 +96,7 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
   /// @brief Sets the algorithms of the controller, in place of those of the builder.
   /// @param algorithms one for each WheelQuantity, in its sequence; they live as long as the builder
   /// @pre buildController() was not called.
-  /// @errors With a controller the program ends with the assertion PartDouble.
+  /// @errors With a controller the program ends with the assertion PartBuiltTwice.
   /// @isr{no}
   /// @satisfies FR-78
   void useAlgorithms(const std::array<WheelAlgorithm*, 3>& algorithms);

@@ -6,12 +6,12 @@ namespace wr {
 
 namespace {
 
-constexpr std::int32_t kMiddle = 20;  // to each side [us]
+constexpr std::int32_t kMiddleHalfWidth = 20;  // to each side [us]
 
 }  // namespace
 
 std::optional<std::int32_t> RcDirection::calculate(const Arguments& arguments) const {
-  return deflected(arguments, kMiddle);
+  return deflected(arguments, kMiddleHalfWidth);
 }
 
 }  // namespace wr

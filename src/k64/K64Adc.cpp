@@ -13,14 +13,15 @@ namespace {
 // The converters run from the bus clock, divided by 8. The other sources of their clock differ from
 // part to part of the family. The calibration needs a slow clock and comes before the PLL runs.
 constexpr std::uint32_t kDivider = 8;
-constexpr std::uint32_t kLeast = 1'000'000;                                       // [Hz]
-constexpr std::uint32_t kMostInCalibration = 4'000'000;                           // [Hz]
-constexpr std::uint32_t kMost = 18'000'000;                                       // [Hz]
-constexpr std::uint32_t kSlowest = K64Board::kSlowestClockAfterReset / kDivider;  // [Hz]
-constexpr std::uint32_t kFastest = K64Board::kFastestClockAfterReset / kDivider;  // [Hz]
-constexpr std::uint32_t kClock = K64Board::kBusClock / kDivider;                  // [Hz]
-static_assert(kSlowest >= kLeast && kFastest <= kMostInCalibration, "limits of the calibration");
-static_assert(kClock >= kLeast && kClock <= kMost, "limits of a conversion with 12 bits");
+constexpr std::uint32_t kMinClock = 1'000'000;                                         // [Hz]
+constexpr std::uint32_t kMaxCalibrationClock = 4'000'000;                              // [Hz]
+constexpr std::uint32_t kMaxClock = 18'000'000;                                        // [Hz]
+constexpr std::uint32_t kSlowestClock = K64Board::kSlowestClockAfterReset / kDivider;  // [Hz]
+constexpr std::uint32_t kFastest = K64Board::kFastestClockAfterReset / kDivider;       // [Hz]
+constexpr std::uint32_t kClock = K64Board::kBusClock / kDivider;                       // [Hz]
+static_assert(kSlowestClock >= kMinClock && kFastest <= kMaxCalibrationClock,
+              "limits of the calibration");
+static_assert(kClock >= kMinClock && kClock <= kMaxClock, "limits of a conversion with 12 bits");
 
 // A sample takes 20 clocks, and 20 more so that the voltage of the pin is reached. With four
 // samples for a mean, and some bus clocks, one conversion takes 22 us: three of them in a tick are
@@ -31,8 +32,8 @@ constexpr auto kConfiguration =
 // Looks at the register before a calibration is given up. A look takes at least 6 and less than 30
 // clocks of the core, which runs from the same clock: the shortest wait is long enough for a
 // calibration of 14000 clocks of the converter, the longest one takes less than 45 ms.
-constexpr std::uint32_t kLooks = 30'000;
-static_assert(kLooks * 6 > 14'000 * kDivider, "the calibration can end in the shortest wait");
+constexpr std::uint32_t kMaxPolls = 30'000;
+static_assert(kMaxPolls * 6 > 14'000 * kDivider, "the calibration can end in the shortest wait");
 
 }  // namespace
 
@@ -47,7 +48,7 @@ void K64Adc::Converter::beginCalibration() {
 
 void K64Adc::Converter::endCalibration() {
   auto status = adc::SC3.at(offset()).read();
-  for (std::uint32_t look = 0; look < kLooks && (status & adc::SC3_CAL).any(); ++look) {
+  for (std::uint32_t look = 0; look < kMaxPolls && (status & adc::SC3_CAL).any(); ++look) {
     status = adc::SC3.at(offset()).read();
   }
   if ((status & (adc::SC3_CAL | adc::SC3_CALF)).any()) {
@@ -57,7 +58,7 @@ void K64Adc::Converter::endCalibration() {
   constexpr std::uint32_t kHighest = 0x8000;
   std::uint32_t plus = 0;
   std::uint32_t minus = 0;
-  for (std::uint32_t result = 0; result < adc::kResults; ++result) {
+  for (std::uint32_t result = 0; result < adc::kCalibrationResults; ++result) {
     plus += adc::CLPS.at(offset() + result * adc::kResultDistance).read().value;
     minus += adc::CLMS.at(offset() + result * adc::kResultDistance).read().value;
   }

@@ -34,12 +34,12 @@ constexpr auto kDividers = divideBy(1, 28) | divideBy(2, 24) | divideBy(3, 20) |
 // Looks at a status register before a step of the clock is given up. A look takes less than 20
 // clocks of the slowest clock, 20.9 MHz: the four steps together stay far below the watchdog
 // time-out.
-constexpr std::uint32_t kLooks = 20'000;
+constexpr std::uint32_t kMaxClockPolls = 20'000;
 
 using Status = decltype(mcg::S)::Bits;
 
 bool comes(Status mask, Status wanted) {
-  for (std::uint32_t look = 0; look < kLooks; ++look) {
+  for (std::uint32_t look = 0; look < kMaxClockPolls; ++look) {
     if ((mcg::S.read() & mask) == wanted) {
       return true;
     }
@@ -47,7 +47,7 @@ bool comes(Status mask, Status wanted) {
   return false;
 }
 
-constexpr std::uint32_t kMark = 0x57656564;
+constexpr std::uint32_t kRetainedMark = 0x57656564;
 
 // Outside the memory that a start initialises. At power-on its content is undefined.
 struct FaultRecord {
@@ -60,7 +60,7 @@ struct FaultRecord {
   [[nodiscard]] std::uint32_t sum() const { return mark ^ kind ^ (number << 16U) ^ address; }
 
   [[nodiscard]] bool holds() const {
-    return mark == kMark && check == ~sum() && kind != 0 &&
+    return mark == kRetainedMark && check == ~sum() && kind != 0 &&
            kind <= static_cast<std::uint32_t>(FaultKind::ClockFailed);
   }
 };
@@ -68,7 +68,7 @@ struct FaultRecord {
 [[gnu::section(".noinit")]] FaultRecord faultRecord;
 
 void recordFault(FaultKind kind, std::uint16_t number, std::uint32_t address) {
-  faultRecord.mark = kMark;
+  faultRecord.mark = kRetainedMark;
   faultRecord.kind = static_cast<std::uint32_t>(kind);
   faultRecord.number = number;
   faultRecord.address = address;

@@ -12,16 +12,16 @@ namespace {
 constexpr std::uint32_t kPeriod = K64Board::kBusClock / K64Ftm::kFrequency;  // [bus clocks]
 static_assert(kPeriod == 3000 && kPeriod <= 0xFFFF, "a width of the whole period fits too");
 
-constexpr DutyCycle kWhole(10'000);  // all of a period
+constexpr DutyCycle kWholePeriod(10'000);  // all of a period
 constexpr std::uint32_t kChannelCount = 4;
 
 constexpr std::uint32_t widthOf(DutyCycle dutyCycle) {
   const auto share =
-      static_cast<std::uint32_t>(std::clamp(dutyCycle, DutyCycle(0), kWhole).count());
-  constexpr auto kParts = static_cast<std::uint32_t>(kWhole.count());
-  return (share * kPeriod + kParts / 2) / kParts;
+      static_cast<std::uint32_t>(std::clamp(dutyCycle, DutyCycle(0), kWholePeriod).count());
+  constexpr auto kPeriodParts = static_cast<std::uint32_t>(kWholePeriod.count());
+  return (share * kPeriod + kPeriodParts / 2) / kPeriodParts;
 }
-static_assert(widthOf(DutyCycle(0)) == 0 && widthOf(kWhole) == kPeriod);
+static_assert(widthOf(DutyCycle(0)) == 0 && widthOf(kWholePeriod) == kPeriod);
 
 }  // namespace
 

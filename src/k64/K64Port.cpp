@@ -31,7 +31,7 @@ bool K64Port::acknowledge() {
     flags.write(port::ISFR.bit(number_));
     const InterruptLock lock;  // the tick writes the same
     ++edges_;
-    if (edges_ == kMostEdges) {
+    if (edges_ == kMaxEdges) {
       const auto control = controlOf(port_, number_);
       control.write({control.read().value & ~port::PCR_IRQC_BOTH_EDGES.value});
     }
@@ -49,7 +49,7 @@ void K64Port::allowEdges() {
     return;
   }
   const InterruptLock lock;  // the interrupts of the edges write the same
-  if (edges_ >= kMostEdges) {
+  if (edges_ >= kMaxEdges) {
     const auto control = controlOf(port_, number_);
     control.write(control.read() | port::PCR_IRQC_BOTH_EDGES);
   }

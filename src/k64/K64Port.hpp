@@ -16,7 +16,7 @@ class K64Port final : public EdgeInput {
   /// @brief Edges of one input that interrupt in one tick. A wheel at 600 rpm and a pulse of the
   /// remote control have at most one edge in a tick at each input: this leaves room for a glitch.
   /// With noise at all inputs the handlers of the edges take about a quarter of the core.
-  static constexpr std::uint8_t kMostEdges = 4;
+  static constexpr std::uint8_t kMaxEdges = 4;
 
   /// @brief Binds an input to a pin.
   /// @param pin an input of the pin table

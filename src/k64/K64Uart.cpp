@@ -22,10 +22,10 @@ consteval Divisor divisorOf(std::uint32_t clock) {
 }
 
 consteval bool isExact(std::uint32_t clock, const Divisor& divisor) {
-  constexpr std::uint32_t kMostError = 1000;  // one part in so many
+  constexpr std::uint32_t kBaudErrorDivisor = 1000;  // an error of at most 1/1000
   const std::uint32_t baud = 2 * clock / (32 * divisor.divider + divisor.fine);
   const std::uint32_t error = baud > K64Uart::kBaud ? baud - K64Uart::kBaud : K64Uart::kBaud - baud;
-  return error * kMostError < K64Uart::kBaud;
+  return error * kBaudErrorDivisor < K64Uart::kBaud;
 }
 
 // Port 0 has the clock of the core, port 4 that of the bus.
@@ -163,8 +163,8 @@ std::uint32_t K64Uart::offset() const {
 }
 
 std::uint16_t K64Uart::lostBytes() const {
-  constexpr std::uint32_t kMost = std::numeric_limits<std::uint16_t>::max();
-  return static_cast<std::uint16_t>(std::min(lost_.load(), kMost));
+  constexpr std::uint32_t kMaxCount = std::numeric_limits<std::uint16_t>::max();
+  return static_cast<std::uint16_t>(std::min(lost_.load(), kMaxCount));
 }
 
 }  // namespace wr

@@ -119,11 +119,11 @@ namespace pin_rules {
 
 /// @brief Returns whether the part, in its package with 100 pins, has all pins.
 consteval bool allExist() {
-  constexpr std::array<std::uint32_t, 5> kExisting = {0x000FF03F, 0x00FF0E0F, 0x0007FFFF,
-                                                      0x000000FF, 0x0700007F};
+  constexpr std::array<std::uint32_t, 5> kExistingPins = {0x000FF03F, 0x00FF0E0F, 0x0007FFFF,
+                                                          0x000000FF, 0x0700007F};
   return std::ranges::all_of(kPins, [&](const Pin& pin) {
     return pin.number < 32 &&
-           ((kExisting[static_cast<std::size_t>(pin.port)] >> pin.number) & 1U) != 0;
+           ((kExistingPins[static_cast<std::size_t>(pin.port)] >> pin.number) & 1U) != 0;
   });
 }
 

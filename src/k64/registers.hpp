@@ -184,7 +184,8 @@ inline constexpr auto SC3_CALF = SC3.bit(6);
 inline constexpr auto SC3_CAL = SC3.bit(7);
 inline constexpr Register<std::uint32_t, 0x4003B02C> PG;
 inline constexpr Register<std::uint32_t, 0x4003B030> MG;
-inline constexpr std::uint32_t kResults = 6;         // of a calibration, in a row, for each side
+inline constexpr std::uint32_t kCalibrationResults =
+    6;                                               // of a calibration, in a row, for each side
 inline constexpr std::uint32_t kResultDistance = 4;  // from one result to the next [byte]
 inline constexpr Register<std::uint32_t, 0x4003B038, Access::Read> CLPS;  // then CLP4 to CLP0
 inline constexpr Register<std::uint32_t, 0x4003B058, Access::Read> CLMS;  // then CLM4 to CLM0

@@ -14,10 +14,10 @@ constexpr Microseconds kShortestPeriod = milliseconds(15);
 constexpr Microseconds kLongestPeriod = milliseconds(30);
 
 // Widths of pulses [us].
-constexpr std::int32_t kMiddle = 1500;
+constexpr std::int32_t kMiddlePulse = 1500;
 constexpr std::int32_t kFullDeflection = 500;
-constexpr std::int32_t kShortest = 900;
-constexpr std::int32_t kLongest = 2100;
+constexpr std::int32_t kShortestPulse = 900;
+constexpr std::int32_t kLongestPulse = 2100;
 
 // A pulse of the remote control, by its times alone. Its width then has no more than 15 bits.
 bool isPulse(const Instants& instants) {
@@ -38,8 +38,8 @@ void RcBuffer::signal(bool rising, Instant at) {
     return;
   }
   const BaseArguments pulse(static_cast<std::int32_t>(instants.width->count()), *instants.period);
-  const ScaleArguments scaled(pulse, fullDeflection(), kFullDeflection, kMiddle);
-  const RangeArguments arguments(scaled, kShortest, kLongest);
+  const ScaleArguments scaled(pulse, fullDeflection(), kFullDeflection, kMiddlePulse);
+  const RangeArguments arguments(scaled, kShortestPulse, kLongestPulse);
   const std::optional<std::int32_t> value = function_.calculate(arguments);
   if (value) {
     keep(*value, at);

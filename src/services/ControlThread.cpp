@@ -30,8 +30,8 @@ bool ControlThread::post() {
 }
 
 std::uint16_t ControlThread::overruns() const {
-  constexpr std::uint32_t kMost = std::numeric_limits<std::uint16_t>::max();
-  return static_cast<std::uint16_t>(std::min(overruns_.load(), kMost));
+  constexpr std::uint32_t kMaxCount = std::numeric_limits<std::uint16_t>::max();
+  return static_cast<std::uint16_t>(std::min(overruns_.load(), kMaxCount));
 }
 
 void ControlThread::run() {

@@ -11,7 +11,7 @@ enum class AssertId : std::uint16_t {
   PoolFull = 2,            ///< a control system pool was given more systems than it can hold
   ThreadStartedTwice = 3,  ///< a control thread was given a second body
   FrameTooLarge = 4,       ///< a frame was to be encoded that does not fit in its storage
-  PartDouble = 5,          ///< a builder was asked for a part that it has made
+  PartBuiltTwice = 5,      ///< a builder was asked for a part that it has made
   TimerFull = 6            ///< the second timer was given more commands than it can hold
 };
 

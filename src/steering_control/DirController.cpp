@@ -15,7 +15,7 @@ constexpr Angle kStallAngle(60);
 
 // Greatest difference between angle and steps. Small ones are forgotten: after a push the motor is
 // some steps away from where it was.
-constexpr Angle kMostAstray(300);
+constexpr Angle kMaxPositionError(300);
 constexpr Angle kForgotten(5);
 constexpr Microseconds kForgetPeriod = milliseconds(1000);
 
@@ -82,7 +82,7 @@ bool DirController::astray() {
     offset_ = *offset_ + std::clamp(difference, -kForgotten, kForgotten);
     forgottenAt_ = now_;
   }
-  return magnitude(difference) > kMostAstray;
+  return magnitude(difference) > kMaxPositionError;
 }
 
 void DirController::watch() {

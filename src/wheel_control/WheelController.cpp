@@ -10,16 +10,16 @@ namespace wr {
 
 namespace {
 
-constexpr Tension kLeastEffort(2000);        // a voltage beyond this is expected to turn a wheel
-constexpr std::int32_t kMostEffort = 45000;  // [mV cycles] 4.5 V s: 6 V for 0.75 s
-constexpr Tension kFaint(3200);              // an order of this voltage moves the robot on the flat
-constexpr Tension kWeak(14000);              // a voltage that starts a wheel on any slope
+constexpr Tension kMinEffortTension(2000);  // a voltage beyond this is expected to turn a wheel
+constexpr std::int32_t kMaxEffort = 45000;  // [mV cycles] 4.5 V s: 6 V for 0.75 s
+constexpr Tension kMovingTension(3200);     // an order of this voltage moves the robot on the flat
+constexpr Tension kStartingTension(14000);  // a voltage that starts a wheel on any slope
 constexpr std::int32_t kWeakShare = 16;   // part that counts of a voltage that the current explains
-constexpr std::int32_t kStrongShare = 8;  // the same above kWeak
+constexpr std::int32_t kStrongShare = 8;  // the same above kStartingTension
 constexpr std::int32_t kThousand = 1000;
-constexpr std::int32_t kJitter = 1;        // edges to and fro that one working sensor gives
-constexpr Tension kReversal(500);          // a demand below this needs no orientation of its own
-constexpr std::uint8_t kMostWaiting = 20;  // cycles that a reversal may wait for a slow wheel
+constexpr std::int32_t kJitter = 1;  // edges to and fro that one working sensor gives
+constexpr Tension kReversal(500);    // a demand below this needs no orientation of its own
+constexpr std::uint8_t kMaxReversalWait = 20;  // cycles that a reversal may wait for a slow wheel
 constexpr Microseconds kSameCycle = milliseconds(50);
 
 // The value of a measurement, unless it has grown old.
@@ -106,21 +106,22 @@ void WheelController::watchMotion(const WheelSetPoint& setPoint, HallCount posit
   if (std::abs(position.count() - seen_.count()) > kJitter) {
     seen_ = position;
     effort_ = 0;
-  } else if (tension <= kLeastEffort.count() || setPoint == WheelSetPoint::velocity(Velocity(0))) {
-    effort_ = std::max(effort_ - kLeastEffort.count(), std::int32_t{0});
+  } else if (tension <= kMinEffortTension.count() ||
+             setPoint == WheelSetPoint::velocity(Velocity(0))) {
+    effort_ = std::max(effort_ - kMinEffortTension.count(), std::int32_t{0});
   } else {
     effort_ += effort(setPoint, Tension(tension));
   }
-  blind_ = blind_ || effort_ >= kMostEffort;
+  blind_ = blind_ || effort_ >= kMaxEffort;
 }
 
 // Part of a voltage that counts while the wheel does not move.
 std::int32_t WheelController::effort(const WheelSetPoint& setPoint, Tension tension) const {
-  const bool faint = setPoint.quantity == WheelQuantity::Tension && tension <= kFaint;
+  const bool faint = setPoint.quantity == WheelQuantity::Tension && tension <= kMovingTension;
   if (faint || !isHeld()) {
     return tension.count();
   }
-  return tension.count() / (tension <= kWeak ? kWeakShare : kStrongShare);
+  return tension.count() / (tension <= kStartingTension ? kWeakShare : kStrongShare);
 }
 
 bool WheelController::isHeld() const {
@@ -137,7 +138,7 @@ void WheelController::watchReversal(const WheelSetPoint& setPoint, Tension deman
       (setPoint.value > 0 && demand >= kReversal) || (setPoint.value < 0 && demand <= -kReversal);
   const bool waits = ordered && applied_ == Tension();
   waitingCycles_ = waits ? static_cast<std::uint8_t>(waitingCycles_ + 1) : std::uint8_t{0};
-  reversalLate_ = reversalLate_ || waitingCycles_ > kMostWaiting;
+  reversalLate_ = reversalLate_ || waitingCycles_ > kMaxReversalWait;
 }
 
 void WheelController::follow(const WheelSetPoint& setPoint, const WheelFeedback& feedback) {
@@ -145,10 +146,10 @@ void WheelController::follow(const WheelSetPoint& setPoint, const WheelFeedback&
     resetAlgorithms();
     quantity_ = setPoint.quantity;
   }
-  constexpr Tension kMost = SystemConstants::instance().tensionLimit();
+  constexpr Tension kMaxTension = SystemConstants::instance().tensionLimit();
   WheelAlgorithm& algorithm = *algorithms_[static_cast<std::size_t>(quantity_)];
   const Tension demand = algorithm.calculate(setPoint.value, feedback);
-  applied_ = advance_.apply(std::clamp(demand, -kMost, kMost), feedback.velocity);
+  applied_ = advance_.apply(std::clamp(demand, -kMaxTension, kMaxTension), feedback.velocity);
   algorithm.applied(*applied_);
   watchReversal(setPoint, demand);
 }

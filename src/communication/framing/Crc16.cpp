@@ -14,7 +14,7 @@ constexpr std::size_t kBytes = 256;
 // each bit is added at the places 12, 5 and 0, and the bits added in the upper 4 places are shifted
 // out once more. The bytes of the check sum are swapped here, so that no byte moves up when one is
 // shifted out.
-consteval std::array<std::uint16_t, kBytes> comesBack() {
+consteval std::array<std::uint16_t, kBytes> remainders() {
   std::array<std::uint16_t, kBytes> table{};
   for (std::uint32_t byte = 0; byte < kBytes; ++byte) {
     const std::uint32_t out = byte ^ (byte >> 4U);
@@ -23,7 +23,7 @@ consteval std::array<std::uint16_t, kBytes> comesBack() {
   return table;
 }
 
-constexpr std::array<std::uint16_t, kBytes> kComesBack = comesBack();
+constexpr std::array<std::uint16_t, kBytes> kRemainders = remainders();
 
 }  // namespace
 
@@ -34,7 +34,7 @@ void Crc16::add(std::span<const std::uint8_t> bytes) {
   std::uint32_t value = swapped_;
   auto next = bytes.begin();
   do {
-    value = (value >> 8U) ^ kComesBack[(value ^ *next) & 0xFFU];
+    value = (value >> 8U) ^ kRemainders[(value ^ *next) & 0xFFU];
     ++next;
   } while (next != bytes.end());
   swapped_ = static_cast<std::uint16_t>(value);

@@ -15,7 +15,7 @@ namespace wr {
 class FrameEncoder final {
  public:
   /// @brief Most bytes that encode() returns.
-  static constexpr std::size_t kMostBytes = kMaxCoded;
+  static constexpr std::size_t kMaxBytes = kMaxCoded;
 
   /// @brief Constructs an encoder without a frame.
   FrameEncoder() = default;

@@ -14,8 +14,8 @@ namespace wr {
 
 namespace {
 
-constexpr std::size_t kMostBytes = 4096;
-constexpr std::uint8_t kMostAhead = 127;
+constexpr std::size_t kMaxBytesPerCycle = 4096;
+constexpr std::uint8_t kMaxSequenceStep = 127;
 
 static_assert(SerialWriter::kCapacity <= kMaxPayload, "the content of the writer fits in a frame");
 
@@ -52,7 +52,7 @@ void PcConnection::beginCycle(Instant clockPulse) {
 }
 
 void PcConnection::service() {
-  std::size_t left = kMostBytes;
+  std::size_t left = kMaxBytesPerCycle;
   std::size_t received = chunk_.size();
   while (left != 0 && received != 0) {
     received = port_.read(std::span(chunk_).first(std::min(left, chunk_.size())));
@@ -198,7 +198,7 @@ void PcConnection::noteAccepted(const Frame& frame) {
 
 bool PcConnection::isNewer(std::uint8_t sequence) const {
   const auto ahead = static_cast<std::uint8_t>(sequence - newest_);
-  return ahead != 0 && ahead <= kMostAhead;
+  return ahead != 0 && ahead <= kMaxSequenceStep;
 }
 
 void PcConnection::sendWelcome() {

@@ -187,13 +187,13 @@ class PcConnection final {
   /// @satisfies FR-252
   bool send(FrameType type);
 
-  static constexpr std::size_t kChunk = 64;
+  static constexpr std::size_t kChunkSize = 64;
 
   SerialPort& port_;
   SerialReader& orders_;
   ConnectionState* state_;
   const StartRecord& start_;
-  std::array<std::uint8_t, kChunk> chunk_{};  // the bytes that the port read last
+  std::array<std::uint8_t, kChunkSize> chunk_{};  // the bytes that the port read last
   FrameDecoder decoder_;
   FrameEncoder encoder_;
   SerialWriter writer_;

@@ -16,7 +16,7 @@ constexpr std::int32_t kMilliamperes = 33000;
 constexpr std::int32_t kRange = 4096;
 
 // The sensor ends at 16.5 A: a mean beyond this is no measurement [mA].
-constexpr std::int32_t kGreatest = 16000;
+constexpr std::int32_t kMaxCurrent = 16000;
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void CntSensor::measure() {
   before_ = record;
   const BaseArguments base(sum, elapsed);
   const ScaleArguments scaled(base, kMilliamperes, kRange * number, 0);
-  const RangeArguments arguments(scaled, -kGreatest, kGreatest);
+  const RangeArguments arguments(scaled, -kMaxCurrent, kMaxCurrent);
   const std::optional<std::int32_t> value = function_.calculate(arguments);
   if (value) {
     pipe_.write(Current(*value), record.at);

@@ -11,13 +11,13 @@ namespace wr {
 namespace {
 
 constexpr std::int32_t kFullScale = AnalogInput::kFullScale;
-constexpr std::int32_t kMiddle = (kFullScale + 1) / 2;
+constexpr std::int32_t kMiddleCount = (kFullScale + 1) / 2;
 constexpr std::int32_t kZeroTolerance = kFullScale / 20;
 
 // The sensor gives 0.1 mV a mA, and the range is 3300 mV. 1861 is 14.993 A, 1862 is 15.002 A.
 constexpr std::int32_t kGreatest = 15000 * 4096 / 33000;
 
-constexpr std::uint32_t kTooManyInARow = 5;
+constexpr std::uint32_t kTripSamples = 5;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void ValueCollector::collect(std::uint16_t raw) {
   guard(raw);
   sum_ += static_cast<std::uint32_t>(raw - zero_);
   ++number_;
-  if (number_ % kGroup == 0) {
+  if (number_ % kSamplesPerRecord == 0) {
     publish();
   }
 }
@@ -55,7 +55,7 @@ void ValueCollector::learnZero(std::int32_t raw) {
   ++learned_;
   if (learned_ == kZeroSamples) {
     zero_ = (zero_ + kZeroSamples / 2) / kZeroSamples;
-    plausible_ = std::abs(zero_ - kMiddle) <= kZeroTolerance;
+    plausible_ = std::abs(zero_ - kMiddleCount) <= kZeroTolerance;
     least_ = std::max<std::int32_t>(zero_ - kGreatest, 1);
     greatest_ = std::min<std::int32_t>(zero_ + kGreatest, kFullScale - 1);
   }
@@ -66,10 +66,10 @@ void ValueCollector::guard(std::int32_t raw) {
     tooHigh_ = 0;
     return;
   }
-  if (tooHigh_ < kTooManyInARow) {
+  if (tooHigh_ < kTripSamples) {
     ++tooHigh_;
   }
-  if (tooHigh_ == kTooManyInARow) {
+  if (tooHigh_ == kTripSamples) {
     overcurrent_.execute();
   }
 }

@@ -10,11 +10,11 @@ namespace {
 
 constexpr std::int32_t kFullAngle = 8000;  // over the whole range [0.01 degree]
 constexpr std::int32_t kRange = 4096;
-constexpr std::int32_t kMiddle = 2048;
+constexpr std::int32_t kMiddleCount = 2048;
 
 // A broken or shorted cable pulls the sample beyond these: 2 % of the range at each end.
-constexpr std::int32_t kLowest = 82;
-constexpr std::int32_t kHighest = 4013;
+constexpr std::int32_t kLowestCount = 82;
+constexpr std::int32_t kHighestCount = 4013;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ DirSensor::DirSensor(AnalogInput& input, const Function& function, const Timebas
 
 bool DirSensor::measure() {
   const std::optional<std::uint16_t> raw = input_.sample();
-  if (raw && *raw >= kLowest && *raw <= kHighest) {
+  if (raw && *raw >= kLowestCount && *raw <= kHighestCount) {
     sum_ += *raw;
     ++good_;
   }
@@ -50,7 +50,7 @@ void DirSensor::finish() {
 
 std::optional<Angle> DirSensor::mean() const {
   const BaseArguments base(sum_, SystemConstants::instance().tickPeriod() * kSamples);
-  const ScaleArguments arguments(base, kFullAngle, kRange * kSamples, kMiddle * kSamples);
+  const ScaleArguments arguments(base, kFullAngle, kRange * kSamples, kMiddleCount * kSamples);
   const std::optional<std::int32_t> value = function_.calculate(arguments);
   return value ? std::optional(Angle(*value)) : std::nullopt;
 }

@@ -15,7 +15,7 @@ constexpr std::array<std::array<std::int8_t, 4>, 4> kDirections = {{
 }};
 
 // A wheel that turns needs more time than this to pass an edge, to stop and to pass it again.
-constexpr Microseconds kLeastReversal = milliseconds(25);
+constexpr Microseconds kMinReversalTime = milliseconds(25);
 
 }  // namespace
 
@@ -44,7 +44,7 @@ HallRecord SensorCollector::record() {
 }
 
 void SensorCollector::step(std::int8_t direction, bool rising, Instant at) {
-  if (direction + direction_ == 0 && at - last_ < kLeastReversal) {
+  if (direction + direction_ == 0 && at - last_ < kMinReversalTime) {
     ++newest_.reversals;
   }
   direction_ = direction;

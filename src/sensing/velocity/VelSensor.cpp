@@ -15,13 +15,13 @@ namespace {
 
 // Greatest velocity that is measured. Without load 24 V turn a motor of the assumed constant with
 // 460 rpm.
-constexpr Velocity kGreatestVelocity{6000};
+constexpr Velocity kMaxVelocity{6000};
 
 // From this velocity on a wheel does not come to rest within a cycle.
 constexpr Velocity kMoving{300};
 
 // Implausible edges in a cycle: one short disturbance of a line gives two.
-constexpr std::uint32_t kMostImplausible = 3;
+constexpr std::uint32_t kMaxImplausible = 3;
 
 // One turn in one microsecond [0.1 rpm].
 constexpr std::int32_t kTurnPerMicrosecond = 600'000'000;
@@ -60,14 +60,14 @@ HallCount VelSensor::position() const {
 }
 
 std::uint16_t VelSensor::rejectedEdges() const {
-  constexpr std::uint32_t kMost = std::numeric_limits<std::uint16_t>::max();
-  return static_cast<std::uint16_t>(std::min(record_.unclear + record_.reversals, kMost));
+  constexpr std::uint32_t kMaxCount = std::numeric_limits<std::uint16_t>::max();
+  return static_cast<std::uint16_t>(std::min(record_.unclear + record_.reversals, kMaxCount));
 }
 
 bool VelSensor::plausible(const HallRecord& before) const {
   const bool moving = velocity_ >= kMoving || velocity_ <= -kMoving;
   const std::uint32_t reversals = moving ? record_.reversals - before.reversals : 0;
-  return record_.unclear - before.unclear + reversals <= kMostImplausible;
+  return record_.unclear - before.unclear + reversals <= kMaxImplausible;
 }
 
 std::optional<Velocity> VelSensor::withEdges(const Instants& instants, Instant now) {
@@ -100,7 +100,7 @@ std::optional<Velocity> VelSensor::velocity(std::int32_t edges, Microseconds ela
   const BaseArguments base(edges, elapsed);
   const ScaleArguments scaled(base, kTurnPerMicrosecond,
                               SystemConstants::instance().hallEdgesPerTurn(), 0);
-  const RangeArguments arguments(scaled, -kGreatestVelocity.count(), kGreatestVelocity.count());
+  const RangeArguments arguments(scaled, -kMaxVelocity.count(), kMaxVelocity.count());
   const std::optional<std::int32_t> value = function_.calculate(arguments);
   return value ? std::optional(Velocity(*value)) : std::nullopt;
 }

@@ -9,15 +9,15 @@ namespace wr {
 namespace {
 
 constexpr std::int32_t kMicrovolts = 1000;  // in a millivolt
-constexpr std::int32_t kMostIntegral = SystemConstants::instance().supply().count() * kMicrovolts;
+constexpr std::int32_t kMaxIntegral = SystemConstants::instance().supply().count() * kMicrovolts;
 
 // A shortfall below this explains no error: a demand of less than 0.1 V may wait for a change of
 // orientation, and the integral must be able to raise it.
-constexpr Tension kSlight(100);
+constexpr Tension kMinShortfall(100);
 
 // A wheel that got less voltage than it should have stays behind, and one that got more runs ahead.
 bool explains(Tension shortfall, std::int32_t error) {
-  return (shortfall >= kSlight && error > 0) || (shortfall <= -kSlight && error < 0);
+  return (shortfall >= kMinShortfall && error > 0) || (shortfall <= -kMinShortfall && error < 0);
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ PiRegulator::PiRegulator(const PiGains& gains) : gains_(gains) {}
 Tension PiRegulator::regulate(std::int32_t error) {
   std::int32_t sum = majority(integral_);
   if (!explains(shortfall_, error)) {
-    sum = std::clamp(sum + gains_.integral * error, -kMostIntegral, kMostIntegral);
+    sum = std::clamp(sum + gains_.integral * error, -kMaxIntegral, kMaxIntegral);
   }
   integral_.fill(sum);
   return Tension((gains_.proportional * error + sum) / kMicrovolts);

@@ -19,9 +19,9 @@ constexpr PiGains kGains{.proportional = 4650, .integral = 2094};
 // Edges that are lost make the measured velocity too low. It is doubtful when the motor makes more
 // voltage than it would make at this velocity, by more than supply, winding and motor constant can
 // differ from the assumed values.
-constexpr std::int32_t kDoubt = 400;     // [mV]
-constexpr std::int32_t kDoubtShare = 3;  // and this part of the voltage
-constexpr std::uint8_t kMostDoubts = 5;  // cycles in a row
+constexpr std::int32_t kModelTolerance = 400;       // [mV]
+constexpr std::int32_t kModelToleranceDivisor = 3;  // and this part of the voltage
+constexpr std::uint8_t kMaxDoubtfulCycles = 5;      // cycles in a row
 
 // In place of a model that has not begun.
 constexpr std::int32_t kNoModel = std::numeric_limits<std::int32_t>::min();
@@ -84,11 +84,11 @@ bool VelocityAlgorithm::doubtful(const WheelFeedback& feedback) {
   const std::int32_t made = applied_->count() - winding;
   const std::int32_t missing = made > 0 ? made - turning : turning - made;
   const std::int32_t greatest = std::max(std::abs(applied_->count()), std::abs(winding));
-  if (missing <= kDoubt + greatest / kDoubtShare) {
+  if (missing <= kModelTolerance + greatest / kModelToleranceDivisor) {
     doubts_ = 0;
     return false;
   }
-  if (doubts_ == kMostDoubts) {
+  if (doubts_ == kMaxDoubtfulCycles) {
     return false;
   }
   ++doubts_;

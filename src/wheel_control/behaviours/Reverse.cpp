@@ -8,16 +8,16 @@ namespace wr {
 
 namespace {
 
-constexpr Tension kSlight(100);  // least voltage that is worth a change of orientation
+constexpr Tension kReverseDeadband(100);  // least voltage that is worth a change of orientation
 
 constexpr std::uint8_t kSlowCycles = 2;  // slow cycles in a row that show that a wheel is slow
 
 // A short-circuited wheel that a slope keeps turning becomes no slower.
 constexpr std::uint8_t kBrakedCycles = 10;
-constexpr Velocity kCreep(800);
+constexpr Velocity kCreepVelocity(800);
 
 bool isSlow(Velocity velocity, bool braked) {
-  const Velocity slow = braked ? kCreep : SystemConstants::instance().slow();
+  const Velocity slow = braked ? kCreepVelocity : SystemConstants::instance().slow();
   return velocity < slow && velocity > -slow;
 }
 
@@ -64,7 +64,7 @@ void Reverse::resume(Tension applied) {
 }
 
 bool Reverse::opposes(Tension demand) const {
-  return backwards_ ? demand >= kSlight : demand <= -kSlight;
+  return backwards_ ? demand >= kReverseDeadband : demand <= -kReverseDeadband;
 }
 
 Tension Reverse::agreeing(Tension demand) const {

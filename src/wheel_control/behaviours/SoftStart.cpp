@@ -6,15 +6,16 @@ namespace wr {
 
 namespace {
 
-constexpr Tension kRise(12000);  // most that the magnitude of the voltage rises in a cycle
+constexpr Tension kMaxRisePerCycle(
+    12000);  // most that the magnitude of the voltage rises in a cycle
 
 }  // namespace
 
 SoftStart::SoftStart(WheelBehaviour& wrapped) : BehaviourDecorator(wrapped) {}
 
 Tension SoftStart::apply(Tension demand, Velocity velocity) {
-  const Tension most = std::max(applied_, Tension()) + kRise;
-  const Tension least = std::min(applied_, Tension()) - kRise;
+  const Tension most = std::max(applied_, Tension()) + kMaxRisePerCycle;
+  const Tension least = std::min(applied_, Tension()) - kMaxRisePerCycle;
   applied_ = BehaviourDecorator::apply(std::clamp(demand, least, most), velocity);
   return applied_;
 }

@@ -6,7 +6,7 @@ namespace wr {
 
 namespace {
 
-constexpr Tension kFall(2400);  // most that the voltage falls in a cycle
+constexpr Tension kMaxFallPerCycle(2400);  // most that the voltage falls in a cycle
 
 }  // namespace
 
@@ -14,7 +14,7 @@ Stop::Stop(WheelCommand& setTension, WheelCommand& stopWheel)
     : setTension_(setTension), stopWheel_(stopWheel) {}
 
 Tension Stop::apply(Tension applied, Velocity /*velocity*/) {
-  const Tension left = applied - std::clamp(applied, -kFall, kFall);
+  const Tension left = applied - std::clamp(applied, -kMaxFallPerCycle, kMaxFallPerCycle);
   if (left == Tension()) {
     stopWheel_.execute(left);
   } else {

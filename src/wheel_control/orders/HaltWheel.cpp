@@ -25,10 +25,10 @@ void HaltWheel::execute(WheelWork& work) {
 }
 
 void HaltWheel::release() {
-  constexpr Velocity kSlow = SystemConstants::instance().slow();
+  constexpr Velocity kSlowVelocity = SystemConstants::instance().slow();
   const std::optional<Velocity> velocity = controller_.velocity();
   controller_.release();
-  if (velocity && *velocity < kSlow && *velocity > -kSlow) {
+  if (velocity && *velocity < kSlowVelocity && *velocity > -kSlowVelocity) {
     wheel_.release();
   }
 }
