@@ -33,7 +33,7 @@ _VERBS = {"method": "satisfies", "test": "verifies"}
 _LINKS = {
     **dict.fromkeys(("requirement", "tree", "goal", "transition"), "requirement"),
     **dict.fromkeys(("method", "body", "constants"), "method"),
-    **dict.fromkeys(("test", "support"), "test"),
+    **dict.fromkeys(("test", "support", "justification"), "test"),
 }
 
 

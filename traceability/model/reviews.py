@@ -43,7 +43,7 @@ BASELINE_HEADING = """\
 # and is no review. Written by ./wr review --baseline.
 """
 REVIEWS_HEADING = """\
-# The reviews of requirements by persons other than the authors of the texts. Written by ./wr review ID.
+# Reviews by persons other than the authors of the texts. Written by ./wr review ID.
 """
 # How messages name a text of each kind.
 NAMES_OF_TEXTS = {
@@ -56,6 +56,7 @@ NAMES_OF_TEXTS = {
     "transition": "transition {}",
     "test": "test {}",
     "support": "file {}",
+    "justification": "the justification of lines of {}",
 }
 KINDS = tuple(NAMES_OF_TEXTS)
 LINKS = "links"  # requirement -> its texts
@@ -117,6 +118,7 @@ class LinkTexts:
             *self._bodies(requirement),
             *self._transitions(requirement),
             *self._tests(requirement),
+            *self._justifications(requirement),
         ]
 
     def _own(self, requirement: Requirement) -> Iterator[LinkText]:
@@ -155,10 +157,8 @@ class LinkTexts:
 
     def _bodies(self, requirement: Requirement) -> Iterator[LinkText]:
         """Of the methods that satisfy it or have a node in its tree, and what is constant there."""
-        nodes = nodes_of(requirement.tree) if requirement.tree else []
-        names = {method for node in nodes for method in accepted(node, self.facts)}
         files: set[str] = set()
-        for name in sorted(names.union(requirement.satisfied_by)):
+        for name in sorted(self._methods(requirement)):
             bodies = self.facts.bodies.get(name, [])
             if bodies:
                 text = "\n".join(self._slice(body.place, body.end) for body in bodies)
@@ -168,6 +168,18 @@ class LinkTexts:
             text = next(FINDERS["constants"](self.support.text(file), file))
             if text:
                 yield LinkText("constants", file, Place(file, 1), text)
+
+    def _justifications(self, requirement: Requirement) -> Iterator[LinkText]:
+        """Reasons why tests do not execute some lines of its methods."""
+        for item in self.facts.declared.justified:
+            if item.kind == "line" and set(item.names) & self._methods(requirement):
+                yield LinkText("justification", item.names[0], item.place, item.why)
+
+    def _methods(self, requirement: Requirement) -> set[str]:
+        """The methods that satisfy it or have a node in its tree."""
+        nodes = nodes_of(requirement.tree) if requirement.tree else []
+        accepted_names = {method for node in nodes for method in accepted(node, self.facts)}
+        return accepted_names.union(requirement.satisfied_by)
 
     def _transitions(self, requirement: Requirement) -> Iterator[LinkText]:
         for machine in self.model.machines.values():

@@ -18,8 +18,9 @@ from traceability.model.design_model import Model
 from traceability.model.report import Report
 from traceability.model.reviews import LinkTexts, write_baseline
 from traceability.reading import traces
+from traceability.reading.image_record import TOTALS
 from traceability.reading.results import RESULTS
-from traceability.reading.task_record import TESTS_TRACE
+from traceability.reading.task_record import IMAGES, TESTS_TRACE
 from traceability.reading.traces import EXIT, SOURCES
 from traceability.schema import HOST
 from traceability.sources import file_hash
@@ -149,3 +150,34 @@ def test_a_changed_text_is_suspect_in_the_exports_too(tree: Path) -> None:
     assert row["tests"] == {TEST: {HOST: "passed"}}
     top = junit(model, report)
     assert (top.get("tests"), top.get("failures")) == ("1", "1")
+
+
+def test_a_changed_justification_of_lines_makes_the_requirement_suspect(tree: Path) -> None:
+    path = tree / "design" / "justified.toml"
+    path.parent.mkdir(exist_ok=True)
+    entry = '[[line]]\nnames = ["Working::actionNoMsg"]\nwhy = "No test needs the last line."\n'
+    before = path.read_text() if path.exists() else ""
+    path.write_text(before + entry)
+    record_baseline(tree)
+    assert "suspect-test" not in checked(tree)[1]
+    change(tree, "design/justified.toml", "the last line", "any line")
+    state, checks, _, _ = checked(tree)
+    assert state == "suspect"
+    assert "suspect-test" in checks
+
+
+def test_an_image_that_is_older_than_the_sources_is_a_finding(tree: Path) -> None:
+    record = tree / TOTALS
+    record.write_text('{"flash": 1000, "ram": 500}')
+    record_task(tree, IMAGES, "src")
+
+    def says() -> list[str]:
+        findings = run_checks(*build(tree)).findings
+        return [one.text for one in findings if one.place.file == str(TOTALS)]
+
+    assert says() == []
+    source = next((tree / STATES).glob("*.cpp"))
+    source.write_text(source.read_text() + "\n// Changed.\n")
+    assert says() == [
+        "the image is older than the sources, so its size and its stack are not compared"
+    ]
