@@ -9,7 +9,7 @@ namespace wr {
 
 namespace {
 
-constexpr std::int32_t kFullDutyCycle = 10000;  // [0.01 %] duty cycle of the whole supply
+constexpr std::int32_t kFullDuty = 10000;  // [0.01 %] duty cycle of the whole supply
 
 }  // namespace
 
@@ -53,7 +53,7 @@ void Wheel::setTension(Tension magnitude) {
     return;
   }
   const Tension possible = std::clamp(magnitude, Tension(), kSupply);
-  pwm_.set(DutyCycle((possible.count() * kFullDutyCycle + kSupply.count() / 2) / kSupply.count()));
+  pwm_.set(DutyCycle((possible.count() * kFullDuty + kSupply.count() / 2) / kSupply.count()));
   enableDriver(Trip::None);
 }
 

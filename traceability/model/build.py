@@ -70,6 +70,7 @@ class Built(NamedTuple):
 
 
 def build(root: Path) -> Built:
+    root = root.resolve()
     build_folder = root / "build" / "model"
     with doxygen_beside(root, build_folder) as doxygen:
         syntax = read_syntax(root, build_folder / "cache")

@@ -14,7 +14,7 @@ namespace wr {
 
 namespace {
 
-constexpr std::size_t kMaxBytesPerCycle = 4096;
+constexpr std::size_t kMaxBytesPerService = 4096;
 constexpr std::uint8_t kMaxSequenceStep = 127;
 
 static_assert(SerialWriter::kCapacity <= kMaxPayload, "the content of the writer fits in a frame");
@@ -52,7 +52,7 @@ void PcConnection::beginCycle(Instant clockPulse) {
 }
 
 void PcConnection::service() {
-  std::size_t left = kMaxBytesPerCycle;
+  std::size_t left = kMaxBytesPerService;
   std::size_t received = chunk_.size();
   while (left != 0 && received != 0) {
     received = port_.read(std::span(chunk_).first(std::min(left, chunk_.size())));

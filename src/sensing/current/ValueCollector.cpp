@@ -32,7 +32,7 @@ void ValueCollector::collect(std::uint16_t raw) {
   guard(raw);
   sum_ += static_cast<std::uint32_t>(raw - zero_);
   ++number_;
-  if (number_ % kSamplesPerRecord == 0) {
+  if (number_ % kGroupSize == 0) {
     publish();
   }
 }

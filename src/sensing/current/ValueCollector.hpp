@@ -25,7 +25,7 @@ struct CurrentRecord {
 /// wheel, and executes a command as soon as the current is too high.
 /// @secret The conversion of a sample to a current: the zero of the sensor, and the limit beyond which the
 /// motor must be switched off.
-/// @hides{ValueCollector::kSamplesPerRecord}
+/// @hides{ValueCollector::kGroupSize}
 /// @hides{ValueCollector::kZeroSamples}
 /// @role{wheel-timer-interrupt, Receiver}
 class ValueCollector final {
@@ -34,7 +34,7 @@ class ValueCollector final {
   static constexpr std::int32_t kZeroSamples = 64;
 
   /// @brief Number of samples after which the record is written again.
-  static constexpr std::uint32_t kSamplesPerRecord = 8;
+  static constexpr std::uint32_t kGroupSize = 8;
 
   /// @brief Binds the command that ends an overcurrent.
   /// @param overcurrent is executed, in the interrupt, at each sample from the fifth in a row that
