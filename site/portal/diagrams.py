@@ -1,7 +1,7 @@
 """Class and state diagrams: PlantUML text from the model, and the SVG made fit for a page.
 
-PlantUML does not support CSS variables. The text therefore carries marker colours, and each becomes a
-variable of the theme in the SVG. All diagrams whose text changed are drawn by one start of Java.
+PlantUML does not support CSS variables. The text therefore has marker colours, and each becomes
+a variable of the theme in the SVG. All diagrams whose text changed are drawn by one start of Java.
 """
 
 from __future__ import annotations

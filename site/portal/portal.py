@@ -351,7 +351,7 @@ class Portal:
         return sum(len(test.results) for test in tests)
 
     def callers(self, method: Method) -> list[Markup]:
-        """Returns its callers in the modules: methods, nested classes, and first values of constants."""
+        """Returns its callers: methods, nested classes, and first values of constants."""
         found = []
         for name in method.called_by:
             module, _, rest = name.partition("::")

@@ -89,7 +89,7 @@ def write_included(portal: Portal, target: Path) -> None:
 
 
 def copy_doxygen(portal: Portal, modules: list[Module], target: Path) -> None:
-    """Writes the input of Breathe: the classes of the modules, without elements that it does not read.
+    """Writes the input of Breathe: the classes of the modules, without elements unknown to it.
 
     Breathe reads a class again when its file is newer, so only changed files are replaced.
     """
