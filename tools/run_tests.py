@@ -20,7 +20,15 @@ from tools.tasks import (
     pages_graph,
     python_task,
 )
-from traceability.reading.task_record import SEEDED_FAULTS
+from traceability.reading.task_record import SEEDED_FAULTS, TESTS_BOARD, TESTS_TRACE
+
+# Word of the command line -> task.
+PARTS = {
+    "host": TESTS_TRACE,
+    "board": TESTS_BOARD,
+    "sanitize": TESTS_SANITIZE,
+    **{folder: python_task(folder) for folder in PYTHON_TESTS},
+}
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -33,11 +41,32 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "(once for this machine, once for the virtual K64), of the tools and of the pages.",
     )
     parser.add_argument(
+        "parts",
+        nargs="*",
+        metavar="PART",
+        help=f"run only these tests, and check nothing else: {', '.join(PARTS)}",
+    )
+    parser.add_argument(
         "--long",
         action="store_true",
         help="also seed each fault of tests/drift in a copy, and see whether the checks find it",
     )
-    parser.set_defaults(run=lambda root, options: test(root, long=options.long))
+    parser.set_defaults(run=lambda root, options: run(root, options, parser))
+
+
+def run(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+    unknown = [part for part in options.parts if part not in PARTS]
+    if unknown:
+        parser.error(f"there is no part {unknown[0]}; the parts are {', '.join(PARTS)}")
+    return test_parts(root, options.parts) if options.parts else test(root, long=options.long)
+
+
+def test_parts(root: Path, parts: list[str]) -> int:
+    with only_one(root, "test"):
+        results = graph(root).run([PARTS[part] for part in parts])
+    counts = counts_of(results, *map(PARTS.get, parts))
+    print(counts)
+    return 0 if counts.passed and not results.failed else 1
 
 
 def test(root: Path, *, long: bool) -> int:
@@ -51,10 +80,10 @@ def test(root: Path, *, long: bool) -> int:
     return code if counts.passed else 1
 
 
-def counts_of(run: Reporter) -> Counts:
+def counts_of(run: Reporter, *counted: str | None) -> Counts:
     """The tests of all tasks; those with sanitizers are the same as those with traces."""
     found = Counts()
     for name, values in run.values.items():
-        if "passed" in values and name != TESTS_SANITIZE:
+        if "passed" in values and (name in counted or name != TESTS_SANITIZE):
             found += Counts(values["passed"], values["failed_tests"], values["skipped"])
     return found

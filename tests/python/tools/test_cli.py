@@ -57,6 +57,7 @@ def test_no_command_and_unknown_command_are_wrong_usage(arguments: tuple[str, ..
     [
         ("serve", "--port", "0"),
         ("serve", "--port", "x"),
+        ("test", "everything"),
         ("sim", "--cycles", "0"),
         ("sim", "--trace", "file"),
         ("sim", "--board", "--fast"),
