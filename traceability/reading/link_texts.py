@@ -21,6 +21,7 @@ CONSTANT = re.compile(r"\bconstexpr\s[^;(){}=]*[={(][^;{]*(?:\{[^;]*\}[^;]*)?;")
 TREE = re.compile(r"^(N?FR-\d+)[^\n]*\n((?:[^\n]*\n)*?)(?=^N?FR-|\Z)", re.MULTILINE)
 
 
+@functools.cache
 def hash_of_text(text: str) -> str:
     """Of the words and signs alone: how they are laid out does not matter."""
     words = " ".join(TOKENS.findall(text))

@@ -21,6 +21,8 @@ class SupportFiles:
         self.root = root
         self.text = cache(self._text)
         self.helpers = cache(self._helpers)
+        self.included = cache(self._included)
+        self.played = cache(self._played)
         self.sources = {
             str(path.relative_to(root)) for path in files_below(root, ["tests"], (".hpp", ".cpp"))
         }
@@ -31,7 +33,7 @@ class SupportFiles:
 
     def of(self, file: str, test: str) -> set[str]:
         """The file itself, the helpers that it includes, and the scenarios that the test plays."""
-        return {file, *self.helpers(file), *self._played(file, test)}
+        return {file, *self.helpers(file), *self.played(file, test)}
 
     def _text(self, file: str) -> str:
         return (self.root / file).read_text(encoding="utf-8")
@@ -45,7 +47,7 @@ class SupportFiles:
             if name in reached:
                 continue
             reached.add(name)
-            pending += self._included(name)
+            pending += self.included(name)
             if name.endswith(".hpp"):
                 pending += self._behind(name)
         return frozenset(reached - {file})
@@ -61,7 +63,7 @@ class SupportFiles:
             for source in self.sources
             if source.endswith(".cpp")
             and not source.endswith("Test.cpp")
-            and header in self._included(source)
+            and header in self.included(source)
         ]
 
     def _played(self, file: str, test: str) -> set[str]:
