@@ -146,7 +146,7 @@ def _written(model: Model, facts: Facts) -> list[Finding]:
         Finding(
             module.place,
             "module-count",
-            f"{module.name} has the mark @datatype, and is a module of {module.logic} in the design",
+            f"{module.name} has a @datatype, and is a module of {module.logic} in the design",
             "remove the mark, or correct the design",
         )
         for module in model.modules.values()

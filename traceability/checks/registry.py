@@ -32,7 +32,7 @@ class Check:
 # The first word of an id names its family.
 WHY = {
     "syntax": "All other checks read the syntax tree: they need one without errors.",
-    "design": "The checks compare design/ with the code, and they cannot compare an unreadable file.",
+    "design": "The checks compare design/ with the code; an unreadable file is not compared.",
     "doc": "Every document is made from these texts: a mistake here is a mistake there.",
     "module": "A module that is small, has a place of its own and a specification can be found, "
     "understood and replaced without reading the others.",
@@ -138,8 +138,8 @@ _FIXED = [
         "its result, and @isr for calls from interrupts; its own or inherited "
         "from the method that it overrides. The text of a plain number has its unit or the counted "
         "items, the text of a parameter with a unit has the unit, and each unit is that of the "
-        "type. Every other public part of a header has a brief: classes, types, "
-        "functions, members, constants, friends, and the values of an enumeration when one of them has.",
+        "type. Every other public part of a header has a brief: classes, "
+        "types, functions, members, constants, friends, and the values of an enumeration when one of them has.",
         _TEXT_BLIND,
         "complete the comment above the declaration.",
     ),

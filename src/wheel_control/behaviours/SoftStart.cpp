@@ -6,8 +6,7 @@ namespace wr {
 
 namespace {
 
-constexpr Tension kMaxRisePerCycle(
-    12000);  // most that the magnitude of the voltage rises in a cycle
+constexpr Tension kMaxRisePerCycle(12000);  // of the magnitude of the voltage
 
 }  // namespace
 

@@ -126,7 +126,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
     "calibration not waited for": (
         "register-misuse",
         (
-            Change("K64Adc.cpp", "look < kLooks &&", "look < 10 &&"),
+            Change("K64Adc.cpp", "look < kMaxPolls &&", "look < 10 &&"),
             Change("K64Adc.cpp", "(status & (adc::SC3_CAL | adc::SC3_CALF)).any()", "false"),
         ),
     ),
