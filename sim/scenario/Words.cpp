@@ -77,11 +77,12 @@ std::int16_t Words::value() {
 
 double Words::number(const std::string& what) {
   const std::string word = take(what);
-  const auto number = parse<double>(word);
-  if (!number) {
+  std::istringstream text(word);
+  double number = 0;
+  if (!(text >> number) || !text.eof()) {
     throw ScenarioError("'" + word + "' is not " + what);
   }
-  return *number;
+  return number;
 }
 
 std::size_t Words::wheel() {
