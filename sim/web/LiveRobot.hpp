@@ -99,7 +99,7 @@ class LiveRobot {
   std::optional<scenario::Scenario::Action> order_;
   scenario::RobotSession::Time orderAt_{};
   Cycle cycle_;
-  std::uint64_t beganAt_ = 0;     // processor cycle
+  std::uint64_t beganAt_ = 0;      // processor cycle
   std::uint64_t sleptBefore_ = 0;  // processor cycles
   std::vector<std::uint32_t> entries_;
   bool cycleEnded_ = false;

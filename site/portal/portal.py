@@ -71,6 +71,7 @@ class Page:
     body: str
     nav: str
     wide: bool = False
+    bare: bool = False  # without the side navigation
 
 
 def heading_anchor(title: str) -> str:
@@ -148,11 +149,11 @@ class Portal:
         return environment
 
     def page(self, name: str, title: str, nav: str, template: str, **values: Any) -> Page:
-        wide = values.pop("wide", False)
+        wide, bare = values.pop("wide", False), values.pop("bare", False)
         body = self.templates.get_template(f"{template}.html").render(**values)
         if template not in WITHOUT_TERMS:
             body = self.glossary.link(body)
-        return Page(name, title, body, nav, wide)
+        return Page(name, title, body, nav, wide, bare)
 
     def view(self, name: str, values: Callable[[Portal], dict[str, Any]]) -> Page:
         """The page of an entry of the navigation, with what its template needs."""

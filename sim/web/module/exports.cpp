@@ -86,8 +86,8 @@ void live_free(std::uint8_t* memory) {
   std::free(memory);
 }
 
-/// Switches a robot on. Of the options, bit 0 lets the run go on after a reset, and bit 1 keeps all events and
-/// reports.
+/// Switches a robot on. Of the options, bit 0 lets the run go on after a reset, and bit 1 keeps all
+/// events and reports.
 void live_start(const std::uint8_t* image, std::size_t imageSize, const std::uint32_t* functions,
                 std::size_t functionCount, const char* scenario, std::size_t scenarioSize,
                 unsigned options) {
@@ -152,8 +152,8 @@ void live_report() {
   module().bytes = module().robot->player().report().value_or(Bytes());
 }
 
-/// Keeps the bytes on the line since the last call. Each piece has its time in us (8 bytes), its sender (1: the
-/// PC), its length (4 bytes) and its bytes.
+/// Keeps the bytes on the line since the last call. Each piece has its time in us (8 bytes), its
+/// sender (1: the PC), its length (4 bytes) and its bytes.
 void live_line() {
   Bytes& bytes = module().bytes;
   bytes.clear();
@@ -199,5 +199,4 @@ std::uint64_t live_event_hash() {
 double live_event_count() {
   return static_cast<double>(module().robot->events().events());
 }
-
 }

@@ -31,9 +31,8 @@ void* __cxa_allocate_exception(std::size_t size) noexcept {
 }
 
 // All exceptions of the simulator are derived from std::exception, which is their first base.
-[[noreturn]] void __cxa_throw(void* thrown, void* /*type*/, void (*/*destroy*/)(void*)) {
+[[noreturn]] void __cxa_throw(void* thrown, void* /*type*/, void (* /*destroy*/)(void*)) {
   text() = static_cast<std::exception*>(thrown)->what();
   __builtin_trap();
 }
-
 }
