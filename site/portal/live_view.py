@@ -10,6 +10,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
+from portal import plots
 from portal.portal import Portal
 from portal.writing import remove_others, write_changed
 from traceability.model.design_model import Model
@@ -22,6 +23,7 @@ from weeding_robot_client.layout import Field, Layout, read_frames
 
 FOLDER = "live"  # of the site
 DATA = "live.json"
+RECORDED = "stop"  # the scenario whose recorded curves the page shows before the robot runs
 SAFETY = Path("sim/scenario/safety")
 SYMBOL = re.compile(r"([0-9a-f]+) [tTwWuV] (.*)")
 
@@ -53,15 +55,18 @@ def run(portal: Portal) -> dict[str, Any]:
     """The values of the template of the page."""
     found = images(portal.root)
     module = portal.root / MODULE
-    shown = [
-        one for one in portal.model.closed_loop if one.runs and one.name == "loss_of_the_pc"
-    ] or [one for one in portal.model.closed_loop if one.runs][:1]
+    ran = [one for one in portal.model.closed_loop if one.runs]
+    shown = [one for one in ran if one.name == RECORDED] or ran[:1]
     return {
         "images": found,
         "chosen": PAPER,
         "scenarios": scenarios(portal.root, portal.model),
         "module_bytes": module.stat().st_size if found else 0,
         "recorded": shown,
+        "drawings": {
+            one.name: [drawing for plot in one.plots if (drawing := plots.draw(plot))]
+            for one in shown
+        },
         "machines": list(portal.model.machines.values()),
         "wide": True,
         "bare": True,
@@ -117,6 +122,7 @@ def facts(portal: Portal, found: list[Image]) -> dict[str, Any]:
                 "title": one.title,
                 "initial": one.initial,
                 "states": dict(one.states),
+                "events": dict(one.events),
                 "transitions": [
                     [step.source, step.target, step.event, step.guard, list(step.requirements)]
                     for step in one.transitions

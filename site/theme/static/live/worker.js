@@ -1,0 +1,280 @@
+/* Runs the robot beside the page: cycle by cycle, as fast as asked, with a snapshot at most 20 times a second. */
+"use strict";
+importScripts("module.js", "trees.js", "frames.js");
+
+const SLICE = 50; // ms between snapshots
+const BUSY = 40; // ms of them in which cycles run
+const CYCLE = 100; // ms of robot time
+const SHOWN_FRAMES = 24;
+
+let facts, compiled, product, trees, report, machines, line;
+let module = null;
+let robot = null;
+
+const asBytes = async (path) => {
+  const answer = await fetch(path);
+  if (!answer.ok) throw new Error(`${path}: ${answer.status}`);
+  return new Uint8Array(await answer.arrayBuffer());
+};
+
+async function load(folder) {
+  const begin = performance.now();
+  const [wasm, data] = await Promise.all([asBytes(`${folder}live.wasm`), fetch(`${folder}live.json`)]);
+  compiled = await WebAssembly.compile(wasm);
+  facts = await data.json();
+  report = facts.frames.find((frame) => frame.name === "Report");
+  return performance.now() - begin;
+}
+
+async function choose(folder, name) {
+  if (product && product.name === name) return;
+  product = facts.products.find((one) => one.name === name);
+  product.bytes = product.bytes || (await asBytes(`${folder}${name}.bin`));
+  product.methodAt = new Map(product.functions);
+  product.has = new Set(product.functions.map(([, method]) => method));
+  trees = facts.trees
+    .filter((tree) => tree.products.includes("all") || tree.products.includes(name) || !tree.products.length)
+    .map((tree) => LiveTrees.prepared(tree, product.has));
+}
+
+/* A run: the module with a robot in it, and all that was seen of it. */
+class Robot {
+  constructor(scenario, log) {
+    this.scenario = scenario;
+    this.log = log; // actions by hand: [time, kind, text]
+    this.next = 0; // of the log, while it is repeated
+    module = module || new LiveModule(compiled);
+    module.start({
+      image: product.bytes,
+      functions: product.functions.map(([address]) => address),
+      scenario: scenario.text,
+      resets: true,
+    });
+    line = new LiveFrames.Line(facts.frames);
+    machines = facts.machines.map((one) => new LiveTrees.Machine(one));
+    this.hardware = new Set(facts.hardware);
+    this.known = new Map(); // hash of the calls of a cycle -> trees in it
+    this.seen = {}; // requirement -> count, first time
+    this.state = "runs";
+    this.rows = [];
+    this.rowsHash = 0;
+    this.sample = null;
+    this.clear();
+  }
+
+  /* Forgets what the page was sent. */
+  clear() {
+    this.history = [];
+    this.frames = [];
+    this.moves = [];
+    this.fresh = [];
+  }
+
+  time() {
+    return module.numbers().time_ms;
+  }
+
+  act(kind, text, at) {
+    try {
+      if (kind === "order") module.repeat(text);
+      else module.perform(text);
+    } catch (error) {
+      post({ kind: "refused", text, why: String(error.message) });
+      module = null;
+      return;
+    }
+    if (at !== undefined) return;
+    this.log.splice(this.next); // what was to come after a step back is no longer true
+    this.log.push([this.time(), kind, text]);
+    this.next = this.log.length;
+  }
+
+  repeatLog() {
+    while (this.next < this.log.length && this.log[this.next][0] <= this.time()) {
+      const [at, kind, text] = this.log[this.next];
+      this.next += 1;
+      this.act(kind, text, at);
+    }
+  }
+
+  cycle() {
+    if (this.state !== "runs") return false;
+    this.repeatLog();
+    this.state = module.cycle();
+    const numbers = module.numbers();
+    this.numbers = numbers;
+    this.values = LiveFrames.valuesOf(module.report(), report);
+    this.readCalls(numbers.time_ms);
+    this.readLine();
+    this.history.push(this.point(numbers));
+    return this.state === "runs";
+  }
+
+  readCalls(now) {
+    const hash = module.callsHash();
+    const moves = [];
+    let found = this.known.get(hash);
+    this.rows = LiveTrees.rowsOf(module.calls(), product.methodAt, this.hardware);
+    this.rowsHash = hash;
+    if (found === undefined) {
+      found = LiveTrees.treesIn(trees, this.rows);
+      this.known.set(hash, found);
+    }
+    for (const row of this.rows) {
+      const [owner, method] = facts.methods[row.method].split("::");
+      machines.forEach((machine) => machine.operation(owner, method, moves));
+    }
+    this.moves.push(...moves.map((move) => ({ ...move, at: now })));
+    this.stopsAt = null;
+    for (const id of found) {
+      if (!this.seen[id]) {
+        this.seen[id] = { count: 0, at: now, cycle: this.numbers.pulses };
+        this.fresh.push(id);
+      }
+      this.seen[id].count += 1;
+      if (watched.has(id)) this.stopsAt = id;
+    }
+  }
+
+  readLine() {
+    this.frames.push(...line.take(module.line()));
+    this.frames.splice(0, Math.max(0, this.frames.length - SHOWN_FRAMES));
+  }
+
+  point(numbers) {
+    const { values } = this;
+    return { t: numbers.time_ms, v: values, n: numbers };
+  }
+}
+
+let watched = new Set();
+let speed = 1;
+let running = false;
+let target = 0;
+let last = 0;
+let timer = 0;
+
+function post(message) {
+  self.postMessage(message);
+}
+
+function snapshot() {
+  if (!robot || !robot.numbers) return;
+  const treeRows = robot.rows.map((row) => [row.method, row.depth, row.activation, row.parent]);
+  post({
+    kind: "snapshot",
+    running,
+    state: robot.state,
+    numbers: robot.numbers,
+    values: robot.values,
+    history: robot.history,
+    frames: robot.frames.map((frame) => ({ ...frame, values: line.values(frame) })),
+    moves: robot.moves,
+    machines: machines.map(({ id, state, counts }) => ({ id, state, counts: { ...counts } })),
+    seen: robot.seen,
+    fresh: robot.fresh,
+    found: robot.known.get(robot.rowsHash) || [],
+    stopsAt: running ? null : robot.stopsAt,
+    entries: module ? module.entries() : null,
+    rows: treeRows,
+    failures: module ? module.text("failures") : "",
+    finding: module ? module.text("finding") : "",
+    hands: robot.log.length,
+  });
+  robot.clear();
+}
+
+function pause() {
+  running = false;
+  clearTimeout(timer);
+}
+
+function tick() {
+  const now = performance.now();
+  target += (now - last) * speed;
+  last = now;
+  const end = now + BUSY;
+  let cycles = 0;
+  while (running && (speed === Infinity || robot.time() < target) && performance.now() < end) {
+    cycles += 1;
+    if (!robot.cycle() || robot.stopsAt) running = false;
+  }
+  if (robot.time() < target - CYCLE) target = robot.time(); // this machine is too slow
+  if (cycles) snapshot();
+  if (running) timer = setTimeout(tick, Math.max(0, SLICE - (performance.now() - now)));
+  else snapshot();
+}
+
+function run() {
+  if (running || !robot || robot.state !== "runs") return;
+  running = true;
+  last = performance.now();
+  target = robot.time() + CYCLE;
+  tick();
+}
+
+/* Runs to a time without stops, for a link or the time line. */
+function seek(time) {
+  let wanted = time;
+  const end = performance.now() + 60000;
+  while (robot.time() < wanted && robot.cycle() && performance.now() < end);
+  snapshot();
+}
+
+const ORDERS = {
+  async load({ folder }) {
+    const ms = await load(folder);
+    post({ kind: "loaded", ms, facts });
+  },
+  async start({ folder, name, scenario, time, log }) {
+    pause();
+    await choose(folder, name);
+    robot = new Robot(scenario, log || []);
+    const possible = trees.filter((tree) => tree.possible).length;
+    post({ kind: "started", possible, trees: trees.length });
+    robot.cycle();
+    seek(time || 0);
+  },
+  run,
+  pause() {
+    pause();
+    snapshot();
+  },
+  cycle() {
+    pause();
+    robot.cycle();
+    snapshot();
+  },
+  speed({ value }) {
+    speed = value;
+    if (running) target = robot.time() + CYCLE;
+  },
+  act({ how, text }) {
+    robot.act(how, text);
+  },
+  watch({ ids }) {
+    watched = new Set(ids);
+  },
+  seek({ time }) {
+    pause();
+    if (time < robot.time()) {
+      const { scenario, log } = robot;
+      robot = new Robot(
+        scenario,
+        log.filter(([at]) => at <= time),
+      );
+      post({ kind: "again" });
+    }
+    seek(time);
+  },
+};
+
+self.onmessage = async ({ data }) => {
+  try {
+    await ORDERS[data.do](data);
+  } catch (error) {
+    running = false;
+    module = null;
+    post({ kind: "error", text: String(error.message || error) });
+  }
+};
