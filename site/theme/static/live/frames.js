@@ -34,8 +34,9 @@
 
   /* The values of a body (version, type, sequence number, payload), by the names of the fields. */
   function valuesOf(body, frame) {
-    const view = new DataView(Uint8Array.from(body).buffer, HEADER);
     const values = {};
+    if (body.length < HEADER) return values;
+    const view = new DataView(Uint8Array.from(body).buffer, HEADER);
     for (const field of frame.fields) {
       if (field.o + SIZES[field.t] > view.byteLength) break;
       const value = valueAt(view, field, field.o);

@@ -30,7 +30,6 @@
     rowLines = [],
     callAt = -1,
     pose = { x: 0, y: 0, path: [] },
-    perSecond = [],
     lastSaid = 0,
     saidState = "";
 
@@ -153,7 +152,6 @@
     history = [];
     seen = {};
     actions = [];
-    perSecond = [];
     pose = { x: 0, y: 0, path: [] };
     callAt = -1;
     latest = null;
@@ -717,19 +715,17 @@
   /* ---- modules ---------------------------------------------------------------------------------------------- */
 
   function showMap(data) {
-    if (!data.entries) return;
     const product = facts.products.find((each) => each.name === productField.value);
     const now = new Map();
+    const rates = new Map();
     product.functions.forEach(([, method], i) => {
       const module = facts.methods[method].split("::")[0];
       now.set(module, (now.get(module) || 0) + data.entries[i]);
+      rates.set(module, (rates.get(module) || 0) + data.entries[i] - data.before[i]);
     });
-    perSecond.push([data.numbers.time_ms, now]);
-    while (perSecond.length > 2 && perSecond[1][0] < data.numbers.time_ms - 1000) perSecond.shift();
-    const [, before] = perSecond[0];
     cells.forEach((cell, name) => {
       cell.total = now.get(name) || 0;
-      cell.rate = Math.max(0, cell.total - (before.get(name) || 0));
+      cell.rate = rates.get(name) || 0;
       const fill = Math.min(1, Math.log10(1 + cell.rate) / 3);
       cell.cell.style.setProperty("--fill", `${Math.round(fill * 100)}%`);
       cell.cell.classList.toggle("absent", !now.has(name));

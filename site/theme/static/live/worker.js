@@ -5,10 +5,11 @@ importScripts("module.js", "trees.js", "frames.js");
 const SLICE = 50; // ms between snapshots
 const BUSY = 40; // ms of them in which cycles run
 const CYCLE = 100; // ms of robot time
+const SECOND = 1000 / CYCLE; // in cycles
 const SHOWN_FRAMES = 24;
 
 let facts, compiled, product, trees, report, machines, line;
-let module = null;
+let simulator = null;
 let robot = null;
 
 const asBytes = async (path) => {
@@ -43,8 +44,8 @@ class Robot {
     this.scenario = scenario;
     this.log = log; // actions by hand: [time, kind, text]
     this.next = 0; // of the log, while it is repeated
-    module = module || new LiveModule(compiled);
-    module.start({
+    simulator = simulator || new LiveModule(compiled);
+    simulator.start({
       image: product.bytes,
       functions: product.functions.map(([address]) => address),
       scenario: scenario.text,
@@ -58,7 +59,7 @@ class Robot {
     this.state = "runs";
     this.rows = [];
     this.rowsHash = 0;
-    this.sample = null;
+    this.entries = []; // after each of the last cycles
     this.clear();
   }
 
@@ -71,16 +72,16 @@ class Robot {
   }
 
   time() {
-    return module.numbers().time_ms;
+    return simulator.numbers().time_ms;
   }
 
   act(kind, text, at) {
     try {
-      if (kind === "order") module.repeat(text);
-      else module.perform(text);
+      if (kind === "order") simulator.repeat(text);
+      else simulator.perform(text);
     } catch (error) {
       post({ kind: "refused", text, why: String(error.message) });
-      module = null;
+      simulator = null;
       return;
     }
     if (at !== undefined) return;
@@ -100,10 +101,12 @@ class Robot {
   cycle() {
     if (this.state !== "runs") return false;
     this.repeatLog();
-    this.state = module.cycle();
-    const numbers = module.numbers();
+    this.state = simulator.cycle();
+    const numbers = simulator.numbers();
     this.numbers = numbers;
-    this.values = LiveFrames.valuesOf(module.report(), report);
+    this.values = LiveFrames.valuesOf(simulator.report(), report);
+    this.entries.push(simulator.entries());
+    this.entries.splice(0, this.entries.length - SECOND - 1);
     this.readCalls(numbers.time_ms);
     this.readLine();
     this.history.push(this.point(numbers));
@@ -111,10 +114,10 @@ class Robot {
   }
 
   readCalls(now) {
-    const hash = module.callsHash();
+    const hash = simulator.callsHash();
     const moves = [];
     let found = this.known.get(hash);
-    this.rows = LiveTrees.rowsOf(module.calls(), product.methodAt, this.hardware);
+    this.rows = LiveTrees.rowsOf(simulator.calls(), product.methodAt, this.hardware);
     this.rowsHash = hash;
     if (found === undefined) {
       found = LiveTrees.treesIn(trees, this.rows);
@@ -137,7 +140,7 @@ class Robot {
   }
 
   readLine() {
-    this.frames.push(...line.take(module.line()));
+    this.frames.push(...line.take(simulator.line()));
     this.frames.splice(0, Math.max(0, this.frames.length - SHOWN_FRAMES));
   }
 
@@ -175,10 +178,11 @@ function snapshot() {
     fresh: robot.fresh,
     found: robot.known.get(robot.rowsHash) || [],
     stopsAt: running ? null : robot.stopsAt,
-    entries: module ? module.entries() : null,
+    entries: robot.entries[robot.entries.length - 1],
+    before: robot.entries[0],
     rows: treeRows,
-    failures: module ? module.text("failures") : "",
-    finding: module ? module.text("finding") : "",
+    failures: simulator ? simulator.text("failures") : "",
+    finding: simulator ? simulator.text("finding") : "",
     hands: robot.log.length,
   });
   robot.clear();
@@ -274,7 +278,7 @@ self.onmessage = async ({ data }) => {
     await ORDERS[data.do](data);
   } catch (error) {
     running = false;
-    module = null;
+    simulator = null;
     post({ kind: "error", text: String(error.message || error) });
   }
 };
