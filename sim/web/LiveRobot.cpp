@@ -15,6 +15,8 @@ using scenario::Scenario;
 constexpr std::uint32_t kFirstInterrupt = 16;
 constexpr std::uint32_t kPulse = kFirstInterrupt + board_robot::BoardSession::kPulseInterrupt;
 constexpr scenario::RobotSession::Time kOrderPeriod{100'000};
+// A board that does not run has no clock pulses.
+constexpr scenario::RobotSession::Time kLongest{200'000};
 constexpr std::size_t kMostCalls = 30'000;
 constexpr std::uint64_t kLeft = std::uint64_t{1} << 63U;
 constexpr std::uint32_t kHashBegin = 0x811C9DC5;
@@ -52,8 +54,12 @@ LiveRobot::LiveRobot(Setup setup)
 
 LiveRobot::State LiveRobot::runCycle() {
   cycleEnded_ = false;
-  while (state_ == State::Runs && !cycleEnded_) {
+  const scenario::RobotSession::Time limit = line_.now() + kLongest;
+  while (state_ == State::Runs && !cycleEnded_ && line_.now() < limit) {
     step();
+  }
+  if (!cycleEnded_) {
+    endCycle();
   }
   return state_;
 }

@@ -45,7 +45,7 @@ class LiveRobot {
   LiveRobot(const LiveRobot&) = delete;
   LiveRobot& operator=(const LiveRobot&) = delete;
 
-  /// @brief Runs until a control cycle has ended.
+  /// @brief Runs until a control cycle has ended; for 200 ms when there is no clock pulse.
   State runCycle();
 
   /// @brief Runs to the end of the scenario.

@@ -101,7 +101,7 @@ void live_start(const std::uint8_t* image, std::size_t imageSize, const std::uin
   module().robot = std::make_unique<LiveRobot>(std::move(setup));
 }
 
-/// Runs until a control cycle has ended: 0 it goes on, 1 the scenario has ended, 2 a finding.
+/// Runs until a control cycle has ended, or for 200 ms without a clock pulse: 0 it goes on, 1 the scenario has ended, 2 a finding.
 int live_cycle() {
   return static_cast<int>(module().robot->runCycle());
 }

@@ -129,7 +129,7 @@
     const found = facts.scenarios.find((each) => each.name === name);
     scenario = found || { name: "", title: "free drive", says: "", text: FREE, product: "" };
     clearRun();
-    note(found ? found.says : "Switch “sends an order” on, wait until the robot is armed, and move the set-point.");
+    note(found ? found.says : "Move the set-point. A product with safety functions follows when it has had neutral orders for 1.5 s.");
     const option = productField.selectedOptions[0];
     one("[data-image]").textContent =
       `image ${option.dataset.hash.slice(0, 7)}, ${Number(option.dataset.size).toLocaleString("en")} B, unmodified`;

@@ -100,10 +100,14 @@
     constructor(declared) {
       this.id = declared.id;
       this.declared = declared;
-      this.state = declared.initial;
+      this.begin();
       this.counts = {};
       this.stateOf = new Map(Object.entries(declared.states).map(([s, module]) => [module, s]));
       this.events = Object.entries(declared.events);
+    }
+
+    begin() {
+      this.state = this.declared.initial;
     }
 
     move(to, moves) {

@@ -103,6 +103,8 @@ class Robot {
     this.repeatLog();
     this.state = simulator.cycle();
     const numbers = simulator.numbers();
+    if (this.numbers && numbers.resets !== this.numbers.resets)
+      machines.forEach((machine) => machine.begin());
     this.numbers = numbers;
     this.values = LiveFrames.valuesOf(simulator.report(), report);
     this.entries.push(simulator.entries());
@@ -273,12 +275,19 @@ const ORDERS = {
   },
 };
 
-self.onmessage = async ({ data }) => {
+/* One order after the other: some wait for what they load. */
+let orders = Promise.resolve();
+
+async function obey(data) {
   try {
     await ORDERS[data.do](data);
   } catch (error) {
-    running = false;
+    pause();
     simulator = null;
     post({ kind: "error", text: String(error.message || error) });
   }
+}
+
+self.onmessage = ({ data }) => {
+  orders = orders.then(() => obey(data));
 };
