@@ -1,5 +1,7 @@
-"""Plays the example scenarios as WebAssembly, in Node and in a browser, and compares all that the robot sent
-with the native virtual board."""
+"""Plays the examples as WebAssembly, in Node and in a browser, and compares them with native runs.
+
+Two runs are the same when their reports and a hash of all events of the board are the same.
+"""
 
 from __future__ import annotations
 
@@ -105,7 +107,7 @@ def play_in_node(root: Path, scenarios: Iterable[Path]) -> list[dict[str, Any]]:
 
 
 def play_in_browser(root: Path, browser: str, scenarios: list[Path]) -> dict[str, Any]:
-    """Plays scenarios with the module in a headless browser; ``ready`` is the time to the first cycle."""
+    """Plays scenarios in a headless browser; ``ready`` is the time to the first cycle [s]."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for source, target in (

@@ -141,8 +141,9 @@ def address(link: str | None) -> str:
 
 def entered_by_hardware(model: Model) -> set[str]:
     """The functions that no code calls: the vectors of the image lead to them."""
-    bodies = [m for one in model.modules.values() for m in one.methods]
-    called = {call.target for body in [*bodies, *model.functions.values()] for call in body.calls}
+    methods = [m for one in model.modules.values() for m in one.methods]
+    called = {call.target for method in methods for call in method.calls}
+    called |= {call.target for function in model.functions.values() for call in function.calls}
     return set(model.functions) - called
 
 

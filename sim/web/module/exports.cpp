@@ -78,19 +78,19 @@ void append(Bytes& bytes, Number number) {
 extern "C" {
 
 /// Memory for an argument.
-std::uint8_t* live_alloc(std::size_t size) {
+std::uint8_t* liveAlloc(std::size_t size) {
   return static_cast<std::uint8_t*>(std::malloc(size));
 }
 
-void live_free(std::uint8_t* memory) {
+void liveFree(std::uint8_t* memory) {
   std::free(memory);
 }
 
 /// Switches a robot on. Of the options, bit 0 lets the run go on after a reset, and bit 1 keeps all
 /// events and reports.
-void live_start(const std::uint8_t* image, std::size_t imageSize, const std::uint32_t* functions,
-                std::size_t functionCount, const char* scenario, std::size_t scenarioSize,
-                unsigned options) {
+void liveStart(const std::uint8_t* image, std::size_t imageSize, const std::uint32_t* functions,
+               std::size_t functionCount, const char* scenario, std::size_t scenarioSize,
+               unsigned options) {
   module().robot.reset();
   LiveRobot::Setup setup{.image = Bytes(image, image + imageSize),
                          .functions = {functions, functions + functionCount},
@@ -101,26 +101,27 @@ void live_start(const std::uint8_t* image, std::size_t imageSize, const std::uin
   module().robot = std::make_unique<LiveRobot>(std::move(setup));
 }
 
-/// Runs until a control cycle has ended, or for 200 ms without a clock pulse: 0 it goes on, 1 the scenario has ended, 2 a finding.
-int live_cycle() {
+/// Runs until a control cycle has ended, or for 200 ms without a clock pulse: 0 it goes on, 1 the
+/// scenario has ended, 2 a finding.
+int liveCycle() {
   return static_cast<int>(module().robot->runCycle());
 }
 
 /// Runs to the end of the scenario.
-int live_run_to_end() {
+int liveRunToEnd() {
   return static_cast<int>(module().robot->runToEnd());
 }
 
-void live_perform(const char* action, std::size_t size) {
+void livePerform(const char* action, std::size_t size) {
   module().robot->perform(std::string(action, size));
 }
 
-void live_repeat(const char* order, std::size_t size) {
+void liveRepeat(const char* order, std::size_t size) {
   module().robot->repeat(std::string(order, size));
 }
 
 /// The numbers of the present instant. Text 3 names them.
-const double* live_numbers() {
+const double* liveNumbers() {
   LiveRobot& robot = *module().robot;
   const wr::emulator::VirtualBoard& board = robot.session().board;
   const double microsecond = static_cast<double>(board.clockHz()) / 1e6;
@@ -141,20 +142,20 @@ const double* live_numbers() {
   return numbers.data();
 }
 
-/// Keeps a text; live_bytes() and live_size() return it.
-void live_text(int which) {
+/// Keeps a text; liveBytes() and liveSize() return it.
+void liveText(int which) {
   const std::string text = textOf(static_cast<Text>(which));
   module().bytes.assign(text.begin(), text.end());
 }
 
 /// Keeps the last report.
-void live_report() {
+void liveReport() {
   module().bytes = module().robot->player().report().value_or(Bytes());
 }
 
 /// Keeps the bytes on the line since the last call. Each piece has its time in us (8 bytes), its
 /// sender (1: the PC), its length (4 bytes) and its bytes.
-void live_line() {
+void liveLine() {
   Bytes& bytes = module().bytes;
   bytes.clear();
   for (const auto& piece : module().robot->takePieces()) {
@@ -165,38 +166,38 @@ void live_line() {
   }
 }
 
-const std::uint8_t* live_bytes() {
+const std::uint8_t* liveBytes() {
   return module().bytes.data();
 }
 
-std::size_t live_size() {
+std::size_t liveSize() {
   return module().bytes.size();
 }
 
 /// The calls of the last control cycle.
-const std::uint32_t* live_calls() {
+const std::uint32_t* liveCalls() {
   return module().robot->cycle().calls.data();
 }
 
-std::size_t live_call_count() {
+std::size_t liveCallCount() {
   return module().robot->cycle().calls.size();
 }
 
-std::uint32_t live_calls_hash() {
+std::uint32_t liveCallsHash() {
   return module().robot->cycle().hash;
 }
 
 /// The number of entries of each function.
-const std::uint32_t* live_entries() {
+const std::uint32_t* liveEntries() {
   return module().robot->entries().data();
 }
 
 /// The events of the board: their hash, and their number.
-std::uint64_t live_event_hash() {
+std::uint64_t liveEventHash() {
   return module().robot->events().hash();
 }
 
-double live_event_count() {
+double liveEventCount() {
   return static_cast<double>(module().robot->events().events());
 }
 }

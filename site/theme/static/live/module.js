@@ -41,13 +41,13 @@
       try {
         return this.exports[name](...values);
       } catch (error) {
-        const text = name === "live_text" ? "" : this.text("thrown");
+        const text = name === "liveText" ? "" : this.text("thrown");
         throw new Error(text || String(error.message || error));
       }
     }
 
     put(bytes) {
-      const at = this.call("live_alloc", bytes.length);
+      const at = this.call("liveAlloc", bytes.length);
       new Uint8Array(this.exports.memory.buffer).set(bytes, at);
       return at;
     }
@@ -58,17 +58,17 @@
       try {
         this.call(name, at, bytes.length);
       } finally {
-        this.exports.live_free(at);
+        this.exports.liveFree(at);
       }
     }
 
     kept() {
-      const { memory, live_bytes: begin, live_size: size } = this.exports;
+      const { memory, liveBytes: begin, liveSize: size } = this.exports;
       return new Uint8Array(memory.buffer, begin(), size()).slice();
     }
 
     text(name) {
-      this.call("live_text", TEXT[name]);
+      this.call("liveText", TEXT[name]);
       return new TextDecoder().decode(this.kept());
     }
 
@@ -79,7 +79,7 @@
       const options = (resets ? OPTION.resets : 0) | (verify ? OPTION.verify : 0);
       const [at, functionsAt, textAt] = places;
       this.call(
-        "live_start",
+        "liveStart",
         at,
         image.length,
         functionsAt,
@@ -88,57 +88,57 @@
         text.length,
         options,
       );
-      places.forEach((place) => this.exports.live_free(place));
+      places.forEach((place) => this.exports.liveFree(place));
       this.functions = functions.length;
       this.names = this.names || this.text("names").split(",");
     }
 
     cycle() {
-      return STATES[this.call("live_cycle")];
+      return STATES[this.call("liveCycle")];
     }
 
     runToEnd() {
-      return STATES[this.call("live_run_to_end")];
+      return STATES[this.call("liveRunToEnd")];
     }
 
     perform(action) {
-      this.withText("live_perform", action);
+      this.withText("livePerform", action);
     }
 
     repeat(order) {
-      this.withText("live_repeat", order);
+      this.withText("liveRepeat", order);
     }
 
     /* The numbers of the present instant, by their names. */
     numbers() {
-      const at = this.call("live_numbers");
+      const at = this.call("liveNumbers");
       const values = new Float64Array(this.exports.memory.buffer, at, this.names.length);
       return Object.fromEntries(this.names.map((name, i) => [name, values[i]]));
     }
 
     report() {
-      this.call("live_report");
+      this.call("liveReport");
       return this.kept();
     }
 
     callsHash() {
-      return this.call("live_calls_hash") >>> 0;
+      return this.call("liveCallsHash") >>> 0;
     }
 
     calls() {
-      const at = this.call("live_calls");
-      const count = this.call("live_call_count");
+      const at = this.call("liveCalls");
+      const count = this.call("liveCallCount");
       return new Uint32Array(this.exports.memory.buffer, at, count).slice();
     }
 
     entries() {
-      const at = this.call("live_entries");
+      const at = this.call("liveEntries");
       return new Uint32Array(this.exports.memory.buffer, at, this.functions).slice();
     }
 
     /* What was sent on the line since the last call. */
     line() {
-      this.call("live_line");
+      this.call("liveLine");
       const bytes = this.kept();
       const view = new DataView(bytes.buffer);
       const pieces = [];
@@ -155,8 +155,8 @@
     }
 
     events() {
-      const hash = BigInt.asUintN(64, this.call("live_event_hash"));
-      return { count: this.call("live_event_count"), hash: hash.toString(16).padStart(16, "0") };
+      const hash = BigInt.asUintN(64, this.call("liveEventHash"));
+      return { count: this.call("liveEventCount"), hash: hash.toString(16).padStart(16, "0") };
     }
   }
 

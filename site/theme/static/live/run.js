@@ -103,7 +103,10 @@
     started(data, _time, pressed) {
       possible = data.possible;
       live.dataset.ready = ((performance.now() - pressed) / 1000).toFixed(2);
-      one("[data-view]").hidden = false;
+      const view = one("[data-view]");
+      if (view.hidden && matchMedia("(max-width: 820px)").matches)
+        setTimeout(() => view.scrollIntoView(), 0);
+      view.hidden = false;
       document.getElementById("recorded").hidden = true;
       fillStopAt();
     },
