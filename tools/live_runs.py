@@ -121,14 +121,14 @@ def play_in_browser(root: Path, browser: str, scenarios: list[Path]) -> dict[str
         names = json.dumps([scenario.name for scenario in scenarios])
         page = PAGE.replace("%NAMES%", names)
         (folder / "index.html").write_text(page, encoding="utf-8")
-        result = _result_of(browser, folder)
+        result = result_of(browser, folder, "index.html")
     if "error" in result:
         raise FailureError(f"the browser: {result['error']}")
     return result
 
 
-def _result_of(browser: str, folder: Path) -> dict[str, Any]:
-    """Opens the page of a folder, and returns what it sends."""
+def result_of(browser: str, folder: Path, page: str) -> dict[str, Any]:
+    """Opens a page of a folder, and returns the result that it posts."""
     came = threading.Event()
     found: dict[str, Any] = {}
 
@@ -145,14 +145,16 @@ def _result_of(browser: str, folder: Path) -> dict[str, Any]:
     handler = functools.partial(Handler, directory=str(folder))
     with ThreadingHTTPServer(("127.0.0.1", 0), handler) as http:
         threading.Thread(target=http.serve_forever, daemon=True).start()
-        profile = folder / "profile"
         words = [browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-first-run"]
-        words += [f"--user-data-dir={profile}", "--remote-debugging-port=0"]
-        with subprocess.Popen(
-            [*words, f"http://127.0.0.1:{http.server_port}/"],
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-        ) as program:
+        words += ["--remote-debugging-port=0", f"http://127.0.0.1:{http.server_port}/{page}"]
+        with (
+            tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile,
+            subprocess.Popen(
+                [*words, f"--user-data-dir={profile}"],
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+            ) as program,
+        ):
             try:
                 if not came.wait(SECONDS):
                     raise FailureError(f"the page sent no result within {SECONDS} s")

@@ -100,7 +100,7 @@ PYTHON_TESTS: dict[str, tuple[str, ...]] = {
     "tools": ("site", "setup", "wr", "tests/drift", *DESIGN, "sim", "tests/usual_design"),
     "client": ("design", "docs", "sim/scenario"),
     "firmware": (*DESIGN, "sim", "tests/k64"),
-    "programs": ("sim/scenario", "design", str(COVERAGE_LINES)),
+    "programs": ("sim/scenario", "design", "site", str(COVERAGE_LINES)),
     "worked_examples": SHOWN,
 }
 RUN_PROGRAMS = ("client", "firmware", "programs")  # folders whose tests run programs that are built
