@@ -210,7 +210,8 @@ def field(one: Field) -> dict[str, Any]:
 
 def scenarios(root: Path, model: Model) -> list[dict[str, str]]:
     """The scenarios that the page plays: the examples, and the single faults."""
-    titles = {one.name: (one.title, one.says) for one in model.closed_loop}
+    titles = {one.name: (one.title, "") for one in model.safety.scenarios.values()}
+    titles |= {one.name: (one.title, one.says) for one in model.closed_loop}
     found = []
     for folder, product in ((EXAMPLES, PAPER), (SAFETY, DEFAULT)):
         for path in sorted((root / folder).glob("*.scenario")):

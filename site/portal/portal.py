@@ -24,6 +24,7 @@ from traceability.model.execution import INTERRUPT, START
 from traceability.model.impact import Impacts
 from traceability.model.metrics import metrics
 from traceability.model.report import Report
+from traceability.reading.live_record import MODULE
 from traceability.reading.seeded_fault_record import Outcome
 from traceability.reading.seeded_faults import Fault
 from traceability.schema import (
@@ -165,6 +166,11 @@ class Portal:
         """The row of a test in a table; many pages show the same."""
         template = self.templates.get_template("test_row.html")
         return Markup(template.render(test=self.model.tests[test]))
+
+    @functools.cached_property
+    def runs_live(self) -> bool:
+        """Whether the page that runs the robot has what it loads."""
+        return (self.root / MODULE).exists()
 
     # ---- derived facts --------------------------------------------------------
 

@@ -227,6 +227,42 @@ function seek(time) {
   snapshot();
 }
 
+/* Plays the scenarios, those of the paper's design first, until the tree of a requirement is in a cycle. */
+async function find({ folder, id }) {
+  pause();
+  for (const scenario of facts.scenarios) {
+    await choose(folder, scenario.product);
+    const tree = trees.find((one) => one.id === id);
+    if (!tree || !tree.possible) continue;
+    post({ kind: "plays", title: scenario.title });
+    robot = new Robot(scenario, []);
+    let goesOn = true;
+    while (goesOn && !robot.seen[id]) {
+      robot.clear();
+      goesOn = robot.cycle();
+    }
+    if (robot.seen[id]) {
+      const placed = LiveTrees.embed(tree, robot.rows).sort((a, b) => a - b);
+      const base = Math.min(...placed.map((index) => robot.rows[index].depth));
+      post({
+        kind: "found",
+        product: product.name,
+        scenario: scenario.name,
+        title: scenario.title,
+        at: robot.seen[id].at,
+        cycle: robot.seen[id].cycle,
+        moves: robot.moves,
+        calls: placed.map((index) => ({
+          name: facts.methods[robot.rows[index].method],
+          depth: robot.rows[index].depth - base,
+        })),
+      });
+      return;
+    }
+  }
+  post({ kind: "found" });
+}
+
 const ORDERS = {
   async load({ folder }) {
     const ms = await load(folder);
@@ -241,6 +277,7 @@ const ORDERS = {
     robot.cycle();
     seek(time || 0);
   },
+  find,
   run,
   pause() {
     pause();
