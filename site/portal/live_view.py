@@ -15,7 +15,7 @@ from portal.portal import Portal
 from portal.writing import remove_others, write_changed
 from traceability.model.design_model import Model
 from traceability.reading.closed_loop_record import EXAMPLES
-from traceability.reading.live_record import MODULE
+from traceability.reading.live_record import MODULE, read_live
 from traceability.reading.products import DEFAULT, PAPER, PRODUCTS, image_of
 from traceability.reading.traces import function_of, method_of
 from traceability.schema import Method, TreeNode
@@ -68,6 +68,7 @@ def run(portal: Portal) -> dict[str, Any]:
             for one in shown
         },
         "machines": list(portal.model.machines.values()),
+        "measured": read_live(portal.root),
         "wide": True,
         "bare": True,
     }
