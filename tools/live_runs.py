@@ -29,6 +29,7 @@ from traceability.reading.products import PAPER, image_of
 COMPILER = "clang++-19"
 PRESET, TARGET = "web", "live"
 SCRIPT = Path("site/theme/static/live/module.js")
+DATA = Path("build/site/live/live.json")
 SECONDS = 600  # for all scenarios in one engine
 TRACE = re.compile(r"^trace: (?P<count>\d+) events, hash (?P<hash>[0-9a-f]{16})$", re.MULTILINE)
 NODE = """
@@ -227,5 +228,6 @@ def _wrong(
 
 
 def _bytes(root: Path) -> int:
-    """What a reader loads besides the page: the module, and an image. The page adds its data."""
-    return sum((root / path).stat().st_size for path in (MODULE, image_of(PAPER, ".bin")))
+    """The bytes that a press loads: the module, an image, and the data of the page if it was built."""
+    loaded = (root / path for path in (MODULE, image_of(PAPER, ".bin"), DATA))
+    return sum(path.stat().st_size for path in loaded if path.exists())

@@ -75,7 +75,7 @@ def run(portal: Portal) -> dict[str, Any]:
 
 
 def write_live(portal: Portal, site: Path) -> None:
-    """Writes what the page loads when its reader starts the robot."""
+    """Writes the files that the page loads when its reader starts the robot."""
     root, folder = portal.root, site / FOLDER
     found = images(root)
     kept = [f"{one.name}.bin" for one in found]

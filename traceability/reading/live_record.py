@@ -1,4 +1,4 @@
-"""Reads what was measured of the WebAssembly module that runs the images in a page."""
+"""Reads the measurements of the WebAssembly module that runs the images in a page."""
 
 from __future__ import annotations
 

@@ -34,7 +34,7 @@ pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="Node is no
 
 @dataclass
 class Node:
-    """What embed() reads of a node of a tree."""
+    """The parts of a node of a tree that embed() reads."""
 
     methods: set[str]
     kind: str = "call"

@@ -24,7 +24,7 @@ COPIED = (
     EXAMPLES / "loss_of_the_pc.scenario",
     Path("design/frames.toml"),
 )
-# A page that opens another in a frame, and sends what it sees there.
+# A page that opens another in a frame, and sends the result of a probe there.
 PAGE = """<!doctype html><title>probe</title><body><script>
 const frame = document.createElement("iframe");
 frame.style.cssText = "width:%WIDTH%px;height:900px;border:0";

@@ -136,7 +136,7 @@
       return new Uint32Array(this.exports.memory.buffer, at, this.functions).slice();
     }
 
-    /* What was sent on the line since the last call. */
+    /* The bytes on the line since the last call. */
     line() {
       this.call("liveLine");
       const bytes = this.kept();

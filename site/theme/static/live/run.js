@@ -421,14 +421,14 @@
     const links = all("a", place);
     if (links[0]) links[0].tabIndex = 0;
     const says = one("[data-cell]");
-    const tellCell = (event) => {
+    const showCell = (event) => {
       const cell = event.target.closest("a");
       if (!cell) return;
       const found = cells.get(cell.getAttribute("aria-label"));
       says.textContent = `${cell.getAttribute("aria-label")}: ${found.rate || 0} calls in the last second, ${found.total} in this run`;
     };
-    place.addEventListener("pointerover", tellCell);
-    place.addEventListener("focusin", tellCell);
+    place.addEventListener("pointerover", showCell);
+    place.addEventListener("focusin", showCell);
     place.addEventListener("keydown", (event) => {
       const step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
       const next = step && links[links.indexOf(event.target) + step];
@@ -477,7 +477,7 @@
     if (data.stopsAt) note(`${data.stopsAt} was seen at ${seconds(data.numbers.time_ms)} s: the run is paused.`);
     if (data.finding) note(`The virtual board stopped with a finding: ${data.finding}`);
     else if (data.failures) note(data.failures.split("\n")[0]);
-    else if (data.state === "ended") note("The scenario has ended. All its expectations hold.");
+    else if (data.state === "ended") note("The scenario has ended. All its expectations are met.");
   }
 
   function keep(point) {

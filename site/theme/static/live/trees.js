@@ -52,8 +52,8 @@
     return { id: declared.id, text: declared.text, root, needed, possible };
   }
 
-  /* Looks for a tree: a child lies within the call of its parent, in order. What an interrupt called meanwhile is no
-     call of the parent; what the parent posts is. Returns the rows of the nodes, or nothing. */
+  /* Looks for a tree: a child lies within the call of its parent, in order. A call of an interrupt is no call of the
+     parent; a posted command is. Returns the rows of the nodes, or nothing. */
   function embed(tree, rows) {
     function fit(node, start, stop, activation) {
       for (let index = start; index < stop; index += 1) {

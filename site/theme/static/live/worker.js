@@ -1,4 +1,4 @@
-/* Runs the robot beside the page: cycle by cycle, as fast as asked, with a snapshot at most 20 times a second. */
+/* Runs the robot next to the page: cycle by cycle, as fast as asked, with a snapshot at most 20 times a second. */
 "use strict";
 importScripts("module.js", "trees.js", "frames.js");
 
@@ -63,7 +63,7 @@ class Robot {
     this.clear();
   }
 
-  /* Forgets what the page was sent. */
+  /* Clears the parts that the page has received. */
   clear() {
     this.history = [];
     this.frames = [];
@@ -85,7 +85,7 @@ class Robot {
       return;
     }
     if (at !== undefined) return;
-    this.log.splice(this.next); // what was to come after a step back is no longer true
+    this.log.splice(this.next); // an action after a step back replaces the later ones
     this.log.push([this.time(), kind, text]);
     this.next = this.log.length;
   }
@@ -312,7 +312,7 @@ const ORDERS = {
   },
 };
 
-/* One order after the other: some wait for what they load. */
+/* One order after the other: some wait for a file. */
 let orders = Promise.resolve();
 
 async function obey(data) {
