@@ -228,6 +228,6 @@ def _wrong(
 
 
 def _bytes(root: Path) -> int:
-    """The bytes that a press loads: the module, an image, and the data of the page if it was built."""
+    """The bytes that a press loads: the module, an image, and the data of the page if it exists."""
     loaded = (root / path for path in (MODULE, image_of(PAPER, ".bin"), DATA))
     return sum(path.stat().st_size for path in loaded if path.exists())

@@ -211,7 +211,7 @@ def field(one: Field) -> dict[str, Any]:
 
 def scenarios(root: Path, model: Model) -> list[dict[str, str]]:
     """The scenarios that the page plays: the examples, and the single faults."""
-    titles = {one.name: (one.title, "") for one in model.safety.scenarios.values()}
+    titles = {one.name: (one.title.rstrip("."), "") for one in model.safety.scenarios.values()}
     titles |= {one.name: (one.title, one.says) for one in model.closed_loop}
     found = []
     for folder, product in ((EXAMPLES, PAPER), (SAFETY, DEFAULT)):

@@ -7,6 +7,8 @@ const BUSY = 40; // ms of them in which cycles run
 const CYCLE = 100; // ms of robot time
 const SECOND = 1000 / CYCLE; // in cycles
 const SHOWN_FRAMES = 24;
+const PAPER = "weeding_robot_paper";
+const DEFAULT = "weeding_robot";
 
 let facts, compiled, product, trees, report, machines, line;
 let simulator = null;
@@ -263,7 +265,36 @@ async function find({ folder, id }) {
   post({ kind: "found" });
 }
 
+/* Plays a drive with the first image that has most of some modules, and counts the calls of each. */
+async function count({ folder, modules }) {
+  pause();
+  const modulesOf = (one) => new Set(one.functions.map(([, method]) => facts.methods[method].split("::")[0]));
+  const held = (one) => modules.filter((name) => modulesOf(one).has(name)).length;
+  const rank = (one) => [PAPER, DEFAULT].indexOf(one.name) + 1 || 3;
+  const sorted = [...facts.products].sort((a, b) => held(b) - held(a) || rank(a) - rank(b));
+  await choose(folder, sorted[0].name);
+  const wanted = modulesOf(product).has("ProtectiveStop") ? "hall_dead" : "loss_of_the_pc";
+  const scenario = facts.scenarios.find((one) => one.name === wanted) || facts.scenarios[0];
+  robot = new Robot(scenario, []);
+  while (robot.cycle()) robot.clear();
+  const entries = simulator.entries();
+  const counts = Object.fromEntries(modules.map((name) => [name, 0]));
+  product.functions.forEach(([, method], i) => {
+    const name = facts.methods[method].split("::")[0];
+    if (name in counts) counts[name] += entries[i];
+  });
+  post({
+    kind: "counted",
+    counts,
+    product: product.name,
+    scenario: scenario.name,
+    title: scenario.title,
+    seconds: robot.time() / 1000,
+  });
+}
+
 const ORDERS = {
+  count,
   async load({ folder }) {
     const ms = await load(folder);
     post({ kind: "loaded", ms, facts });
