@@ -22,13 +22,14 @@ COPIED = (
     image_of(PAPER, ".bin"),
     image_of(PAPER, ".elf"),
     EXAMPLES / "loss_of_the_pc.scenario",
+    EXAMPLES / "rc_drive.scenario",
     Path("design/frames.toml"),
 )
 # A page that opens another in a frame, and sends the result of a probe there.
 PAGE = """<!doctype html><title>probe</title><body><script>
 const frame = document.createElement("iframe");
 frame.style.cssText = "width:%WIDTH%px;height:900px;border:0";
-frame.src = "run.html%QUERY%";
+frame.src = "%ADDRESS%";
 const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
 async function until(test) {
   for (let tries = 0; tries < 400 && !test(); tries += 1) await sleep(50);
@@ -66,12 +67,14 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return root / "build" / "site"
 
 
-def look(site: Path, probe: str, query: str = "", width: int = 1200) -> dict[str, Any]:
+def look(
+    site: Path, probe: str, query: str = "", width: int = 1200, page: str = "run.html"
+) -> dict[str, Any]:
     browser = find_browser()
     if browser is None or not works(browser):
         pytest.skip("there is no browser on this machine")
-    page = PAGE.replace("%PROBE%", probe).replace("%QUERY%", query)
-    (site / "probe.html").write_text(page.replace("%WIDTH%", str(width)), encoding="utf-8")
+    text = PAGE.replace("%PROBE%", probe).replace("%ADDRESS%", page + query)
+    (site / "probe.html").write_text(text.replace("%WIDTH%", str(width)), encoding="utf-8")
     result = result_of(browser, site, "probe.html")
     assert "error" not in result, result
     return result
@@ -125,6 +128,17 @@ def test_a_person_drives_the_robot(site: Path) -> None:
     before, after = (int(seen[key].rpartition(" ")[2]) for key in ("before", "after"))
     assert after == before + 1
     assert "::" in seen["call"]
+
+
+def test_a_requirement_is_watched_as_it_happens(site: Path) -> None:
+    probe = """
+      one("[data-go]").click();
+      await until(() => doc.querySelectorAll(".lv-happened li").length === 2);
+      return { says: text("[data-result] p"), calls: text(".lv-happened") };
+    """
+    seen = look(site, probe, page="requirements/FR-15.html")
+    assert "seen at " in seen["says"]
+    assert seen["calls"] == "MainController::readRC::read"
 
 
 @pytest.mark.parametrize("width", [320, 390, 820, 1920])

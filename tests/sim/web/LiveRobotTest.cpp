@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,13 +24,12 @@ constexpr int kCycles = 30;        // of a drive
 const std::string kFree = "at 50 connect\nat 600000 end\n";
 
 std::vector<std::uint32_t> functions() {
-  std::vector<std::uint32_t> addresses;
-  for (const auto& function : emulator::Symbols(elfFile()).functions()) {
-    addresses.push_back(function.address);
+  const emulator::Symbols symbols(elfFile());
+  std::set<std::uint32_t> addresses;
+  for (const auto& function : symbols.functions()) {
+    addresses.insert(function.address);
   }
-  const auto again = std::ranges::unique(addresses);
-  addresses.erase(again.begin(), again.end());
-  return addresses;
+  return {addresses.begin(), addresses.end()};
 }
 
 std::unique_ptr<web::LiveRobot> robotIn(const std::string& scenario) {
