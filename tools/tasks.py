@@ -30,6 +30,9 @@ from tools.cmake_build import (
 )
 from tools.coverage_run import count_coverage
 from tools.documents import FINDINGS, make_documents
+from tools.live_runs import PRESET as WEB
+from tools.live_runs import SCRIPT as LIVE_SCRIPT
+from tools.live_runs import build_module, measure_live
 from tools.python_tests import run_pytest
 from tools.sizes import write_products, write_sizes
 from tools.task_graph import Graph, Outcome, Task
@@ -39,6 +42,7 @@ from traceability.reading.baseline_record import DESIGNS, FOLDER, RESULT
 from traceability.reading.bench_record import BENCH, PAPER_BENCH
 from traceability.reading.bench_record import FOLDER as BENCH_SCENARIOS
 from traceability.reading.closed_loop_record import DECLARED, EXAMPLES, OUTCOMES
+from traceability.reading.live_record import RECORD as LIVE_RECORD
 from traceability.reading.products import DEFAULT, PRODUCTS
 from traceability.reading.products import LIST as PRODUCT_LIST
 from traceability.reading.results import COVERAGE, COVERAGE_LINES, RESULTS
@@ -50,6 +54,7 @@ from traceability.reading.task_record import is_fresh
 HOST_FIRMWARE, K64_FIRMWARE = "firmware (this machine)", "firmware (K64)"
 VIRTUAL_BOARD, BASELINE_BUILD = "virtual K64", "build (baseline design)"
 TESTS_SANITIZE = "tests (sanitize)"
+LIVE_MODULE = "live module"
 DOCUMENTS, PAGES = "documents", "tests (pages)"
 PAGES_RECORD = Path("build/pages.json")
 FIRMWARE = (HOST_FIRMWARE, K64_FIRMWARE, task_record.IMAGES)
@@ -62,6 +67,8 @@ RESULT_TASKS = (
     task_record.CLOSED_LOOP,
     task_record.BENCH,
     task_record.BASELINE,
+    LIVE_MODULE,
+    task_record.LIVE,
 )
 
 # ---- declared inputs ---------------------------------------------------------
@@ -81,7 +88,7 @@ SHOWN_RESULTS = (
     *("trace.json", "board.json", "coverage.json", "coverage_lines.json", "closed_loop.json"),
     *("bench.json", "bench_paper.json", "usual_design.json", "products.json", "size_k64.json"),
     *("image_k64.json", "driver_faults.json", "mutation.json", "drift.json"),
-    *("trace.cost.json", "plain.cost.json"),
+    *("trace.cost.json", "plain.cost.json", "live.json"),
 )
 # Each folder of tests/python, and the inputs of its tests besides the tools.
 PYTHON_TESTS: dict[str, tuple[str, ...]] = {
@@ -93,7 +100,7 @@ PYTHON_TESTS: dict[str, tuple[str, ...]] = {
     "tools": ("site", "setup", "wr", "tests/drift", *DESIGN, "sim", "tests/usual_design"),
     "client": ("design", "docs", "sim/scenario"),
     "firmware": (*DESIGN, "sim", "tests/k64"),
-    "programs": ("sim/scenario", "design", str(COVERAGE_LINES)),
+    "programs": ("sim/scenario", "design", "site", str(COVERAGE_LINES)),
     "worked_examples": SHOWN,
 }
 RUN_PROGRAMS = ("client", "firmware", "programs")  # folders whose tests run programs that are built
@@ -129,6 +136,14 @@ def builds(root: Path) -> list[Task]:
 
         return Task(name, action, always=True)
 
+    def module(log: TextIO) -> Outcome:
+        outcome = build_module(root, log)
+        built = (root / "build" / WEB / "build.ninja").exists() and not outcome.note.startswith(
+            "not"
+        )
+        found = sources_of(root, WEB, "live") if built else []
+        return Outcome(outcome.note, values={"file_dep": found})
+
     images = tuple(f"{product}.elf" for product in PRODUCTS)
     baselines = tuple(f"{image_name(design)}.elf" for design in DESIGNS)
     return [
@@ -137,6 +152,7 @@ def builds(root: Path) -> list[Task]:
         made(VIRTUAL_BOARD, (BOARD_PRESET, (BOARD_PROGRAM,))),
         *(made(f"build ({name})", (name, (TESTS,))) for name in ("trace", "sanitize", "plain")),
         made("build (virtual K64)", (BOARD_PRESET, (BOARD_TESTS,))),
+        Task(LIVE_MODULE, module, always=True),
         made(BASELINE_BUILD, ("k64", baselines), (BOARD_PRESET, (BASELINE_TESTS,))),
     ]
 
@@ -207,6 +223,13 @@ def measurements(root: Path) -> list[Task]:
             inputs_from=(BASELINE_BUILD, VIRTUAL_BOARD),
         ),
         Task(
+            task_record.LIVE,
+            partial(measure_live, root),
+            (*DESIGN, str(EXAMPLES), str(LIVE_SCRIPT)),
+            (str(LIVE_RECORD),),
+            inputs_from=(LIVE_MODULE, *on_board),
+        ),
+        Task(
             TESTS_SANITIZE,
             tests("sanitize"),
             SCENARIOS,
@@ -225,7 +248,7 @@ def measurements(root: Path) -> list[Task]:
 
 def checks_of_tools(root: Path) -> list[Task]:
     """The tests of the tools, and the faults that are seeded to test the checks."""
-    built = (HOST_FIRMWARE, VIRTUAL_BOARD, K64_FIRMWARE)
+    built = (HOST_FIRMWARE, VIRTUAL_BOARD, K64_FIRMWARE, LIVE_MODULE)
 
     def tests(folder: str, others: tuple[str, ...]) -> Task:
         return Task(

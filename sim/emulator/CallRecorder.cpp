@@ -1,9 +1,7 @@
 #include "sim/emulator/CallRecorder.hpp"
 
 #include <algorithm>
-#include <fstream>
-
-#include "sim/emulator/Symbols.hpp"
+#include <utility>
 
 namespace wr::emulator {
 
@@ -13,11 +11,9 @@ constexpr std::uint64_t kLeft = std::uint64_t{1} << 63U;
 
 }  // namespace
 
-CallRecorder::CallRecorder(const std::filesystem::path& elf, std::size_t most) : most_(most) {
-  const Symbols symbols(elf);
-  for (const Symbols::Function& function : symbols.functions()) {
-    functions_.push_back(function.address);
-  }
+CallRecorder::CallRecorder(std::vector<std::uint32_t> functions, std::size_t most)
+    : functions_(std::move(functions)), most_(most) {
+  std::ranges::sort(functions_);
 }
 
 void CallRecorder::note(std::uint64_t event) {
@@ -86,15 +82,6 @@ void CallRecorder::clear() {
   truncated_ = false;
   for (Call& call : calls_) {
     call.begin = 0;
-  }
-}
-
-void CallRecorder::write(const std::filesystem::path& file) const {
-  std::ofstream stream(file, std::ios::binary);
-  for (const std::uint64_t event : events_) {
-    for (unsigned shift = 0; shift < 64; shift += 8) {
-      stream.put(static_cast<char>(event >> shift & 0xFFU));
-    }
   }
 }
 

@@ -20,6 +20,11 @@ class CallRecorder {
   /// @param most events after which nothing more is recorded
   explicit CallRecorder(const std::filesystem::path& elf, std::size_t most = 30000);
 
+  /// @brief Records the calls of some functions.
+  /// @param functions addresses of the functions
+  /// @param most events after which nothing more is recorded
+  CallRecorder(std::vector<std::uint32_t> functions, std::size_t most);
+
   /// @brief A block of instructions begins.
   void block(std::uint32_t address, std::uint32_t stack, std::uint32_t link);
 

@@ -1,5 +1,7 @@
 #include "sim/emulator/Nvic.hpp"
 
+#include <bit>
+
 namespace wr::emulator {
 
 namespace {
@@ -15,6 +17,18 @@ constexpr std::uint32_t kActive = 0x300;
 constexpr std::uint32_t kPriority = 0x400;  // IPR
 constexpr std::uint32_t kPriorityEnd = 0x500;
 constexpr std::uint32_t kTrigger = 0xF00;
+
+// Calls a function with the number of each bit that is set, the lowest first.
+template <std::size_t size, typename Call>
+void forEach(const std::bitset<size>& bits, Call call) {
+  constexpr unsigned kWord = 64;
+  constexpr std::bitset<size> kLowest(~std::uint64_t{0});
+  for (unsigned begin = 0; begin < size; begin += kWord) {
+    for (std::uint64_t word = (bits >> begin & kLowest).to_ullong(); word != 0; word &= word - 1) {
+      call(begin + static_cast<unsigned>(std::countr_zero(word)));
+    }
+  }
+}
 
 }  // namespace
 
@@ -75,13 +89,12 @@ unsigned Nvic::search() const {
   const Bits ready = pending_ & enabled_;
   unsigned best = 0;
   int bestPriority = kThreadPriority;
-  for (std::size_t i = ready._Find_first(); i < ready.size(); i = ready._Find_next(i)) {
-    const auto exception = static_cast<unsigned>(i);
+  forEach(ready, [&](unsigned exception) {
     if (priority(exception) < bestPriority) {
       best = exception;
       bestPriority = priority(exception);
     }
-  }
+  });
   return best;
 }
 
@@ -90,10 +103,10 @@ int Nvic::activePriority() const {
   if (activeCount_ == 0) {
     return highest;
   }
-  for (std::size_t i = active_._Find_first(); i < active_.size(); i = active_._Find_next(i)) {
-    const int own = group(priority(static_cast<unsigned>(i)));
+  forEach(active_, [&](unsigned exception) {
+    const int own = group(priority(exception));
     highest = own < highest ? own : highest;
-  }
+  });
   return highest;
 }
 

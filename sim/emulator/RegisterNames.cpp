@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "sim/emulator/Blocks.hpp"
@@ -315,11 +316,12 @@ std::string registerName(std::uint32_t address) {
   if (address >= kGpio) {
     return gpioName(address - kGpio);
   }
-  const auto* const block = std::ranges::find_if(kBlocks, [address](const Block& each) {
+  constexpr std::span<const Block> kAll(kBlocks);
+  const auto block = std::ranges::find_if(kAll, [address](const Block& each) {
     const std::uint32_t size = each.name == "SIM" ? kSimSize : kBlockSize;
     return address >= each.base && address - each.base < size;
   });
-  if (block == kBlocks.end()) {
+  if (block == kAll.end()) {
     return {};
   }
   const std::uint32_t offset = address - block->base;

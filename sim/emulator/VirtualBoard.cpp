@@ -25,10 +25,10 @@
 #include "sim/emulator/Rnga.hpp"
 #include "sim/emulator/Sim.hpp"
 #include "sim/emulator/StimulusQueue.hpp"
-#include "sim/emulator/Symbols.hpp"
 #include "sim/emulator/Uart.hpp"
 #include "sim/emulator/Wdog.hpp"
 #include "sim/emulator/hexText.hpp"
+#include "sim/emulator/locate.hpp"
 
 namespace wr::emulator {
 
@@ -308,10 +308,11 @@ bool VirtualBoard::Parts::hasPin(std::span<const PinFunction> pins, unsigned ins
 }
 
 Adc::Input VirtualBoard::Parts::inputOf(unsigned converter, unsigned channel) const {
-  const auto* const found = std::ranges::find_if(kAdcPins, [&](const PinFunction& each) {
+  constexpr std::span<const PinFunction> kPins(kAdcPins);
+  const auto found = std::ranges::find_if(kPins, [&](const PinFunction& each) {
     return each.instance == converter && each.channel == channel;
   });
-  if (found == kAdcPins.end()) {
+  if (found == kPins.end()) {
     return Adc::Input::None;
   }
   return pinsOf(found->port).function(found->pin) == 0 ? Adc::Input::Analog : Adc::Input::Digital;
@@ -598,9 +599,7 @@ bool VirtualBoard::Parts::warn(const std::string& what) {
 Finding VirtualBoard::Parts::findingOf(const CortexM4::Problem& problem) const {
   Finding found{problem.id, problem.what, problem.pc, {}, {}, now()};
   if (!options_.elf.empty()) {
-    const Symbols symbols(options_.elf);
-    found.function = symbols.nameAt(problem.pc);
-    found.place = symbols.placeOf(problem.pc);
+    locate(found, options_.elf);
   }
   return found;
 }

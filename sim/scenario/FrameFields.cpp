@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <span>
 
 namespace wr::scenario {
 
@@ -19,8 +20,9 @@ std::int64_t read(const Bytes& body, const FrameField& field) {
 }  // namespace
 
 const FrameField* findField(std::string_view name) {
-  const auto* const found = std::ranges::find(kFrameFields, name, &FrameField::name);
-  return found != kFrameFields.end() ? found : nullptr;
+  const std::span<const FrameField> fields(kFrameFields);
+  const auto found = std::ranges::find(fields, name, &FrameField::name);
+  return found != fields.end() ? &*found : nullptr;
 }
 
 std::int64_t valueOf(const Bytes& body, const FrameField& field) {

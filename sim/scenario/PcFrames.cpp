@@ -1,6 +1,8 @@
 #include "sim/scenario/PcFrames.hpp"
 
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace wr::scenario {
 
@@ -47,13 +49,13 @@ Bytes stuffed(std::span<const std::uint8_t> body) {
   return line;
 }
 
-Bytes unstuffed(std::span<const std::uint8_t> line) {
+std::optional<Bytes> unstuffed(std::span<const std::uint8_t> line) {
   Bytes body;
   std::size_t at = 0;
   while (at < line.size()) {
     const std::size_t end = at + line[at];
     if (end > line.size()) {
-      throw std::runtime_error("damaged stuffing");
+      return std::nullopt;
     }
     body.insert(body.end(), line.begin() + static_cast<std::ptrdiff_t>(at) + 1,
                 line.begin() + static_cast<std::ptrdiff_t>(end));
@@ -103,6 +105,19 @@ Bytes PcSender::frame(std::uint8_t type, std::span<const std::uint8_t> payload,
   return stuffed(body);
 }
 
+FrameBody bodyOf(std::span<const std::uint8_t> frame) {
+  std::optional<Bytes> body = unstuffed(frame);
+  if (!body) {
+    return {.bytes = {}, .damage = "damaged stuffing"};
+  }
+  if (body->size() < kHeader + 2 || crcOf(std::span(*body).first(body->size() - 2)) !=
+                                        ((*body)[body->size() - 2] | (body->back() << 8))) {
+    return {.bytes = {}, .damage = "damaged frame"};
+  }
+  body->erase(body->end() - 2, body->end());
+  return {.bytes = std::move(*body), .damage = {}};
+}
+
 std::vector<Bytes> bodies(std::span<const std::uint8_t> line) {
   std::vector<Bytes> result;
   std::size_t begin = 0;
@@ -110,18 +125,16 @@ std::vector<Bytes> bodies(std::span<const std::uint8_t> line) {
     if (line[at] != 0) {
       continue;
     }
-    const bool empty = at == begin;
-    Bytes body = unstuffed(line.subspan(begin, at - begin));
+    const auto frame = line.subspan(begin, at - begin);
     begin = at + 1;
-    if (empty) {
+    if (frame.empty()) {
       continue;  // ends the bytes on the line before the first frame
     }
-    if (body.size() < kHeader + 2 || crcOf(std::span(body).first(body.size() - 2)) !=
-                                         (body[body.size() - 2] | (body.back() << 8))) {
-      throw std::runtime_error("damaged frame");
+    FrameBody body = bodyOf(frame);
+    if (!body.damage.empty()) {
+      throw std::runtime_error(std::string(body.damage));
     }
-    body.erase(body.end() - 2, body.end());
-    result.push_back(std::move(body));
+    result.push_back(std::move(body.bytes));
   }
   return result;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "sim/scenario/FrameTable.hpp"
@@ -43,6 +44,15 @@ class PcSender {
  private:
   std::uint8_t sequence_ = 0;
 };
+
+/// The body of a frame without its CRC, or the damage of the frame.
+struct FrameBody {
+  Bytes bytes;
+  std::string_view damage;  ///< empty: the frame is in order
+};
+
+/// The body of the bytes between two zeros.
+[[nodiscard]] FrameBody bodyOf(std::span<const std::uint8_t> frame);
 
 /// The bodies of all frames in some bytes, without their CRC. A frame that is not in order throws.
 [[nodiscard]] std::vector<Bytes> bodies(std::span<const std::uint8_t> line);

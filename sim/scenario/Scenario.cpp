@@ -1,7 +1,6 @@
 #include "sim/scenario/Scenario.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -269,14 +268,6 @@ void Scenario::addArming(Time at, int number) {
     at += order == 0 ? kToFirstOrder : kCycle;
     steps_.push_back({at, number, Order{}});
   }
-}
-
-Scenario Scenario::load(const std::filesystem::path& file) {
-  std::ifstream text(file);
-  if (!text) {
-    throw Error(file.string() + ":0: the file cannot be read");
-  }
-  return {text, file.string()};
 }
 
 }  // namespace wr::scenario

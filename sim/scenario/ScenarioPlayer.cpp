@@ -58,37 +58,56 @@ ScenarioPlayer::ScenarioPlayer(const Scenario& scenario, RobotSession& robot, st
 }
 
 ScenarioPlayer::Outcome ScenarioPlayer::play() {
-  for (const Scenario::Step& step : scenario_.steps()) {
-    if (!advance(step.at)) {
-      return std::move(outcome_);
-    }
-    at_ = step.line;
-    std::visit([this](const auto& action) { act(action); }, step.action);
-  }
-  advance(scenario_.end());
-  for (const Pending& pending : pending_) {
-    at_ = pending.line;
-    fail(mismatch(pending.expect) + " at the end");
+  while (step()) {
   }
   return std::move(outcome_);
 }
 
-// Runs to an instant and reads the received bytes; false if a finding has stopped the robot.
-bool ScenarioPlayer::advance(Time instant) {
-  while (robot_.now() < instant) {
-    const Time glance = pending_.empty() ? kGlance : kClose;
-    const bool runs = robot_.runUntil(std::min(instant, robot_.now() + glance));
-    listen();
-    checkPending();
-    if (!runs) {
-      const SessionFinding found = robot_.finding().value();
-      if (!expectsFinding(found.id, robot_.now())) {
-        outcome_.finding = found;
-      }
-      return false;
+bool ScenarioPlayer::step() {
+  if (ended_) {
+    return false;
+  }
+  const std::vector<Scenario::Step>& steps = scenario_.steps();
+  const bool acts = next_ < steps.size();
+  const Time instant = acts ? steps[next_].at : scenario_.end();
+  if (robot_.now() < instant) {
+    ended_ = !glance(instant);
+  } else if (acts) {
+    const Scenario::Step& step = steps[next_++];
+    at_ = step.line;
+    std::visit([this](const auto& action) { act(action); }, step.action);
+  } else {
+    end();
+  }
+  return !ended_;
+}
+
+void ScenarioPlayer::perform(const Scenario::Action& action) {
+  std::visit([this](const auto& one) { act(one); }, action);
+}
+
+void ScenarioPlayer::end() {
+  ended_ = true;
+  for (const Pending& pending : pending_) {
+    at_ = pending.line;
+    fail(mismatch(pending.expect) + " at the end");
+  }
+}
+
+// Runs for a glance, not past an instant, and reads the received bytes; false if a finding has
+// stopped the robot.
+bool ScenarioPlayer::glance(Time instant) {
+  const Time length = pending_.empty() ? kGlance : kClose;
+  const bool runs = robot_.runUntil(std::min(instant, robot_.now() + length));
+  listen();
+  checkPending();
+  if (!runs) {
+    const SessionFinding found = robot_.finding().value();
+    if (!expectsFinding(found.id, robot_.now())) {
+      outcome_.finding = found;
     }
   }
-  return true;
+  return runs;
 }
 
 bool ScenarioPlayer::expectsFinding(const std::string& id, Time since) const {
@@ -100,16 +119,18 @@ bool ScenarioPlayer::expectsFinding(const std::string& id, Time since) const {
 
 void ScenarioPlayer::listen() {
   for (const std::uint8_t byte : robot_.takeSent()) {
-    line_.push_back(byte);
     if (byte != 0) {
+      line_.push_back(byte);
       continue;
     }
-    try {
-      for (const Bytes& body : bodies(std::exchange(line_, {}))) {
-        take(body);
-      }
-    } catch (const std::exception& error) {
-      fail("the robot sent something that is no frame (" + std::string(error.what()) + ")");
+    const Bytes frame = std::exchange(line_, {});
+    if (frame.empty()) {
+      continue;  // ends the bytes on the line before the first frame
+    }
+    if (const FrameBody body = bodyOf(frame); body.damage.empty()) {
+      take(body.bytes);
+    } else {
+      fail("the robot sent something that is no frame (" + std::string(body.damage) + ")");
     }
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <ostream>
@@ -35,6 +36,20 @@ class ScenarioPlayer {
   /// @return how it ended
   [[nodiscard]] Outcome play();
 
+  /// @brief Runs to the next instant at which the PC looks at its line or acts, and acts there.
+  /// @return false when the scenario has ended
+  bool step();
+
+  /// @brief Acts now, besides the steps of the scenario.
+  /// @param action the action
+  void perform(const Scenario::Action& action);
+
+  /// @brief The last report without its CRC; nothing as long as none has come.
+  [[nodiscard]] const std::optional<Bytes>& report() const { return report_; }
+
+  /// @brief The outcome up to now.
+  [[nodiscard]] const Outcome& outcome() const { return outcome_; }
+
  private:
   using Time = RobotSession::Time;
 
@@ -46,7 +61,8 @@ class ScenarioPlayer {
     double from;  ///< distance, m
   };
 
-  bool advance(Time instant);
+  bool glance(Time instant);
+  void end();
   void listen();
   void take(const Bytes& body);
   void writeReport(const Bytes& body);
@@ -84,6 +100,8 @@ class ScenarioPlayer {
   std::vector<Pending> pending_;
   bool confirms_ = false;  // the next Welcome is answered with Confirm
   int at_ = 0;             // line of the scenario
+  std::size_t next_ = 0;   // step of the scenario that comes next
+  bool ended_ = false;
   Outcome outcome_;
 };
 

@@ -77,11 +77,12 @@ std::int16_t Words::value() {
 
 double Words::number(const std::string& name) {
   const std::string word = take(name);
-  const auto number = parse<double>(word);
-  if (!number) {
+  std::istringstream text(word);
+  double number = 0;
+  if (!(text >> number) || !text.eof()) {
     throw ScenarioError("'" + word + "' is not " + name);
   }
-  return *number;
+  return number;
 }
 
 std::size_t Words::wheel() {

@@ -81,10 +81,11 @@ class Navigation:
             written[group].append(doc)
         source = Entry("source", "Source", "source/index.html", "S")
         exports = Entry("exports", "Exports", "exports.html")
+        live = Entry("run", "Run the robot", "run.html")
         self.groups = [
             Group("understand", "Understand", [*written["understand"], *understand(model)]),
             Group("verify", "Verify", [*verify(model, checks, faults), *written["verify"]]),
-            Group("build", "Build and use", [*written["build"], source, exports]),
+            Group("build", "Build and use", [live, *written["build"], source, exports]),
         ]
         if explain := written["explain"]:
             self.groups.append(Group("explain", "Explanations", explain))

@@ -11,6 +11,7 @@ from typing import Any
 from portal.bench_page import bench
 from portal.diagrams import DIAGRAMS
 from portal.links import logic_anchor
+from portal.live_view import run
 from portal.measured_pages import closed_loop, mutation, usual_design, virtual_k64
 from portal.module_page import module_page
 from portal.paper_views import change_page, concordance, families, hidden_names
@@ -231,4 +232,5 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
     "virtual_k64": virtual_k64,
     "source": lambda portal: {"folders": folders(portal)},
     "exports": lambda portal: {"sources": diagram_sources(portal)},
+    "run": run,
 }

@@ -24,6 +24,7 @@ from traceability.model.execution import INTERRUPT, START
 from traceability.model.impact import Impacts
 from traceability.model.metrics import metrics
 from traceability.model.report import Report
+from traceability.reading.live_record import MODULE
 from traceability.reading.seeded_fault_record import Outcome
 from traceability.reading.seeded_faults import Fault
 from traceability.schema import (
@@ -71,6 +72,7 @@ class Page:
     body: str
     nav: str
     wide: bool = False
+    bare: bool = False  # without the side navigation
 
 
 def heading_anchor(title: str) -> str:
@@ -148,11 +150,11 @@ class Portal:
         return environment
 
     def page(self, name: str, title: str, nav: str, template: str, **values: Any) -> Page:
-        wide = values.pop("wide", False)
+        wide, bare = values.pop("wide", False), values.pop("bare", False)
         body = self.templates.get_template(f"{template}.html").render(**values)
         if template not in WITHOUT_TERMS:
             body = self.glossary.link(body)
-        return Page(name, title, body, nav, wide)
+        return Page(name, title, body, nav, wide, bare)
 
     def view(self, name: str, values: Callable[[Portal], dict[str, Any]]) -> Page:
         """Returns the page of an entry of the navigation, with the values for its template."""
@@ -164,6 +166,11 @@ class Portal:
         """The row of a test in a table; many pages show the same."""
         template = self.templates.get_template("test_row.html")
         return Markup(template.render(test=self.model.tests[test]))
+
+    @functools.cached_property
+    def runs_live(self) -> bool:
+        """Whether the page that runs the robot has what it loads."""
+        return (self.root / MODULE).exists()
 
     # ---- derived facts --------------------------------------------------------
 

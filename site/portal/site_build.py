@@ -11,6 +11,7 @@ from multiprocessing import get_context
 from pathlib import Path
 
 from portal.diagrams import DIAGRAMS, DiagramError, diagram_files
+from portal.live_view import write_live
 from portal.pages import all_pages
 from portal.portal import CheckText, Page, Portal
 from portal.sphinx_pages import BODIES, body_file, run_sphinx, write_sources
@@ -81,6 +82,7 @@ def _write_part(bodies: Path, part: int) -> list[Page]:
 def _write_exports() -> None:
     portal, site = _shared[-1]
     write_exports(portal, site)
+    write_live(portal, site)
     verification_table.write_exports(portal.root, site, portal.model, portal.report)
 
 

@@ -145,7 +145,7 @@ class GeneratedPages:
             body = text.replace(MEMBERS, context["body"]).replace(
                 f'"{ROOT}', f'"{depth_prefix(name)}'
             )
-            meta = {"nav": page.nav, "wide": page.wide, "prose": False}
+            meta = {"nav": page.nav, "wide": page.wide, "bare": page.bare, "prose": False}
             context |= {"title": escape(page.title, quote=False), "body": body, "meta": meta}
 
 

@@ -138,8 +138,8 @@ _FIXED = [
         "its result, and @isr for calls from interrupts; its own or inherited "
         "from the method that it overrides. The text of a plain number has its unit or the counted "
         "items, the text of a parameter with a unit has the unit, and each unit is that of the "
-        "type. Every other public part of a header has a brief: classes, "
-        "types, functions, members, constants, friends, and the values of an enumeration when one of them has.",
+        "type. Every other public part of a header has a brief: classes, types, functions, "
+        "members, constants, friends, and the values of an enumeration when one of them has.",
         _TEXT_BLIND,
         "complete the comment above the declaration.",
     ),

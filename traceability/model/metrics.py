@@ -12,6 +12,8 @@ from traceability.model.design_model import Model
 from traceability.model.report import Report
 from traceability.reading.bench_record import bench_metrics
 from traceability.reading.image_record import read_image
+from traceability.reading.live_record import KEYS as LIVE
+from traceability.reading.live_record import live_metrics
 from traceability.reading.products import HAS, intruders
 from traceability.reading.prose_record import read_prose
 from traceability.reading.results import read_recording_factor, read_totals
@@ -25,6 +27,7 @@ OF_OTHER_STEPS = (  # metrics that are null until a step measures them
     *("bench.scenarios", "drift.seeded", "drift.caught"),
     *("site.pages", "site.dead_links", "build.first_page_s"),
     *("build.cold_s", "build.edit_s"),
+    *(f"live.{key}" for key in LIVE),
 )
 
 
@@ -35,7 +38,8 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
         tests |= coverage(root)
     times = {"bench.scenarios": bench_metrics(model.bench)}
     prose = {"prose.findings": read_prose(root)}
-    return drift(model) | image(root) | times | forbidden(model) | tests | prose
+    live = live_metrics(root)
+    return drift(model) | image(root) | times | forbidden(model) | tests | prose | live
 
 
 def coverage(root: Path) -> dict[str, Any]:

@@ -33,6 +33,6 @@ struct Instruction {
   [[nodiscard]] bool isWide() const { return (form & 4U) != 0; }
   [[nodiscard]] std::uint32_t bytes() const { return form & 6U; }
 };
-static_assert(sizeof(Instruction) == 16, "as many as possible are to fit in the caches");
+static_assert(sizeof(Instruction) <= 16, "as many as possible are to fit in the caches");
 
 }  // namespace wr::emulator

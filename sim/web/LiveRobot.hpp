@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "sim/board_robot/BoardSession.hpp"
+#include "sim/emulator/CallRecorder.hpp"
+#include "sim/emulator/EventTrace.hpp"
+#include "sim/scenario/Scenario.hpp"
+#include "sim/scenario/ScenarioPlayer.hpp"
+#include "sim/web/RecordedLine.hpp"
+
+namespace wr::web {
+
+/// @brief An image on the virtual board in the simulated robot. It plays a scenario, and a person can
+/// act besides it.
+class LiveRobot {
+ public:
+  /// @brief Inputs of a run.
+  struct Setup {
+    std::vector<std::uint8_t> image;       ///< content of the flash from address 0
+    std::vector<std::uint32_t> functions;  ///< addresses of the functions whose calls are recorded
+    std::string scenario;                  ///< text of the scenario
+    std::string name;                      ///< name of the scenario in messages
+    bool resetsAreFindings = true;         ///< a reset that the program causes stops the run
+    bool verifies = false;                 ///< traces all events, and writes the table of reports
+  };
+
+  enum class State : std::uint8_t { Runs, Ended, Found };
+
+  /// @brief The recorded calls from one clock pulse to the next.
+  struct Cycle {
+    std::vector<std::uint32_t> calls;  ///< address of a function; with bit 0 set: it is left
+    std::uint64_t cycles = 0;          ///< processor cycles
+    std::uint64_t awake = 0;           ///< those in which the processor did not sleep
+    std::uint32_t hash = 0;            ///< two cycles with the same calls have the same hash
+    bool truncated = false;            ///< further calls were left out
+  };
+
+  /// @brief Switches the robot on. Throws Scenario::Error.
+  explicit LiveRobot(Setup setup);
+  LiveRobot(const LiveRobot&) = delete;
+  LiveRobot& operator=(const LiveRobot&) = delete;
+
+  /// @brief Runs until a control cycle has ended; for 200 ms when there is no clock pulse.
+  State runCycle();
+
+  /// @brief Runs to the end of the scenario.
+  State runToEnd();
+
+  /// @brief Acts now: one action of a scenario without its time. Throws Scenario::Error.
+  void perform(const std::string& action);
+
+  /// @brief Sets the order that the PC sends every 100 ms, once the robot sends reports. Throws
+  /// Scenario::Error.
+  /// @param order the order as in a scenario; empty: the PC sends nothing
+  void repeat(const std::string& order);
+
+  [[nodiscard]] State state() const { return state_; }
+  [[nodiscard]] const board_robot::BoardSession& session() const { return session_; }
+  [[nodiscard]] const scenario::ScenarioPlayer& player() const { return player_; }
+
+  /// @brief The last control cycle that has ended.
+  [[nodiscard]] const Cycle& cycle() const { return cycle_; }
+
+  /// @brief Number of times that each function was entered, in the sequence of the functions of the
+  /// setup. Equal calls of one interrupt count once in a cycle.
+  [[nodiscard]] const std::vector<std::uint32_t>& entries() const { return entries_; }
+
+  /// @brief Bytes on the line since the last call.
+  [[nodiscard]] std::vector<RecordedLine::Piece> takePieces() { return line_.takePieces(); }
+
+  /// @brief All events of the board; empty without Setup::verifies.
+  [[nodiscard]] const emulator::EventTrace& events() const { return events_; }
+
+  /// @brief The table of reports; empty without Setup::verifies.
+  [[nodiscard]] std::string reports() const { return reports_.str(); }
+
+  /// @brief Values of the true fields, in the sequence of truthFields().
+  [[nodiscard]] std::vector<double> truth();
+
+ private:
+  void take(const emulator::Event& event);
+  void endCycle();
+  void sendOrder();
+  void step();
+
+  Setup setup_;
+  emulator::EventTrace events_;
+  std::ostringstream reports_;
+  scenario::Scenario scenario_;
+  emulator::CallRecorder recorder_;
+  board_robot::BoardSession session_;
+  RecordedLine line_;
+  scenario::ScenarioPlayer player_;
+  std::optional<scenario::Scenario::Action> order_;
+  scenario::RobotSession::Time orderAt_{};
+  Cycle cycle_;
+  std::uint64_t beganAt_ = 0;      // processor cycle
+  std::uint64_t sleptBefore_ = 0;  // processor cycles
+  std::vector<std::uint32_t> entries_;
+  bool cycleEnded_ = false;
+  State state_ = State::Runs;
+};
+
+}  // namespace wr::web

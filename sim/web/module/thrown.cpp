@@ -1,0 +1,38 @@
+// WebAssembly without exceptions: throw ends the module, and the page then reads the text.
+#include "sim/web/module/thrown.hpp"
+
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <string>
+
+namespace {
+
+std::string& text() {
+  static std::string instance;
+  return instance;
+}
+
+}  // namespace
+
+namespace wr::web {
+
+std::string_view thrownText() {
+  return text();
+}
+
+}  // namespace wr::web
+
+// The names are those of the C++ ABI, which the compiler calls.
+// NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
+extern "C" void* __cxa_allocate_exception(std::size_t size) noexcept {
+  return std::malloc(size);
+}
+
+// All exceptions of the simulator are derived from std::exception, which is their first base.
+extern "C" [[noreturn]] void __cxa_throw(void* thrown, void* /*type*/,
+                                         void (* /*destroy*/)(void*)) {
+  text() = static_cast<std::exception*>(thrown)->what();
+  __builtin_trap();
+}
+// NOLINTEND(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)

@@ -1,0 +1,232 @@
+"""The page that runs the robot: the images, and the facts of the model that it shows with them."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+import subprocess
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from portal import plots
+from portal.portal import Portal
+from portal.writing import remove_others, write_changed
+from traceability.model.design_model import Model
+from traceability.reading.closed_loop_record import EXAMPLES
+from traceability.reading.live_record import MODULE, read_live
+from traceability.reading.products import DEFAULT, PAPER, PRODUCTS, image_of
+from traceability.reading.traces import function_of, method_of
+from traceability.schema import Method, TreeNode
+from weeding_robot_client.layout import Field, Layout, read_frames
+
+FOLDER = "live"  # of the site
+DATA = "live.json"
+RECORDED = "stop"  # the scenario whose recorded curves the page shows before the robot runs
+SAFETY = Path("sim/scenario/safety")
+SYMBOL = re.compile(r"([0-9a-f]+) [tTwWuV] (.*)")
+
+
+@dataclass
+class Image:
+    """The image of a product, as the page shows it."""
+
+    name: str
+    commands: str
+    size: int
+    sha256: str
+
+
+def images(root: Path) -> list[Image]:
+    """The images that were built, when the module was built that runs them."""
+    if not (root / MODULE).exists():
+        return []
+    found = []
+    for name, commands in PRODUCTS.items():
+        path = root / image_of(name, ".bin")
+        if path.exists():
+            content = path.read_bytes()
+            found.append(Image(name, commands, len(content), hashlib.sha256(content).hexdigest()))
+    return found
+
+
+def run(portal: Portal) -> dict[str, Any]:
+    """The values of the template of the page."""
+    found = images(portal.root)
+    module = portal.root / MODULE
+    ran = [one for one in portal.model.closed_loop if one.runs]
+    shown = [one for one in ran if one.name == RECORDED] or ran[:1]
+    return {
+        "images": found,
+        "chosen": PAPER,
+        "scenarios": scenarios(portal.root, portal.model),
+        "module_bytes": module.stat().st_size if found else 0,
+        "recorded": shown,
+        "drawings": {
+            one.name: [drawing for plot in one.plots if (drawing := plots.draw(plot))]
+            for one in shown
+        },
+        "machines": list(portal.model.machines.values()),
+        "measured": read_live(portal.root),
+        "wide": True,
+        "bare": True,
+    }
+
+
+def write_live(portal: Portal, site: Path) -> None:
+    """Writes the files that the page loads when its reader starts the robot."""
+    root, folder = portal.root, site / FOLDER
+    found = images(root)
+    kept = [f"{one.name}.bin" for one in found]
+    remove_others(folder, "*", [*kept, DATA, MODULE.name] if found else [])
+    if not found:
+        return
+    write_changed(folder / MODULE.name, (root / MODULE).read_bytes())
+    for one in found:
+        write_changed(folder / f"{one.name}.bin", (root / image_of(one.name, ".bin")).read_bytes())
+    write_changed(folder / DATA, json.dumps(facts(portal, found), separators=(",", ":")))
+
+
+def facts(portal: Portal, found: list[Image]) -> dict[str, Any]:
+    """The content of ``live.json``."""
+    model = portal.model
+    methods = [m.id for one in portal.designs for m in one.methods]
+    numbers = {name: number for number, name in enumerate(dict.fromkeys(methods))}
+    entered = entered_by_hardware(model)
+    for name in sorted(entered):
+        numbers.setdefault(name, len(numbers))
+    table = read_frames((portal.root / "design/frames.toml").read_text(encoding="utf-8"))
+    return {
+        "methods": list(numbers),
+        "hardware": sorted(numbers[name] for name in entered),
+        "modules": [
+            {"name": one.name, "logic": one.logic, "page": address(portal.links.module(one.name))}
+            for one in portal.designs
+        ],
+        "products": [
+            asdict(one) | {"functions": functions(portal.root, one.name, numbers)} for one in found
+        ],
+        "trees": [
+            {
+                "id": one.id,
+                "text": str(one.text),
+                "products": list(one.products),
+                "tree": tree(one.tree, overriders(model), portal, numbers),
+            }
+            for one in model.requirements.values()
+            if one.tree is not None
+        ],
+        "machines": [
+            {
+                "id": one.id,
+                "title": one.title,
+                "initial": one.initial,
+                "states": dict(one.states),
+                "events": dict(one.events),
+                "transitions": [
+                    [step.source, step.target, step.event, step.guard, list(step.requirements)]
+                    for step in one.transitions
+                ],
+            }
+            for one in model.machines.values()
+        ],
+        "frames": [frame(one) for one in table.frames.values()],
+        "scenarios": scenarios(portal.root, model),
+    }
+
+
+def address(link: str | None) -> str:
+    return (link or "").removeprefix("@/")
+
+
+def entered_by_hardware(model: Model) -> set[str]:
+    """The functions that no code calls: the vectors of the image lead to them."""
+    methods = [m for one in model.modules.values() for m in one.methods]
+    called = {call.target for method in methods for call in method.calls}
+    called |= {call.target for function in model.functions.values() for call in function.calls}
+    return set(model.functions) - called
+
+
+def functions(root: Path, product: str, numbers: dict[str, int]) -> list[list[int]]:
+    """The address and the number of each method that an image has, by rising address."""
+    words = ["arm-none-eabi-nm", "--demangle", str(root / image_of(product, ".elf"))]
+    listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
+    found = {}
+    for line in listed.splitlines():
+        match = SYMBOL.match(line)
+        name = match and (method_of(match[2]) or function_of(match[2]))
+        if match and name in numbers:
+            found[int(match[1], 16) & ~1] = numbers[name]
+    return [list(pair) for pair in sorted(found.items())]
+
+
+def overriders(model: Model) -> dict[str, list[str]]:
+    """Each method with the methods that override it, directly or not."""
+    direct: dict[str, list[str]] = {}
+    for module in model.modules.values():
+        for method in module.methods:
+            if method.overrides:
+                direct.setdefault(method.overrides, []).append(method.id)
+
+    def below(name: str) -> list[str]:
+        return [one for own in direct.get(name, []) for one in (own, *below(own))]
+
+    return {name: list(dict.fromkeys(below(name))) for name in direct}
+
+
+def tree(
+    node: TreeNode, over: dict[str, list[str]], portal: Portal, numbers: dict[str, int]
+) -> dict[str, Any]:
+    """A declared tree: of each node the numbers of the methods whose call counts as it."""
+    method: Method | None = portal.links.find_method(node.resolved) if node.resolved else None
+    wanted = [] if method is None else [method.id] if method.body else over.get(method.id, [])
+    found: dict[str, Any] = {"n": node.label, "m": [numbers[n] for n in wanted if n in numbers]}
+    if node.kind == "post":
+        found["post"] = 1
+    if node.children:
+        found["c"] = [tree(child, over, portal, numbers) for child in node.children]
+    return found
+
+
+def frame(layout: Layout) -> dict[str, Any]:
+    return {
+        "name": layout.name,
+        "kind": layout.kind,
+        "fields": [field(one) for one in layout.fields],
+    }
+
+
+def field(one: Field) -> dict[str, Any]:
+    """A field of a frame, with the names of its values."""
+    found: dict[str, Any] = {"n": one.name, "t": one.type, "o": one.offset, "m": one.meaning}
+    if one.unit:
+        found |= {"u": one.unit, "s": one.scale}
+    if one.values:
+        found["v"] = {entry.number: entry.shown for entry in one.values.entries}
+    if one.bits:
+        found["b"] = [bit.name for bit in one.bits]
+    return found
+
+
+def scenarios(root: Path, model: Model) -> list[dict[str, str]]:
+    """The scenarios that the page plays: the examples, and the single faults."""
+    titles = {one.name: (one.title.rstrip("."), "") for one in model.safety.scenarios.values()}
+    titles |= {one.name: (one.title, one.says) for one in model.closed_loop}
+    found = []
+    for folder, product in ((EXAMPLES, PAPER), (SAFETY, DEFAULT)):
+        for path in sorted((root / folder).glob("*.scenario")):
+            text = path.read_text(encoding="utf-8")
+            comment = next((x[1:].strip() for x in text.splitlines() if x.startswith("#")), "")
+            title, says = titles.get(path.stem, (path.stem.replace("_", " "), comment))
+            found.append(
+                {
+                    "name": path.stem,
+                    "folder": folder.name,
+                    "product": product,
+                    "title": title,
+                    "says": says,
+                    "text": text,
+                }
+            )
+    return found

@@ -1,0 +1,181 @@
+/* The WebAssembly module with the virtual board and the simulated robot. The page runs it in a worker, the
+   tests in Node. */
+(function (scope) {
+  "use strict";
+
+  const TEXT = { thrown: 0, failures: 1, finding: 2, names: 3, reports: 4 };
+  const STATES = ["runs", "ended", "found"];
+  const OPTION = { resets: 1, verify: 2 };
+
+  /* The module asks for nothing but these; it has no files and no environment. */
+  function system(module) {
+    const none = () => 0;
+    return new Proxy(
+      {
+        environ_sizes_get(count, size) {
+          const view = new DataView(module.exports.memory.buffer);
+          view.setUint32(count, 0, true);
+          view.setUint32(size, 0, true);
+          return 0;
+        },
+        proc_exit(code) {
+          throw new Error("the module ended with code " + code);
+        },
+      },
+      { get: (known, name) => known[name] || none },
+    );
+  }
+
+  class LiveModule {
+    constructor(compiled) {
+      const instance = { exports: null };
+      const made = new WebAssembly.Instance(compiled, {
+        wasi_snapshot_preview1: system(instance),
+      });
+      instance.exports = this.exports = made.exports;
+      this.exports._initialize();
+    }
+
+    /* Calls a function of the module. An exception of the module becomes one with its text. */
+    call(name, ...values) {
+      try {
+        return this.exports[name](...values);
+      } catch (error) {
+        const text = name === "liveText" ? "" : this.text("thrown");
+        throw new Error(text || String(error.message || error));
+      }
+    }
+
+    put(bytes) {
+      const at = this.call("liveAlloc", bytes.length);
+      new Uint8Array(this.exports.memory.buffer).set(bytes, at);
+      return at;
+    }
+
+    withText(name, text) {
+      const bytes = new TextEncoder().encode(text);
+      const at = this.put(bytes);
+      try {
+        this.call(name, at, bytes.length);
+      } finally {
+        this.exports.liveFree(at);
+      }
+    }
+
+    kept() {
+      const { memory, liveBytes: begin, liveSize: size } = this.exports;
+      return new Uint8Array(memory.buffer, begin(), size()).slice();
+    }
+
+    text(name) {
+      this.call("liveText", TEXT[name]);
+      return new TextDecoder().decode(this.kept());
+    }
+
+    start({ image, functions = [], scenario, resets = false, verify = false }) {
+      const text = new TextEncoder().encode(scenario);
+      const addresses = new Uint8Array(Uint32Array.from(functions).buffer);
+      const places = [this.put(image), this.put(addresses), this.put(text)];
+      const options = (resets ? OPTION.resets : 0) | (verify ? OPTION.verify : 0);
+      const [at, functionsAt, textAt] = places;
+      this.call(
+        "liveStart",
+        at,
+        image.length,
+        functionsAt,
+        functions.length,
+        textAt,
+        text.length,
+        options,
+      );
+      places.forEach((place) => this.exports.liveFree(place));
+      this.functions = functions.length;
+      this.names = this.names || this.text("names").split(",");
+    }
+
+    cycle() {
+      return STATES[this.call("liveCycle")];
+    }
+
+    runToEnd() {
+      return STATES[this.call("liveRunToEnd")];
+    }
+
+    perform(action) {
+      this.withText("livePerform", action);
+    }
+
+    repeat(order) {
+      this.withText("liveRepeat", order);
+    }
+
+    /* The numbers of the present instant, by their names. */
+    numbers() {
+      const at = this.call("liveNumbers");
+      const values = new Float64Array(this.exports.memory.buffer, at, this.names.length);
+      return Object.fromEntries(this.names.map((name, i) => [name, values[i]]));
+    }
+
+    report() {
+      this.call("liveReport");
+      return this.kept();
+    }
+
+    callsHash() {
+      return this.call("liveCallsHash") >>> 0;
+    }
+
+    calls() {
+      const at = this.call("liveCalls");
+      const count = this.call("liveCallCount");
+      return new Uint32Array(this.exports.memory.buffer, at, count).slice();
+    }
+
+    entries() {
+      const at = this.call("liveEntries");
+      return new Uint32Array(this.exports.memory.buffer, at, this.functions).slice();
+    }
+
+    /* The bytes on the line since the last call. */
+    line() {
+      this.call("liveLine");
+      const bytes = this.kept();
+      const view = new DataView(bytes.buffer);
+      const pieces = [];
+      for (let at = 0; at < bytes.length;) {
+        const size = view.getUint32(at + 9, true);
+        pieces.push({
+          at: Number(view.getBigUint64(at, true)) / 1000,
+          fromPc: bytes[at + 8] === 1,
+          bytes: bytes.slice(at + 13, at + 13 + size),
+        });
+        at += 13 + size;
+      }
+      return pieces;
+    }
+
+    events() {
+      const hash = BigInt.asUintN(64, this.call("liveEventHash"));
+      return { count: this.call("liveEventCount"), hash: hash.toString(16).padStart(16, "0") };
+    }
+  }
+
+  /* Plays a scenario to its end with all its events and reports, for a comparison with another target. */
+  LiveModule.play = function (compiled, image, scenario) {
+    const module = new LiveModule(compiled);
+    module.start({ image, scenario, verify: true });
+    const begin = performance.now();
+    const end = module.runToEnd();
+    const seconds = (performance.now() - begin) / 1000;
+    return {
+      end,
+      failures: module.text("failures"),
+      events: module.events(),
+      reports: module.text("reports"),
+      factor: module.numbers().time_ms / 1000 / seconds,
+    };
+  };
+
+  scope.LiveModule = LiveModule;
+  if (typeof module !== "undefined") module.exports = { LiveModule };
+})(typeof self !== "undefined" ? self : globalThis);

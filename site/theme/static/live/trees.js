@@ -1,0 +1,141 @@
+/* Recorded calls of a control cycle: their rows, the declared trees in them, and the states of the machines. The
+   rules are those of traceability/reading/traces.py. */
+(function (scope) {
+  "use strict";
+
+  /* Rows of the calls: method, depth, parent, end, and the activation of the interrupt that made it. */
+  function rowsOf(calls, methodAt, hardware) {
+    const rows = [];
+    const open = [];
+    let depth = 0,
+      parent = -1,
+      activation = 0,
+      entries = 0;
+    for (const event of calls) {
+      const method = methodAt.get(event & ~1);
+      if (method === undefined) continue;
+      if (event & 1) {
+        const [row, before] = open.length ? open.pop() : [-1, activation];
+        activation = before;
+        if (row >= 0) {
+          rows[row].end = rows.length;
+          depth -= 1;
+          parent = rows[row].parent;
+        }
+      } else if (hardware.has(method)) {
+        open.push([-1, activation]);
+        entries += 1;
+        activation = entries;
+      } else {
+        rows.push({ method, depth, parent, end: 0, activation });
+        parent = rows.length - 1;
+        open.push([parent, activation]);
+        depth += 1;
+      }
+    }
+    for (const [row] of open) if (row >= 0) rows[row].end = rows.length;
+    return rows;
+  }
+
+  /* Prepares a declared tree: the methods of each node as a set, and the methods without which it cannot be there. */
+  function prepared(declared, has) {
+    const needed = [];
+    const nodeOf = (node) => {
+      const methods = new Set(node.m.filter((m) => has.has(m)));
+      const children = (node.c || []).map(nodeOf);
+      const outside = !children.length && !node.m.length;
+      if (!outside) needed.push(methods);
+      return { methods, children, outside, posted: Boolean(node.post), name: node.n };
+    };
+    const root = nodeOf(declared.tree);
+    const possible = needed.length > 0 && needed.every((methods) => methods.size > 0);
+    return { id: declared.id, text: declared.text, root, needed, possible };
+  }
+
+  /* Looks for a tree: a child lies within the call of its parent, in order. A call of an interrupt is no call of the
+     parent; a posted command is. Returns the rows of the nodes, or nothing. */
+  function embed(tree, rows) {
+    function fit(node, start, stop, activation) {
+      for (let index = start; index < stop; index += 1) {
+        const row = rows[index];
+        if (!node.methods.has(row.method)) continue;
+        if (activation !== null && row.activation !== activation) continue;
+        const placed = [index];
+        let position = index + 1,
+          complete = true;
+        for (const child of node.children) {
+          if (child.outside) continue;
+          const found = child.posted
+            ? fit(child, position, rows.length, null)
+            : fit(child, position, row.end, row.activation);
+          if (!found) {
+            complete = false;
+            break;
+          }
+          placed.push(...found);
+          position = rows[found[0]].end;
+        }
+        if (complete) return placed;
+      }
+      return null;
+    }
+    return fit(tree.root, 0, rows.length, null);
+  }
+
+  /* The trees that are in the rows, by their ids. */
+  function treesIn(trees, rows) {
+    const present = new Set(rows.map((row) => row.method));
+    const some = (methods) => {
+      for (const method of methods) if (present.has(method)) return true;
+      return false;
+    };
+    return trees
+      .filter((tree) => tree.possible && tree.needed.every(some))
+      .filter((tree) => embed(tree, rows))
+      .map((tree) => tree.id);
+  }
+
+  /* The states of a machine, seen by the operations of its state modules that are called. */
+  class Machine {
+    constructor(declared) {
+      this.id = declared.id;
+      this.declared = declared;
+      this.begin();
+      this.counts = {};
+      this.stateOf = new Map(Object.entries(declared.states).map(([s, module]) => [module, s]));
+      this.events = Object.entries(declared.events);
+    }
+
+    begin() {
+      this.state = this.declared.initial;
+    }
+
+    move(to, moves) {
+      if (to === this.state) return;
+      const edge = `${this.state} ${to}`;
+      this.counts[edge] = (this.counts[edge] || 0) + 1;
+      moves.push({ machine: this.id, from: this.state, to });
+      this.state = to;
+    }
+
+    /* An operation of a state was called: the machine was in this state. Where only one step leads away, it is made. */
+    operation(module, method, moves) {
+      const state = this.stateOf.get(module);
+      if (!state) return;
+      const events = this.events.filter(([, operation]) => operation === method);
+      if (!events.length) return;
+      this.move(state, moves);
+      const names = new Set(events.map(([event]) => event));
+      const steps = this.declared.transitions.filter(
+        ([from, , event]) => from === state && names.has(event),
+      );
+      const targets = new Set(steps.map(([, to]) => to));
+      if (targets.size === 1 && steps.every(([, , , guard]) => !guard)) {
+        this.move([...targets][0], moves);
+      }
+    }
+  }
+
+  scope.LiveTrees = { rowsOf, prepared, embed, treesIn, Machine };
+  if (typeof module !== "undefined") module.exports = scope.LiveTrees;
+})(typeof self !== "undefined" ? self : globalThis);

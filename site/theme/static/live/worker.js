@@ -1,0 +1,361 @@
+/* Runs the robot next to the page: cycle by cycle, as fast as asked, with a snapshot at most 20 times a second. */
+"use strict";
+importScripts("module.js", "trees.js", "frames.js");
+
+const SLICE = 50; // ms between snapshots
+const BUSY = 40; // ms of them in which cycles run
+const CYCLE = 100; // ms of robot time
+const SECOND = 1000 / CYCLE; // in cycles
+const SHOWN_FRAMES = 24;
+const PAPER = "weeding_robot_paper";
+const DEFAULT = "weeding_robot";
+
+let facts, compiled, product, trees, report, machines, line;
+let simulator = null;
+let robot = null;
+
+const asBytes = async (path) => {
+  const answer = await fetch(path);
+  if (!answer.ok) throw new Error(`${path}: ${answer.status}`);
+  return new Uint8Array(await answer.arrayBuffer());
+};
+
+async function load(folder) {
+  const begin = performance.now();
+  const [wasm, data] = await Promise.all([asBytes(`${folder}live.wasm`), fetch(`${folder}live.json`)]);
+  compiled = await WebAssembly.compile(wasm);
+  facts = await data.json();
+  report = facts.frames.find((frame) => frame.name === "Report");
+  return performance.now() - begin;
+}
+
+async function choose(folder, name) {
+  if (product && product.name === name) return;
+  product = facts.products.find((one) => one.name === name);
+  product.bytes = product.bytes || (await asBytes(`${folder}${name}.bin`));
+  product.methodAt = new Map(product.functions);
+  product.has = new Set(product.functions.map(([, method]) => method));
+  trees = facts.trees
+    .filter((tree) => tree.products.includes("all") || tree.products.includes(name) || !tree.products.length)
+    .map((tree) => LiveTrees.prepared(tree, product.has));
+}
+
+/* A run: the module with a robot in it, and all that was seen of it. */
+class Robot {
+  constructor(scenario, log) {
+    this.scenario = scenario;
+    this.log = log; // actions by hand: [time, kind, text]
+    this.next = 0; // of the log, while it is repeated
+    simulator = simulator || new LiveModule(compiled);
+    simulator.start({
+      image: product.bytes,
+      functions: product.functions.map(([address]) => address),
+      scenario: scenario.text,
+      resets: true,
+    });
+    line = new LiveFrames.Line(facts.frames);
+    machines = facts.machines.map((one) => new LiveTrees.Machine(one));
+    this.hardware = new Set(facts.hardware);
+    this.known = new Map(); // hash of the calls of a cycle -> trees in it
+    this.seen = {}; // requirement -> count, first time
+    this.state = "runs";
+    this.rows = [];
+    this.rowsHash = 0;
+    this.entries = []; // after each of the last cycles
+    this.clear();
+  }
+
+  /* Clears the parts that the page has received. */
+  clear() {
+    this.history = [];
+    this.frames = [];
+    this.moves = [];
+    this.fresh = [];
+  }
+
+  time() {
+    return simulator.numbers().time_ms;
+  }
+
+  act(kind, text, at) {
+    try {
+      if (kind === "order") simulator.repeat(text);
+      else simulator.perform(text);
+    } catch (error) {
+      post({ kind: "refused", text, why: String(error.message) });
+      simulator = null;
+      return;
+    }
+    if (at !== undefined) return;
+    this.log.splice(this.next); // an action after a step back replaces the later ones
+    this.log.push([this.time(), kind, text]);
+    this.next = this.log.length;
+  }
+
+  repeatLog() {
+    while (this.next < this.log.length && this.log[this.next][0] <= this.time()) {
+      const [at, kind, text] = this.log[this.next];
+      this.next += 1;
+      this.act(kind, text, at);
+    }
+  }
+
+  cycle() {
+    if (this.state !== "runs") return false;
+    this.repeatLog();
+    this.state = simulator.cycle();
+    const numbers = simulator.numbers();
+    if (this.numbers && numbers.resets !== this.numbers.resets)
+      machines.forEach((machine) => machine.begin());
+    this.numbers = numbers;
+    this.values = LiveFrames.valuesOf(simulator.report(), report);
+    this.entries.push(simulator.entries());
+    this.entries.splice(0, this.entries.length - SECOND - 1);
+    this.readCalls(numbers.time_ms);
+    this.readLine();
+    this.history.push(this.point(numbers));
+    return this.state === "runs";
+  }
+
+  readCalls(now) {
+    const hash = simulator.callsHash();
+    const moves = [];
+    let found = this.known.get(hash);
+    this.rows = LiveTrees.rowsOf(simulator.calls(), product.methodAt, this.hardware);
+    this.rowsHash = hash;
+    if (found === undefined) {
+      found = LiveTrees.treesIn(trees, this.rows);
+      this.known.set(hash, found);
+    }
+    for (const row of this.rows) {
+      const [owner, method] = facts.methods[row.method].split("::");
+      machines.forEach((machine) => machine.operation(owner, method, moves));
+    }
+    this.moves.push(...moves.map((move) => ({ ...move, at: now })));
+    this.stopsAt = null;
+    for (const id of found) {
+      if (!this.seen[id]) {
+        this.seen[id] = { count: 0, at: now, cycle: this.numbers.pulses };
+        this.fresh.push(id);
+      }
+      this.seen[id].count += 1;
+      if (watched.has(id)) this.stopsAt = id;
+    }
+  }
+
+  readLine() {
+    this.frames.push(...line.take(simulator.line()));
+    this.frames.splice(0, Math.max(0, this.frames.length - SHOWN_FRAMES));
+  }
+
+  point(numbers) {
+    const { values } = this;
+    return { t: numbers.time_ms, v: values, n: numbers };
+  }
+}
+
+let watched = new Set();
+let speed = 1;
+let running = false;
+let target = 0;
+let last = 0;
+let timer = 0;
+
+function post(message) {
+  self.postMessage(message);
+}
+
+function snapshot() {
+  if (!robot || !robot.numbers) return;
+  const treeRows = robot.rows.map((row) => [row.method, row.depth, row.activation, row.parent]);
+  post({
+    kind: "snapshot",
+    running,
+    state: robot.state,
+    numbers: robot.numbers,
+    values: robot.values,
+    history: robot.history,
+    frames: robot.frames.map((frame) => ({ ...frame, values: line.values(frame) })),
+    moves: robot.moves,
+    machines: machines.map(({ id, state, counts }) => ({ id, state, counts: { ...counts } })),
+    seen: robot.seen,
+    fresh: robot.fresh,
+    found: robot.known.get(robot.rowsHash) || [],
+    stopsAt: running ? null : robot.stopsAt,
+    entries: robot.entries[robot.entries.length - 1],
+    before: robot.entries[0],
+    rows: treeRows,
+    failures: simulator ? simulator.text("failures") : "",
+    finding: simulator ? simulator.text("finding") : "",
+    hands: robot.log.length,
+  });
+  robot.clear();
+}
+
+function pause() {
+  running = false;
+  clearTimeout(timer);
+}
+
+function tick() {
+  const now = performance.now();
+  target += (now - last) * speed;
+  last = now;
+  const end = now + BUSY;
+  let cycles = 0;
+  while (running && (speed === Infinity || robot.time() < target) && performance.now() < end) {
+    cycles += 1;
+    if (!robot.cycle() || robot.stopsAt) running = false;
+  }
+  if (robot.time() < target - CYCLE) target = robot.time(); // this machine is too slow
+  if (cycles) snapshot();
+  if (running) timer = setTimeout(tick, Math.max(0, SLICE - (performance.now() - now)));
+  else snapshot();
+}
+
+function run() {
+  if (running || !robot || robot.state !== "runs") return;
+  running = true;
+  last = performance.now();
+  target = robot.time() + CYCLE;
+  tick();
+}
+
+/* Runs to a time without stops, for a link or the time line. */
+function seek(time) {
+  let wanted = time;
+  const end = performance.now() + 60000;
+  while (robot.time() < wanted && robot.cycle() && performance.now() < end);
+  snapshot();
+}
+
+/* Plays the scenarios, those of the paper's design first, until the tree of a requirement is in a cycle. */
+async function find({ folder, id }) {
+  pause();
+  for (const scenario of facts.scenarios) {
+    await choose(folder, scenario.product);
+    const tree = trees.find((one) => one.id === id);
+    if (!tree || !tree.possible) continue;
+    post({ kind: "plays", title: scenario.title });
+    robot = new Robot(scenario, []);
+    let goesOn = true;
+    while (goesOn && !robot.seen[id]) {
+      robot.clear();
+      goesOn = robot.cycle();
+    }
+    if (robot.seen[id]) {
+      const placed = LiveTrees.embed(tree, robot.rows).sort((a, b) => a - b);
+      const base = Math.min(...placed.map((index) => robot.rows[index].depth));
+      post({
+        kind: "found",
+        product: product.name,
+        scenario: scenario.name,
+        title: scenario.title,
+        at: robot.seen[id].at,
+        cycle: robot.seen[id].cycle,
+        moves: robot.moves,
+        calls: placed.map((index) => ({
+          name: facts.methods[robot.rows[index].method],
+          depth: robot.rows[index].depth - base,
+        })),
+      });
+      return;
+    }
+  }
+  post({ kind: "found" });
+}
+
+/* Plays a drive with the first image that has most of some modules, and counts the calls of each. */
+async function count({ folder, modules }) {
+  pause();
+  const modulesOf = (one) => new Set(one.functions.map(([, method]) => facts.methods[method].split("::")[0]));
+  const held = (one) => modules.filter((name) => modulesOf(one).has(name)).length;
+  const rank = (one) => [PAPER, DEFAULT].indexOf(one.name) + 1 || 3;
+  const sorted = [...facts.products].sort((a, b) => held(b) - held(a) || rank(a) - rank(b));
+  await choose(folder, sorted[0].name);
+  const wanted = modulesOf(product).has("ProtectiveStop") ? "hall_dead" : "loss_of_the_pc";
+  const scenario = facts.scenarios.find((one) => one.name === wanted) || facts.scenarios[0];
+  robot = new Robot(scenario, []);
+  while (robot.cycle()) robot.clear();
+  const entries = simulator.entries();
+  const counts = Object.fromEntries(modules.map((name) => [name, 0]));
+  product.functions.forEach(([, method], i) => {
+    const name = facts.methods[method].split("::")[0];
+    if (name in counts) counts[name] += entries[i];
+  });
+  post({
+    kind: "counted",
+    counts,
+    product: product.name,
+    scenario: scenario.name,
+    title: scenario.title,
+    seconds: robot.time() / 1000,
+  });
+}
+
+const ORDERS = {
+  count,
+  async load({ folder }) {
+    const ms = await load(folder);
+    post({ kind: "loaded", ms, facts });
+  },
+  async start({ folder, name, scenario, time, log }) {
+    pause();
+    await choose(folder, name);
+    robot = new Robot(scenario, log || []);
+    const possible = trees.filter((tree) => tree.possible).length;
+    post({ kind: "started", possible, trees: trees.length });
+    robot.cycle();
+    seek(time || 0);
+  },
+  find,
+  run,
+  pause() {
+    pause();
+    snapshot();
+  },
+  cycle() {
+    pause();
+    robot.cycle();
+    snapshot();
+  },
+  speed({ value }) {
+    speed = value;
+    if (running) target = robot.time() + CYCLE;
+  },
+  act({ how, text }) {
+    robot.act(how, text);
+  },
+  watch({ ids }) {
+    watched = new Set(ids);
+  },
+  seek({ time }) {
+    pause();
+    if (time < robot.time()) {
+      const { scenario, log } = robot;
+      robot = new Robot(
+        scenario,
+        log.filter(([at]) => at <= time),
+      );
+      post({ kind: "again" });
+    }
+    seek(time);
+  },
+};
+
+/* One order after the other: some wait for a file. */
+let orders = Promise.resolve();
+
+async function obey(data) {
+  try {
+    await ORDERS[data.do](data);
+  } catch (error) {
+    pause();
+    simulator = null;
+    post({ kind: "error", text: String(error.message || error) });
+  }
+}
+
+self.onmessage = ({ data }) => {
+  orders = orders.then(() => obey(data));
+};

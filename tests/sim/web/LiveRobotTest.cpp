@@ -1,0 +1,122 @@
+// The robot of the page: its cycles, its calls, its line, and a person who acts.
+#include "sim/web/LiveRobot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/emulator/Image.hpp"
+#include "sim/emulator/Symbols.hpp"
+#include "support/image.hpp"
+
+namespace wr::test {
+
+namespace {
+
+constexpr int kCyclesToMode = 12;  // until the mode PC reads
+constexpr int kCycles = 30;        // of a drive
+const std::string kFree = "at 50 connect\nat 600000 end\n";
+
+std::vector<std::uint32_t> functions() {
+  const emulator::Symbols symbols(elfFile());
+  std::set<std::uint32_t> addresses;
+  for (const auto& function : symbols.functions()) {
+    addresses.insert(function.address);
+  }
+  return {addresses.begin(), addresses.end()};
+}
+
+std::unique_ptr<web::LiveRobot> robotIn(const std::string& scenario) {
+  return std::make_unique<web::LiveRobot>(
+      web::LiveRobot::Setup{.image = emulator::readImage(imageFile()),
+                            .functions = functions(),
+                            .scenario = scenario,
+                            .name = "test",
+                            .resetsAreFindings = false});
+}
+
+void run(web::LiveRobot& robot, int cycles) {
+  for (int cycle = 0; cycle < cycles; ++cycle) {
+    ASSERT_EQ(robot.runCycle(), web::LiveRobot::State::Runs);
+  }
+}
+
+double speed(web::LiveRobot& robot) {
+  return robot.truth().at(0);
+}
+
+}  // namespace
+
+/// @brief Each control cycle has one clock pulse, and its calls are recorded.
+TEST(LiveRobotTest, RunsCycleByCycle) {
+  const auto robot = robotIn(kFree);
+  for (std::size_t cycle = 1; cycle <= 5; ++cycle) {
+    ASSERT_EQ(robot->runCycle(), web::LiveRobot::State::Runs);
+    EXPECT_EQ(robot->session().pulses().size(), cycle);
+    EXPECT_FALSE(robot->cycle().calls.empty());
+    EXPECT_LE(robot->cycle().awake, robot->cycle().cycles);
+  }
+  EXPECT_GT(std::ranges::max(robot->entries()), 4U);
+}
+
+/// @brief The order of a person is sent again and again, and the robot drives; without an order it halts.
+TEST(LiveRobotTest, RepeatsAnOrder) {
+  const auto robot = robotIn(kFree);
+  robot->repeat("order velocity 0");
+  run(*robot, kCyclesToMode);
+  robot->repeat("order velocity 1000");
+  run(*robot, kCycles);
+  EXPECT_NEAR(speed(*robot), 1000, 30);
+  robot->repeat("");
+  run(*robot, kCycles);
+  EXPECT_NEAR(speed(*robot), 0, 1);
+}
+
+/// @brief A person acts on the world while the robot drives.
+TEST(LiveRobotTest, ActsOnTheWorld) {
+  const auto robot = robotIn(kFree);
+  robot->repeat("order velocity 1000");
+  run(*robot, kCyclesToMode + kCycles);
+  robot->perform("fault block 0");
+  run(*robot, kCycles);
+  EXPECT_NEAR(speed(*robot), 0, 1);
+  EXPECT_THROW(robot->perform("fault nonsense"), scenario::Scenario::Error);
+}
+
+/// @brief The bytes of both sides are recorded, each once.
+TEST(LiveRobotTest, RecordsTheLine) {
+  const auto robot = robotIn(kFree);
+  run(*robot, 5);
+  const auto pieces = robot->takePieces();
+  const auto ofPc = std::ranges::count_if(pieces, &web::RecordedLine::Piece::fromPc);
+  EXPECT_EQ(ofPc, 2) << "Hello and Confirm";
+  EXPECT_GT(pieces.size(), 4U);
+  EXPECT_TRUE(robot->takePieces().empty());
+}
+
+/// @brief Without clock pulses a cycle ends too.
+TEST(LiveRobotTest, GoesOnWithoutClock) {
+  const auto robot = robotIn(kFree);
+  run(*robot, 3);
+  const auto pulses = robot->session().pulses().size();
+  robot->perform("clock lost");
+  run(*robot, 3);
+  EXPECT_LE(robot->session().pulses().size(), pulses + 1);
+  EXPECT_GT(robot->session().board.resets(), 0);
+}
+
+/// @brief A scenario ends at its end.
+TEST(LiveRobotTest, EndsWithTheScenario) {
+  const auto robot = robotIn("at 50 connect\nat 450 end\n");
+  EXPECT_EQ(robot->runToEnd(), web::LiveRobot::State::Ended);
+  EXPECT_EQ(robot->runCycle(), web::LiveRobot::State::Ended);
+  EXPECT_TRUE(robot->player().outcome().failures.empty());
+}
+
+}  // namespace wr::test

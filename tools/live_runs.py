@@ -1,0 +1,233 @@
+"""Plays the examples as WebAssembly, in Node and in a browser, and compares them with native runs.
+
+Two runs are the same when their reports and a hash of all events of the board are the same.
+"""
+
+from __future__ import annotations
+
+import functools
+import json
+import re
+import shutil
+import subprocess
+import tempfile
+import threading
+from collections.abc import Iterable
+from dataclasses import dataclass
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any, TextIO
+
+from tools.browser import find_browser, works
+from tools.cmake_build import BOARD_PROGRAM, build
+from tools.steps import FailureError
+from tools.task_graph import Outcome
+from traceability.reading.closed_loop_record import EXAMPLES
+from traceability.reading.live_record import MODULE, RECORD
+from traceability.reading.products import PAPER, image_of
+
+COMPILER = "clang++-19"
+PRESET, TARGET = "web", "live"
+SCRIPT = Path("site/theme/static/live/module.js")
+DATA = Path("build/site/live/live.json")
+SECONDS = 600  # for all scenarios in one engine
+TRACE = re.compile(r"^trace: (?P<count>\d+) events, hash (?P<hash>[0-9a-f]{16})$", re.MULTILINE)
+NODE = """
+const fs = require("fs");
+const { LiveModule } = require(process.argv[1]);
+const compiled = new WebAssembly.Module(fs.readFileSync(process.argv[2]));
+const image = fs.readFileSync(process.argv[3]);
+for (const file of process.argv.slice(4)) {
+  const run = LiveModule.play(compiled, image, fs.readFileSync(file, "utf8"));
+  process.stdout.write(JSON.stringify(run) + "\\n");
+}
+"""
+PAGE = """<!doctype html><title>live</title><script src="module.js"></script><script>
+const send = (path, value) => fetch(path, { method: "POST", body: JSON.stringify(value) });
+const bytes = async (path) => new Uint8Array(await (await fetch(path)).arrayBuffer());
+(async () => {
+  const begin = performance.now();
+  const compiled = await WebAssembly.compile(await bytes("live.wasm"));
+  const image = await bytes("image.bin");
+  const names = %NAMES%;
+  const texts = await Promise.all(names.map(async (n) => (await fetch(n)).text()));
+  const first = new LiveModule(compiled);
+  first.start({ image, scenario: texts[0] });
+  first.cycle();
+  const ready = (performance.now() - begin) / 1000;
+  const runs = [];
+  for (const text of texts) runs.push(LiveModule.play(compiled, image, text));
+  await send("result", { ready, runs });
+})().catch((error) => send("result", { error: String(error) }));
+</script>"""
+
+
+@dataclass(frozen=True)
+class Run:
+    """All that a robot did in a scenario: its reports with the truth, and a hash of all events."""
+
+    reports: str
+    events: int
+    hash: str
+
+
+def build_module(root: Path, log: TextIO) -> Outcome:
+    """Builds the module, where its compiler is installed."""
+    if shutil.which(COMPILER) is None:
+        return Outcome(f"not built: {COMPILER} is not installed")
+    build(root, PRESET, log, TARGET)
+    return Outcome(f"{(root / MODULE).stat().st_size} bytes")
+
+
+def examples(root: Path) -> list[Path]:
+    return sorted((root / EXAMPLES).glob("*.scenario"))
+
+
+def play_native(root: Path, scenario: Path) -> Run:
+    """Plays a scenario with the program of this machine."""
+    with tempfile.TemporaryDirectory() as folder:
+        reports = Path(folder) / "reports.csv"
+        words: list[str | Path] = [root / "build/host/sim" / BOARD_PROGRAM]
+        words += ["--image", root / image_of(PAPER, ".bin"), "--scenario", scenario]
+        words += ["--reports", reports, "--trace", "/dev/null"]
+        run = subprocess.run(words, capture_output=True, text=True, timeout=SECONDS, check=False)
+        trace = TRACE.search(run.stdout)
+        if trace is None:
+            raise FailureError(f"{scenario.name}: {run.stdout}{run.stderr}")
+        return Run(reports.read_text(encoding="utf-8"), int(trace["count"]), trace["hash"])
+
+
+def play_in_node(root: Path, scenarios: Iterable[Path]) -> list[dict[str, Any]]:
+    """Plays scenarios with the module in Node."""
+    files = [root / SCRIPT, root / MODULE, root / image_of(PAPER, ".bin"), *scenarios]
+    words = ["node", "--eval", NODE, "--", *map(str, files)]
+    run = subprocess.run(words, capture_output=True, text=True, timeout=SECONDS, check=False)
+    if run.returncode != 0:
+        raise FailureError(f"Node: {run.stderr.strip()[-500:]}")
+    return [json.loads(line) for line in run.stdout.splitlines()]
+
+
+def play_in_browser(root: Path, browser: str, scenarios: list[Path]) -> dict[str, Any]:
+    """Plays scenarios in a headless browser; ``ready`` is the time to the first cycle [s]."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for source, target in (
+            (SCRIPT, "module.js"),
+            (MODULE, "live.wasm"),
+            (image_of(PAPER, ".bin"), "image.bin"),
+        ):
+            shutil.copyfile(root / source, folder / target)
+        for scenario in scenarios:
+            shutil.copyfile(scenario, folder / scenario.name)
+        names = json.dumps([scenario.name for scenario in scenarios])
+        page = PAGE.replace("%NAMES%", names)
+        (folder / "index.html").write_text(page, encoding="utf-8")
+        result = result_of(browser, folder, "index.html")
+    if "error" in result:
+        raise FailureError(f"the browser: {result['error']}")
+    return result
+
+
+def result_of(browser: str, folder: Path, page: str) -> dict[str, Any]:
+    """Opens a page of a folder, and returns the result that it posts."""
+    came = threading.Event()
+    found: dict[str, Any] = {}
+
+    class Handler(SimpleHTTPRequestHandler):
+        def do_POST(self) -> None:
+            found.update(json.loads(self.rfile.read(int(self.headers["Content-Length"]))))
+            self.send_response(204)
+            self.end_headers()
+            came.set()
+
+        def log_message(self, *_arguments: Any) -> None:
+            """The log has the results, not the requests."""
+
+    handler = functools.partial(Handler, directory=str(folder))
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as http:
+        threading.Thread(target=http.serve_forever, daemon=True).start()
+        words = [browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-first-run"]
+        words += ["--remote-debugging-port=0", f"http://127.0.0.1:{http.server_port}/{page}"]
+        with (
+            tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile,
+            subprocess.Popen(
+                [*words, f"--user-data-dir={profile}"],
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+            ) as program,
+        ):
+            try:
+                if not came.wait(SECONDS):
+                    raise FailureError(f"the page sent no result within {SECONDS} s")
+            finally:
+                program.terminate()
+                program.wait()
+                http.shutdown()
+    return found
+
+
+def differences(native: Run, run: dict[str, Any]) -> list[str]:
+    """The differences of a run as WebAssembly from the native one."""
+    found = []
+    if run["reports"] != native.reports:
+        found.append("reports")
+    if (run["events"]["count"], run["events"]["hash"]) != (native.events, native.hash):
+        found.append("events")
+    return found
+
+
+def measure_live(root: Path, log: TextIO) -> Outcome:
+    """Compares all example scenarios, and measures the speed in the browser."""
+    (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
+    browser = find_browser()
+    if not (root / MODULE).exists():
+        (root / RECORD).write_text("{}\n", encoding="utf-8")
+        return Outcome("not run: there is no module")
+    scenarios = examples(root)
+    engines: dict[str, list[dict[str, Any]]] = {}
+    values: dict[str, Any] = {"scenarios": len(scenarios), "bytes": _bytes(root)}
+    if shutil.which("node"):
+        engines["Node"] = play_in_node(root, scenarios)
+    if browser is not None and works(browser):
+        result = play_in_browser(root, browser, scenarios)
+        engines["browser"] = result["runs"]
+        factors = sorted(run["factor"] for run in result["runs"])
+        values["ready_s"] = round(result["ready"], 2)
+        values["real_time_factor"] = round(factors[len(factors) // 2], 1)
+        values["factors"] = {
+            scenario.stem: round(run["factor"], 1)
+            for scenario, run in zip(scenarios, result["runs"], strict=True)
+        }
+    wrong = _wrong(root, scenarios, engines)
+    log.writelines(f"{line}\n" for line in wrong)
+    values["engines"] = sorted(engines)
+    if engines:
+        different = {line.partition(":")[0] for line in wrong}
+        values["scenarios_equal"] = len(scenarios) - len(different)
+    (root / RECORD).write_text(json.dumps(values, indent=1) + "\n", encoding="utf-8")
+    if wrong:
+        return Outcome(f"different from the native run: {wrong[0]}", failed=True)
+    speed = values.get("real_time_factor")
+    note = f"{len(scenarios)} scenarios, the same bytes in {' and '.join(engines) or 'no engine'}"
+    return Outcome(f"{note}, {speed} times real time" if speed else note)
+
+
+def _wrong(
+    root: Path, scenarios: list[Path], engines: dict[str, list[dict[str, Any]]]
+) -> list[str]:
+    if not engines:
+        return []
+    found = []
+    for number, scenario in enumerate(scenarios):
+        native = play_native(root, scenario)
+        for engine, runs in engines.items():
+            found += [
+                f"{scenario.stem}: {part} in {engine}" for part in differences(native, runs[number])
+            ]
+    return found
+
+
+def _bytes(root: Path) -> int:
+    """The bytes that a press loads: the module, an image, and the data of the page if it exists."""
+    loaded = (root / path for path in (MODULE, image_of(PAPER, ".bin"), DATA))
+    return sum(path.stat().st_size for path in loaded if path.exists())

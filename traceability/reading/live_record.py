@@ -1,0 +1,25 @@
+"""Reads the measurements of the WebAssembly module that runs the images in a page."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from traceability.reading.results import RESULTS, read_json
+from traceability.reading.task_record import LIVE, is_fresh
+
+MODULE = Path("build/web/sim/live.wasm")
+RECORD = RESULTS / "live.json"
+KEYS = ("ready_s", "bytes", "real_time_factor", "scenarios_equal", "scenarios")
+
+
+def read_live(root: Path) -> dict[str, Any] | None:
+    """Returns the record, when it was measured with the present sources."""
+    record = read_json(root / RECORD)
+    return record if isinstance(record, dict) and is_fresh(root, LIVE) else None
+
+
+def live_metrics(root: Path) -> dict[str, Any]:
+    """The metrics of the module; null where nothing was measured."""
+    record = read_live(root) or {}
+    return {f"live.{key}": record.get(key) for key in KEYS}
