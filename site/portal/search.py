@@ -1,16 +1,18 @@
-"""The search index, the cards of the modules, and the targets of hand-written pages."""
+"""The index of the search, the cards of the modules, and the targets of hand-written pages."""
 
 from __future__ import annotations
 
 import html
 import json
 from collections.abc import Iterator
+from pathlib import Path
 
 from portal.constant_texts import constant_links
 from portal.frame_tables import expanded
 from portal.links import ROOT, paper_anchor
 from portal.module_page import ancestors
 from portal.names import views_of
+from portal.page_words import parts_of
 from portal.portal import SITE, Portal
 from portal.sections import sections_of, terms_of
 from traceability.schema import Module
@@ -30,15 +32,25 @@ NAMED = {
 }
 
 
+# Pages whose sections repeat what has an entry of its own.
+LISTS = {"tests", "source", "guide", "interfaces", "inheritances", "datatypes", "trees", "structure"}
+
+
 def script(portal: Portal) -> str:
-    """A script, so that it can be read without a server."""
-    data = {
-        "commit": portal.model.commit,
-        "modules": {m.name: card(portal, m) for m in portal.model.modules.values()},
-        "entries": [list(entry) for entry in entries(portal)],
-        "synonyms": synonyms(),
-    }
-    return f"window.PORTAL = {json.dumps(data, ensure_ascii=False, separators=(',', ':'))};\n"
+    """What each page needs: a script, so that it can be read without a server."""
+    modules = {m.name: card(portal, m) for m in portal.model.modules.values()}
+    return assigned("PORTAL", {"commit": portal.model.commit, "modules": modules})
+
+
+def index_script(portal: Portal, bodies: Path) -> str:
+    """What the search needs; a page reads it when the search is used first."""
+    found = [*entries(portal), *section_entries(portal, bodies)]
+    data = {"entries": [list(entry) for entry in found], "synonyms": synonyms()}
+    return assigned("PORTAL_SEARCH", data)
+
+
+def assigned(name: str, data: object) -> str:
+    return f"window.{name} = {json.dumps(data, ensure_ascii=False, separators=(',', ':'))};\n"
 
 
 def synonyms() -> list[list[str]]:
@@ -114,6 +126,8 @@ def entries(portal: Portal) -> list[Entry]:
     for group_ in portal.navigation.groups:
         for entry in group_.entries:
             add("Pages", entry.key, entry.title, group_.title, ROOT + entry.address)
+    for question in portal.questions:
+        add("Answers", "", question.ask, question.answer, question.address)
     others = (change_entries, safety_entries, paper_entries, written_entries)
     return [*found, *(entry for make in others for entry in make(portal))]
 
@@ -166,6 +180,18 @@ def written_entries(portal: Portal) -> Iterator[Entry]:
             yield "Explanations", "", section.title, doc.title, section.address, text
         for term in terms_of(doc, source):
             yield "Glossary", "", term.title, term.text, term.address
+
+
+def section_entries(portal: Portal, bodies: Path) -> Iterator[Entry]:
+    """The sections of the generated pages of the navigation, with their first words."""
+    for entry in portal.navigation.entries.values():
+        body = bodies / entry.address
+        if entry.id in LISTS or not body.is_file():
+            continue
+        for part in parts_of(body.read_text(encoding="utf-8")):
+            anchor = f"#{part.anchor}" if part.anchor else ""
+            title = part.title if anchor else entry.title
+            yield "Sections", "", title, entry.title, f"{entry.address}{anchor}", part.text
 
 
 def targets(portal: Portal) -> dict[str, dict[str, str]]:
