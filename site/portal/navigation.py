@@ -86,7 +86,9 @@ class Navigation:
         answers = Entry("answers", "Answers", "answers/index.html", "", questions)
         answers_ = [answers] if questions else []
         self.groups = [
-            Group("understand", "Understand", [*answers_, *written["understand"], *understand(model)]),
+            Group(
+                "understand", "Understand", [*answers_, *written["understand"], *understand(model)]
+            ),
             Group("verify", "Verify", [*verify(model, checks, faults), *written["verify"]]),
             Group("build", "Build and use", [*written["build"], source, exports]),
         ]

@@ -33,7 +33,17 @@ NAMED = {
 
 
 # Pages whose sections repeat what has an entry of its own.
-LISTS = {"tests", "source", "guide", "interfaces", "inheritances", "datatypes", "trees", "structure"}
+LISTS = {
+    "answers",
+    "tests",
+    "source",
+    "guide",
+    "interfaces",
+    "inheritances",
+    "datatypes",
+    "trees",
+    "structure",
+}
 
 
 def script(portal: Portal) -> str:
@@ -44,7 +54,9 @@ def script(portal: Portal) -> str:
 
 def index_script(portal: Portal, bodies: Path) -> str:
     """What the search needs; a page reads it when the search is used first."""
-    found = [*entries(portal), *section_entries(portal, bodies)]
+    parts = list(section_entries(portal, bodies))
+    pages = {(group, address) for group, _, _, _, address, *_ in parts if group == "Pages"}
+    found = [one for one in entries(portal) if (one[0], one[4]) not in pages] + parts
     data = {"entries": [list(entry) for entry in found], "synonyms": synonyms()}
     return assigned("PORTAL_SEARCH", data)
 
@@ -113,7 +125,9 @@ def entries(portal: Portal) -> list[Entry]:
     seen: set[str] = set()
     for module in model.modules.values():
         for method in module.methods:
-            if method.access == "public" and method.kind != "constructor" and method.id not in seen:
+            if module.datatype and method.access != "public":
+                continue
+            if method.kind != "constructor" and method.id not in seen:
                 seen.add(method.id)
                 add("Methods", "G", method.id, method.brief, links.method(method.id))
     for test in model.tests.values():
@@ -189,9 +203,11 @@ def section_entries(portal: Portal, bodies: Path) -> Iterator[Entry]:
         if entry.id in LISTS or not body.is_file():
             continue
         for part in parts_of(body.read_text(encoding="utf-8")):
-            anchor = f"#{part.anchor}" if part.anchor else ""
-            title = part.title if anchor else entry.title
-            yield "Sections", "", title, entry.title, f"{entry.address}{anchor}", part.text
+            if part.anchor:
+                address = f"{entry.address}#{part.anchor}"
+                yield "Sections", "", part.title, entry.title, address, part.text
+            else:
+                yield "Pages", entry.key, entry.title, part.title, entry.address, part.text
 
 
 def targets(portal: Portal) -> dict[str, dict[str, str]]:

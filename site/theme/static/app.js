@@ -289,7 +289,8 @@
   input.addEventListener("focus", load);
   input.addEventListener("input", () => find(input.value));
   input.addEventListener("keydown", (event) => {
-    if (/^Arrow(Up|Down)$/.test(event.key) && shown.length && !hits.hidden) {
+    if (event.key === "ArrowDown" && hits.hidden) find(input.value);
+    else if (/^Arrow(Up|Down)$/.test(event.key) && shown.length) {
       choose((chosen + (event.key === "ArrowDown" ? 1 : shown.length - 1)) % shown.length);
       event.preventDefault();
     } else if (event.key === "Enter" && chosen >= 0) all("a", hits)[chosen].click();

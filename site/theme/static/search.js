@@ -3,7 +3,7 @@
   "use strict";
   const SMALL = new Set(
     ("a about an and any are as at be been by could did do does doing each for from get given gets got had " +
-      "happen happens has have how i if in into is it its kind look made make many may me much must my need of " +
+      "happen happens has have how i if in into is it its kind just look made make many may me much must my need of " +
       "on one or our out shall should so tell than that the their them then there these they thing this " +
       "those to was way we were what when where which who whose why will with work works would you your").split(" "),
   );
@@ -28,6 +28,7 @@
     "Tests",
     "Source",
   ];
+  const NAMES = new Set([...GROUPS.slice(0, 4), "Methods", "Data types", "Safety case", "Checks"]);
   const WEIGHTS = {
     Modules: 1.6,
     Pages: 1.5,
@@ -56,10 +57,12 @@
   const same = (text) => pieces(text).join("");
   /* A title is also found by its words written as one: wheelcontroller, quickstart. */
   const indexed = (text, field) =>
-    field === "title" ? [...pieces(text), same(text)] : pieces(text);
-  /* Requirements is requirement; small words are left out. */
+    field === "title"
+      ? [...new Set([...pieces(text), same(text), same(text.split("::").pop())])]
+      : pieces(text);
+  /* Requirements is requirement, verified is verify. */
   function stem(word) {
-    if (SMALL.has(word)) return null;
+    if (word.length > FEW && /ie[ds]$/.test(word)) return `${word.slice(0, -3)}y`;
     return word.length > FEW && /[^su]s$/.test(word) ? word.slice(0, -1) : word;
   }
 
@@ -79,7 +82,9 @@
 
   /* The words of a text, those together that have a meaning together (safe state), each with
      what means the same. Words are lists of their stems. */
-  const groups = synonyms.map((group) => group.map((words) => pieces(words).map(stem).filter(Boolean)));
+  const groups = synonyms.map((group) =>
+    group.map((words) => pieces(words).filter((word) => !SMALL.has(word)).map(stem)),
+  );
   const equal = (one, other) => one.join(" ") === other.join(" ");
   function meanings(words) {
     const found = [];
@@ -95,9 +100,25 @@
     }
     return found;
   }
+  /* How a word is looked for: a word that is there needs no tolerance, and hits inside longer
+     words count little then; else the least number of errors that finds a word. */
+  const kept = new Map();
+  function tolerance(word) {
+    if (!kept.has(word)) kept.set(word, tolerated(word));
+    return kept.get(word);
+  }
+  function tolerated(word) {
+    const there = (prefix, fuzzy) => index.search(word, { prefix, fuzzy }).length > 0;
+    if (there(false, false)) return { fuzzy: false, weights: { fuzzy: 0.25, prefix: 0.15 } };
+    const least = [0, 1, 2].find((n) => n === 0 ? there(true, false) : word.length > [, FEW, FEW + 2][n] && there(false, n));
+    return { fuzzy: least || false, weights: { fuzzy: 0.45, prefix: 0.6 } };
+  }
   const asked = ({ own, others }) => ({
     combineWith: "OR",
-    queries: [{ combineWith: "AND", queries: own }, ...others.map(exactly)],
+    queries: [
+      { combineWith: "AND", queries: own.map((word) => ({ queries: [word], ...tolerance(word) })) },
+      ...others.map(exactly),
+    ],
   });
   const exactly = (queries) => ({
     queries,
@@ -112,28 +133,29 @@
   /* The numbers of the entries that fit a text, the best first. */
   function find(text) {
     prepare();
-    const words = pieces(text).map(stem).filter(Boolean);
+    const all = pieces(text);
+    const large = all.filter((word) => !SMALL.has(word));
+    const words = (large.length ? large : all).map(stem);
     if (!words.length) return [];
     const wanted = meanings(words);
     const whole = same(text);
     const options = {
       tokenize: pieces,
-      combineWith: "OR",
       prefix: (term) => term.length > 1 || words.length === 1,
-      fuzzy: (term) => (term.length > FEW && !/\d/.test(term) ? 0.2 : false),
-      maxFuzzy: 2,
-      weights: { fuzzy: 0.25, prefix: 0.6 },
       boost: { title: 6, text: 2, words: 1 },
       boostDocument: (id) => WEIGHTS[entries[id][0]] || 1,
     };
     /* Its title, or the name of the method without its class. The paper's names come later. */
     const named = ([group, , title]) =>
       group !== "Paper" && [title, title.split("::").pop()].some((name) => same(name) === whole);
-    const found = index.search({ combineWith: "OR", queries: wanted.map(asked) }, options).map((hit) => {
+    /* A name that is written as one word, with an error in it. */
+    const joined = { queries: [whole], prefix: false, boost: { title: 12 }, ...tolerance(whole) };
+    const queries = [...wanted.map(asked), ...(words.length > 1 ? [joined] : [])];
+    const found = index.search({ combineWith: "OR", queries }, options).map((hit) => {
       const terms = new Set(hit.queryTerms);
-      const share = wanted.filter((one) => has(terms, one)).length;
+      const share = terms.has(whole) ? wanted.length : wanted.filter((one) => has(terms, one)).length;
       const score = hit.score * (share / wanted.length) ** 3;
-      return { id: hit.id, terms: hit.terms, score, share, exact: named(entries[hit.id]), of: wanted.length };
+      return { id: hit.id, terms: hit.terms, score, share, exact: named(entries[hit.id]), wanted };
     });
     const most = Math.max(...found.map((hit) => hit.share));
     const best = found.filter((hit) => hit.share === most);
@@ -144,23 +166,30 @@
     );
   }
 
-  /* A question of two words or more that an answer has, unless it is a name. */
-  const answered = (hits) =>
-    !hits.some((hit) => hit.exact) &&
-    hits.some(
-      (hit) => entries[hit.id][0] === ANSWERS && hit.of > 1 && hit.share >= hit.of - (hit.of > 3),
-    );
+  /* Whether a question has the words of the text, of two or more; of many, one may be missing. */
+  function asks({ id, wanted }) {
+    const [group, , title] = entries[id];
+    const terms = pieces(title).map(stem);
+    const said = (word) => terms.some((term) => term.startsWith(word));
+    const found = wanted.filter(({ own, others }) => [own, ...others].some((words) => words.every(said)));
+    const words = wanted.flatMap(({ own }) => own);
+    return group === ANSWERS && words.length > 1 && found.length >= wanted.length - (wanted.length > 3);
+  }
 
   /* The hits in groups: the group of the best hit first. */
   function grouped(text) {
     const groups = new Map();
-    const seen = new Set();
+    const written = new Set();
     const hits = find(text);
-    if (answered(hits)) groups.set(ANSWERS, []);
+    /* A hand-written page is there with its words. */
+    hits.forEach(({ id }) => entries[id][0] === "Explanations" && written.add(entries[id][4]));
+    const isName = hits.some((hit) => hit.exact && NAMES.has(entries[hit.id][0]));
+    const asked = isName ? [] : hits.filter(asks);
+    if (asked.length) groups.set(ANSWERS, asked);
     for (const hit of hits) {
       const [name, , , , address] = entries[hit.id];
-      if (seen.has(address) && name === "Pages") continue; // a written page is there with its words
-      seen.add(address);
+      if (name === "Pages" && written.has(address)) continue;
+      if (asked.length && name === ANSWERS) continue;
       if (!groups.has(name)) groups.set(name, []);
       groups.get(name).push(hit);
     }

@@ -145,15 +145,17 @@ def test_the_search_is_used_from_the_keyboard(server: tuple[str, Path]) -> None:
         "const press = (target, key, more) => target.dispatchEvent(new view.KeyboardEvent("
         "'keydown', {key, bubbles: true, cancelable: true, ...more}));"
         "const inField = () => doc.activeElement === field;"
-        "press(doc.body, '/'); found.push(inField()); field.blur();"
+        "press(doc.body, '/'); found.push(inField());"
         "press(doc.body, 'k', {ctrlKey: true}); found.push(inField());"
-        "field.value = 'read'; field.dispatchEvent(new view.Event('input', {bubbles: true}));"
         "const chosen = () => doc.querySelector('.hits [aria-selected=true]').id;"
         "found.push(chosen()); press(field, 'ArrowDown'); found.push(chosen());"
-        "press(field, 'Escape'); found.push(inField(), hits.hidden); return found;"
+        "found.push(doc.querySelector('.preview .t').textContent !== '');"
+        "press(field, 'Escape'); found.push(inField(), hits.hidden);"
+        "field.dispatchEvent(new view.Event('input')); hits.hidden = false; field.blur();"
+        "found.push(hits.hidden); return found;"
     )
-    seen, _ = look(server, ["modules/RC"], probe)
-    assert seen["modules/RC"] == [True, True, "hit0", "hit1", True, True]
+    seen, _ = look(server, ["modules/RC"], probe, query="?q=read")
+    assert seen["modules/RC"] == [True, True, "hit0", "hit1", True, True, True, True]
 
 
 def test_the_theme_button_changes_the_colours(server: tuple[str, Path]) -> None:
