@@ -34,14 +34,7 @@ NAMED = {
 
 # Pages whose sections repeat what has an entry of its own.
 LISTS = {
-    "answers",
-    "tests",
-    "source",
-    "guide",
-    "interfaces",
-    "inheritances",
-    "datatypes",
-    "trees",
+    *("answers", "tests", "source", "guide", "interfaces", "inheritances", "datatypes", "trees"),
     "structure",
 }
 
@@ -122,14 +115,6 @@ def entries(portal: Portal) -> list[Entry]:
         add(
             "Requirements", "R", requirement.id, requirement.text, links.requirement(requirement.id)
         )
-    seen: set[str] = set()
-    for module in model.modules.values():
-        for method in module.methods:
-            if module.datatype and method.access != "public":
-                continue
-            if method.kind != "constructor" and method.id not in seen:
-                seen.add(method.id)
-                add("Methods", "G", method.id, method.brief, links.method(method.id))
     for test in model.tests.values():
         add("Tests", "T", test.id, test.brief, links.test(test.id))
     for check in portal.checks.values():
@@ -142,7 +127,7 @@ def entries(portal: Portal) -> list[Entry]:
             add("Pages", entry.key, entry.title, group_.title, ROOT + entry.address)
     for question in portal.questions:
         add("Answers", "", question.ask, question.answer, question.address)
-    others = (change_entries, safety_entries, paper_entries, written_entries)
+    others = (method_entries, change_entries, safety_entries, paper_entries, written_entries)
     return [*found, *(entry for make in others for entry in make(portal))]
 
 
@@ -153,6 +138,19 @@ def inventory(found: list[Entry]) -> list[list[str]]:
         for group, _, title, _, address, *_ in found
         if group in NAMED
     ]
+
+
+def method_entries(portal: Portal) -> Iterator[Entry]:
+    """The methods that pages show, each once."""
+    shown = {
+        method.id: method
+        for module in portal.model.modules.values()
+        for method in module.methods
+        if method.kind != "constructor" and not (module.datatype and method.access != "public")
+    }
+    for method in shown.values():
+        address = (portal.links.method(method.id) or "").removeprefix(ROOT)
+        yield "Methods", "G", method.id, plain(method.brief), address
 
 
 def change_entries(portal: Portal) -> Iterator[Entry]:

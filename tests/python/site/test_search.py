@@ -5,18 +5,15 @@ from __future__ import annotations
 import html
 import json
 import re
-import shutil
 import subprocess
 import tomllib
 from pathlib import Path
 
 import pytest
 
+from tests.python.site.browser import BROWSER
 from tests.python.site.content import SITE, content, searched
 
-BROWSER = next(
-    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), ""
-)
 SEARCHES: dict[str, list[str]] = {
     query: [expected] if isinstance(expected, str) else expected
     for query, expected in tomllib.loads(
@@ -31,7 +28,8 @@ SCRIPTS = ("minisearch", "search_index", "search")
 PROBE = """<!doctype html><meta charset="utf-8"><pre id="out"></pre>
 %SCRIPTS%
 <script>
-const shown = (text) => [...PortalSearch.grouped(text).values()].flatMap((hits) => hits.slice(0, %SIZE%));
+const groups = (text) => [...PortalSearch.grouped(text).values()];
+const shown = (text) => groups(text).flatMap((hits) => hits.slice(0, %SIZE%));
 const address = (hit) => PORTAL_SEARCH.entries[hit.id][4];
 const found = %SEARCHES%.map((text) => shown(text).slice(0, %SCREEN%).map(address));
 document.getElementById("out").textContent = JSON.stringify(found);
