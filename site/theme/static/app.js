@@ -42,12 +42,15 @@
   }
   const menu = one(".menu"),
     side = one("#side");
-  if (menu)
-    menu.addEventListener("click", () => {
-      const open = side.classList.toggle("open");
-      menu.setAttribute("aria-expanded", open);
-      if (open) side.focus();
-    });
+  function showMenu(open) {
+    side.classList.toggle("open", open);
+    menu.setAttribute("aria-expanded", open);
+    (open ? side : menu).focus();
+  }
+  menu.addEventListener("click", () => showMenu(!side.classList.contains("open")));
+  side.addEventListener("keydown", (event) => {
+    if (event.key === "Escape" && side.classList.contains("open")) showMenu(false);
+  });
   if (window.matchMedia("(max-width: 820px)").matches)
     all(".calls-list, .trace-list").forEach((list) => {
       list.open = true;
@@ -362,10 +365,65 @@
     ),
   );
 
-  /* what scrolls can be scrolled from the keyboard */
-  all(".prose .highlight, .prose table").forEach((part) => {
-    if (part.scrollWidth > part.clientWidth) part.tabIndex = 0;
+  /* the current page is in sight in the side navigation */
+  const here = one(".side [aria-current]");
+  if (here) side.scrollTop = here.offsetTop - side.clientHeight / 3;
+
+  /* each section has an address of its own, a long page its contents, and code a button to copy it */
+  const heads = all(".main .sec[id] > h2, .prose section[id] > h2, .prose section[id] > h3");
+  heads.forEach((head) => {
+    if (one(".headerlink", head)) return;
+    const link = document.createElement("a");
+    link.className = "headerlink";
+    link.href = "#" + head.parentElement.id;
+    link.textContent = "#";
+    link.setAttribute("aria-label", "Link to this section");
+    head.insertBefore(link, one(".more", head));
   });
+  const titleOf = (head) =>
+    [...head.childNodes]
+      .filter((node) => !(node.classList && node.matches(".headerlink, .more, .key")))
+      .map((node) => node.textContent)
+      .join("")
+      .trim();
+  const CONTENTS = 3; // sections of a page that has contents
+  if (heads.length >= CONTENTS && !one(".home, .vkbar, .rail")) {
+    const list = document.createElement("nav");
+    list.className = "contents";
+    list.setAttribute("aria-label", "On this page");
+    list.innerHTML = `<details><summary>On this page</summary>${heads
+      .map((head) => {
+        const sub = head.tagName === "H3" ? ' class="sub"' : "";
+        return `<a${sub} href="#${head.parentElement.id}">${escape(titleOf(head))}</a>`;
+      })
+      .join("")}</details>`;
+    one(".shell").append(list);
+    one("details", list).open = matchMedia("(min-width: 1241px)").matches;
+  }
+  all(".prose .highlight, .code").forEach((block) => {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = "btn copy";
+    button.textContent = "Copy";
+    button.addEventListener("click", async () => {
+      const lines = all(".cl", block);
+      const text = lines.length
+        ? lines.map((line) => line.textContent.replace(/^\s*\d+/, "")).join("\n")
+        : one("pre", block).textContent;
+      await navigator.clipboard.writeText(text);
+      button.textContent = "Copied";
+    });
+    block.parentElement.style.position = "relative";
+    block.parentElement.append(button);
+  });
+
+  /* what scrolls can be scrolled from the keyboard */
+  const reachable = () =>
+    all(".prose .highlight, .prose table").forEach((part) => {
+      if (part.scrollWidth > part.clientWidth) part.tabIndex = 0;
+    });
+  reachable();
+  addEventListener("resize", reachable);
 
   /* a wide diagram is scrolled to what is marked in it */
   all(".scroll:has(> .located)").forEach((frame) => {
@@ -385,8 +443,10 @@
   addEventListener("hashchange", reveal);
   if (location.hash) reveal();
 
-  /* the section in view, in the bar of a module's page */
-  const links = new Map(all('.vkbar a[href^="#"]').map((link) => [link.hash.slice(1), link]));
+  /* the section in view, in the bar of a module's page and in the contents */
+  const links = new Map(
+    all('.vkbar a[href^="#"], .contents a').map((link) => [link.hash.slice(1), link]),
+  );
   if (links.size) {
     const watcher = new IntersectionObserver(
       (entries) =>
