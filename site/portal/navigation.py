@@ -73,7 +73,9 @@ def is_underline(line: str) -> bool:
 class Navigation:
     """Three groups, as there are three reasons to come here, and the pages that explain."""
 
-    def __init__(self, model: Model, docs: list[Entry], checks: int, faults: int) -> None:
+    def __init__(
+        self, model: Model, docs: list[Entry], checks: int, faults: int, questions: int
+    ) -> None:
         written: dict[str, list[Entry]] = {group: [] for group in DOCS}
         for doc in docs:
             name = doc.id.removeprefix("docs/")
@@ -82,8 +84,12 @@ class Navigation:
         source = Entry("source", "Source", "source/index.html", "S")
         exports = Entry("exports", "Exports", "exports.html")
         live = Entry("run", "Run the robot", "run.html")
+        answers = Entry("answers", "Answers", "answers/index.html", "", questions)
+        answers_ = [answers] if questions else []
         self.groups = [
-            Group("understand", "Understand", [*written["understand"], *understand(model)]),
+            Group(
+                "understand", "Understand", [*answers_, *written["understand"], *understand(model)]
+            ),
             Group("verify", "Verify", [*verify(model, checks, faults), *written["verify"]]),
             Group("build", "Build and use", [live, *written["build"], source, exports]),
         ]

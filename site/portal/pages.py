@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
 from itertools import islice
 from typing import Any
 
+from portal.answers import by_topic
 from portal.bench_page import bench
 from portal.diagrams import DIAGRAMS
 from portal.links import logic_anchor
@@ -18,6 +20,7 @@ from portal.paper_views import change_page, concordance, families, hidden_names
 from portal.portal import Page, Portal
 from portal.requirement_pages import aligned, first_run, requirement_page, requirements
 from portal.safety_pages import cost, goal_page, hazards_page, safety
+from portal.search import entries
 from portal.source_pages import folders, source_page
 from traceability.model.not_shown import by_method, not_shown
 from traceability.model.orphan_methods import methods_without, tests_without
@@ -43,6 +46,9 @@ def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
     for name in portal.navigation.entries:
         if not name.startswith("docs/"):
             yield partial(portal.view, name, view_of(name))
+    for question in portal.questions:
+        values = {"question": question, "titles": page_titles(portal)}
+        yield partial(portal.page, question.page, question.ask, "answers", "answer", **values)
     for change in model.changes.values():
         yield partial(change_page, portal, change)
     if model.safety.goals:
@@ -57,6 +63,12 @@ def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
         yield partial(requirement_page, portal, requirement)
     for check in portal.checks.values():
         yield partial(portal.page, f"checks/{check.id}", check.id, "checks", "check", check=check)
+
+
+@functools.cache
+def page_titles(portal: Portal) -> dict[str, str]:
+    """Address -> the title of the page or of the element that is there."""
+    return {address: title for _, _, title, _, address, *_ in reversed(entries(portal))}
 
 
 def view_of(name: str) -> Callable[[Portal], dict[str, Any]]:
@@ -196,6 +208,7 @@ def structure(portal: Portal) -> dict[str, Any]:
 
 # The pages of the navigation, each with the values that its template needs besides the model.
 VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
+    "answers": lambda portal: {"topics": by_topic(portal.questions)},
     **dict.fromkeys(
         (
             "build_evidence",

@@ -13,6 +13,7 @@ from jinja2 import Environment, FileSystemBytecodeCache, FileSystemLoader, Stric
 from markupsafe import Markup
 
 from portal import diagrams, names
+from portal.answers import questions_of
 from portal.calls import CallGraph
 from portal.glossary_links import GlossaryLinks
 from portal.highlight import Highlighter
@@ -95,7 +96,10 @@ class Portal:
         self.impacts = Impacts(model)
         self.glossary = GlossaryLinks(root)
         self.docs = hand_written(root / "docs")
-        self.navigation = Navigation(model, self.docs, len(self.checks), len(model.faults))
+        self.questions = questions_of(root)
+        self.navigation = Navigation(
+            model, self.docs, len(self.checks), len(model.faults), len(self.questions)
+        )
         self.metrics = metrics(model, report)
         self.designs = [m for m in model.modules.values() if not m.datatype]
         self.diagrams = self._diagrams()

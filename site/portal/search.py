@@ -1,16 +1,18 @@
-"""The search index, the cards of the modules, and the targets of hand-written pages."""
+"""The index of the search, the cards of the modules, and the targets of hand-written pages."""
 
 from __future__ import annotations
 
 import html
 import json
 from collections.abc import Iterator
+from pathlib import Path
 
 from portal.constant_texts import constant_links
 from portal.frame_tables import expanded
 from portal.links import ROOT, paper_anchor
 from portal.module_page import ancestors
 from portal.names import views_of
+from portal.page_words import parts_of
 from portal.portal import SITE, Portal
 from portal.sections import sections_of, terms_of
 from traceability.schema import Module
@@ -30,15 +32,30 @@ NAMED = {
 }
 
 
+# Pages whose sections repeat what has an entry of its own.
+LISTS = {
+    *("answers", "tests", "source", "guide", "interfaces", "inheritances", "datatypes", "trees"),
+    "structure",
+}
+
+
 def script(portal: Portal) -> str:
-    """A script, so that it can be read without a server."""
-    data = {
-        "commit": portal.model.commit,
-        "modules": {m.name: card(portal, m) for m in portal.model.modules.values()},
-        "entries": [list(entry) for entry in entries(portal)],
-        "synonyms": synonyms(),
-    }
-    return f"window.PORTAL = {json.dumps(data, ensure_ascii=False, separators=(',', ':'))};\n"
+    """What each page needs: a script, so that it can be read without a server."""
+    modules = {m.name: card(portal, m) for m in portal.model.modules.values()}
+    return assigned("PORTAL", {"commit": portal.model.commit, "modules": modules})
+
+
+def index_script(portal: Portal, bodies: Path) -> str:
+    """What the search needs; a page reads it when the search is used first."""
+    parts = list(section_entries(portal, bodies))
+    pages = {(group, address) for group, _, _, _, address, *_ in parts if group == "Pages"}
+    found = [one for one in entries(portal) if (one[0], one[4]) not in pages] + parts
+    data = {"entries": [list(entry) for entry in found], "synonyms": synonyms()}
+    return assigned("PORTAL_SEARCH", data)
+
+
+def assigned(name: str, data: object) -> str:
+    return f"window.{name} = {json.dumps(data, ensure_ascii=False, separators=(',', ':'))};\n"
 
 
 def synonyms() -> list[list[str]]:
@@ -98,12 +115,6 @@ def entries(portal: Portal) -> list[Entry]:
         add(
             "Requirements", "R", requirement.id, requirement.text, links.requirement(requirement.id)
         )
-    seen: set[str] = set()
-    for module in model.modules.values():
-        for method in module.methods:
-            if method.access == "public" and method.kind != "constructor" and method.id not in seen:
-                seen.add(method.id)
-                add("Methods", "G", method.id, method.brief, links.method(method.id))
     for test in model.tests.values():
         add("Tests", "T", test.id, test.brief, links.test(test.id))
     for check in portal.checks.values():
@@ -114,7 +125,9 @@ def entries(portal: Portal) -> list[Entry]:
     for group_ in portal.navigation.groups:
         for entry in group_.entries:
             add("Pages", entry.key, entry.title, group_.title, ROOT + entry.address)
-    others = (change_entries, safety_entries, paper_entries, written_entries)
+    for question in portal.questions:
+        add("Answers", "", question.ask, question.answer, question.address)
+    others = (method_entries, change_entries, safety_entries, paper_entries, written_entries)
     return [*found, *(entry for make in others for entry in make(portal))]
 
 
@@ -125,6 +138,19 @@ def inventory(found: list[Entry]) -> list[list[str]]:
         for group, _, title, _, address, *_ in found
         if group in NAMED
     ]
+
+
+def method_entries(portal: Portal) -> Iterator[Entry]:
+    """The methods that pages show, each once."""
+    shown = {
+        method.id: method
+        for module in portal.model.modules.values()
+        for method in module.methods
+        if method.kind != "constructor" and not (module.datatype and method.access != "public")
+    }
+    for method in shown.values():
+        address = (portal.links.method(method.id) or "").removeprefix(ROOT)
+        yield "Methods", "G", method.id, plain(method.brief), address
 
 
 def change_entries(portal: Portal) -> Iterator[Entry]:
@@ -166,6 +192,20 @@ def written_entries(portal: Portal) -> Iterator[Entry]:
             yield "Explanations", "", section.title, doc.title, section.address, text
         for term in terms_of(doc, source):
             yield "Glossary", "", term.title, term.text, term.address
+
+
+def section_entries(portal: Portal, bodies: Path) -> Iterator[Entry]:
+    """The sections of the generated pages of the navigation, with their first words."""
+    for entry in portal.navigation.entries.values():
+        body = bodies / entry.address
+        if entry.id in LISTS or not body.is_file():
+            continue
+        for part in parts_of(body.read_text(encoding="utf-8")):
+            if part.anchor:
+                address = f"{entry.address}#{part.anchor}"
+                yield "Sections", "", part.title, entry.title, address, part.text
+            else:
+                yield "Pages", entry.key, entry.title, part.title, entry.address, part.text
 
 
 def targets(portal: Portal) -> dict[str, dict[str, str]]:

@@ -38,6 +38,7 @@ INCLUDED = (
     (PRODUCTS, "products.inc", product_table),
 )
 FRAME = "frame.txt"  # the part of all pages around their body
+INDEX = "search_index.js"
 BODIES = "_bodies"  # below the pages: those that templates make, without the layout
 UNKNOWN_TO_BREATHE = re.compile(r"\s*<(satisfies|verifies|innerclass)\b.*?</\1>", re.DOTALL)
 
@@ -184,6 +185,7 @@ def run_sphinx(
         app.connect("html-collect-pages", generated.others)
         app.connect("html-page-context", generated.fill)
         app.build()
+    write_changed(site / "_static" / INDEX, search.index_script(portal, pages / BODIES))
     found = collector.findings()
     write_changed(sound, "" if found else docs)
     return found

@@ -3,7 +3,7 @@
   "use strict";
   const one = (selector, root) => (root || document).querySelector(selector);
   const all = (selector, root) => [...(root || document).querySelectorAll(selector)];
-  const data = window.PORTAL || { modules: {}, entries: [], commit: "" };
+  const data = window.PORTAL || { modules: {}, commit: "" };
   const base = document.documentElement.dataset.root || "";
   const escape = (text) =>
     String(text).replace(
@@ -42,12 +42,15 @@
   }
   const menu = one(".menu"),
     side = one("#side");
-  if (menu)
-    menu.addEventListener("click", () => {
-      const open = side.classList.toggle("open");
-      menu.setAttribute("aria-expanded", open);
-      if (open) side.focus();
-    });
+  function showMenu(open) {
+    side.classList.toggle("open", open);
+    menu.setAttribute("aria-expanded", open);
+    (open ? side : menu).focus();
+  }
+  menu.addEventListener("click", () => showMenu(!side.classList.contains("open")));
+  side.addEventListener("keydown", (event) => {
+    if (event.key === "Escape" && side.classList.contains("open")) showMenu(false);
+  });
   if (window.matchMedia("(max-width: 820px)").matches)
     all(".calls-list, .trace-list").forEach((list) => {
       list.open = true;
@@ -103,19 +106,27 @@
       one("#q").focus();
       event.preventDefault();
     }
-    if (event.key === "Escape") hide();
+    if (event.key === "Escape") {
+      const back = hide(); // the focus goes back to the name, and its card stays closed
+      silent = true;
+      if (back) back.focus();
+      silent = false;
+    }
   });
 
   /* card of a module, on hover and focus, and on the first tap */
   let card = null,
     owner = null,
     timer = 0,
-    touched = false;
+    touched = false,
+    silent = false;
   function hide() {
     clearTimeout(timer);
+    const back = card && card.contains(document.activeElement) ? owner : null; // had led there
     if (card) card.remove();
     if (owner) owner.removeAttribute("aria-details");
     card = owner = null;
+    return back;
   }
   function show(link) {
     if (owner === link) return;
@@ -143,7 +154,7 @@
         )
         .join("")}</div>`;
     link.setAttribute("aria-details", "card");
-    link.after(card);
+    document.body.append(card); // not next to the name: the styles of its place are not for a card
     const at = link.getClientRects()[0],
       height = card.offsetHeight;
     const below = at.bottom + height + 12 < innerHeight || at.top < height + 12;
@@ -161,7 +172,7 @@
   });
   document.addEventListener("focusin", (event) => {
     const link = named(event.target);
-    if (link && link.matches(":focus-visible")) show(link);
+    if (link && link.matches(":focus-visible") && !silent) show(link);
     else if (!within(event.target)) hide();
   });
   document.addEventListener("pointerdown", (event) => {
@@ -183,11 +194,28 @@
     { passive: true },
   );
 
-  /* search: the hits of search.js, in groups */
+  /* search: the hits of search.js, in groups, and a preview of the chosen one */
   const input = one("#q"),
-    hits = one("#hits");
-  const GROUP_SIZE = 5; // hits of a group that are shown
-  let chosen = -1;
+    hits = one("#hits"),
+    field = input.parentElement;
+  const GROUP_SIZE = 5; // hits of a group that are shown at first
+  const SCRIPTS = ["minisearch", "search_index", "search"];
+  let chosen = -1,
+    shown = [],
+    loading = null;
+  /* reads the scripts of the search on first use */
+  function load() {
+    const read = (name) =>
+      new Promise((done) => {
+        const script = document.createElement("script");
+        script.async = false;
+        script.src = `${base}_static/${name}.js`;
+        script.addEventListener("load", done);
+        document.head.append(script);
+      });
+    loading = loading || Promise.all(SCRIPTS.map(read));
+    return loading;
+  }
   /* a text with the found words marked */
   function lit(text, words) {
     const sorted = [...words].sort((a, b) => b.length - a.length);
@@ -198,33 +226,51 @@
       .join("");
   }
   /* what a text says around the first of the words that it was found by */
-  function around(text = "", words) {
+  function around(text = "", words, length = 80) {
     const small = text.toLowerCase();
     const i = Math.min(...words.map((word) => small.indexOf(word)).filter((at) => at >= 0));
     if (!Number.isFinite(i)) return "";
-    return `: … ${text.slice(text.lastIndexOf(" ", Math.max(0, i - 20)) + 1, i + 80)} …`;
+    return `… ${text.slice(text.lastIndexOf(" ", Math.max(0, i - 20)) + 1, i + length)} …`;
   }
-  function find(text) {
+  function row(hit, number) {
+    const [, key, title, words, address, more] = PORTAL_SEARCH.entries[hit.id];
+    const letter = /^[A-Z]$/.test(key)
+      ? `<span class="key" aria-hidden="true">${key}</span>`
+      : "<span></span>";
+    const text = lit(`${words} ${around(more, hit.terms)}`, hit.terms);
+    return `<a role="option" tabindex="-1" id="hit${number}" class="${key}" href="${base + address}">${letter}<b>${lit(title, hit.terms)}</b><span class="d">${text}</span></a>`;
+  }
+  /* the group of a hit, its text, the words around those found, and where it is */
+  function preview(hit) {
+    if (hit.group) return "";
+    const [group, , title, words, address, more] = PORTAL_SEARCH.entries[hit.id];
+    const module = data.modules[title];
+    const roles = module ? module.roles.map((role) => `${role[0]} in ${role[1]}`) : [];
+    const texts = [words, around(more, hit.terms, 400), ...roles].filter(Boolean);
+    return `<p class="tag">${group}</p><p class="t">${escape(title)}</p>${texts.map((text) => `<p>${lit(text, hit.terms)}</p>`).join("")}<p class="tag">${escape(address)}</p>`;
+  }
+  async function find(text, whole = "") {
     if (!text.trim()) return close();
-    let out = "",
-      count = 0;
+    await load();
+    if (text !== input.value) return; // typed on meanwhile
+    let list = "";
+    shown = [];
     for (const [group, found] of PortalSearch.grouped(text)) {
-      out += `<div class="g" role="presentation"><span>${group}</span><span>${found.length}</span></div>`;
-      for (const { id, terms } of found.slice(0, GROUP_SIZE)) {
-        const [, key, title, words, address, more] = data.entries[id];
-        const letter = /^[A-Z]$/.test(key)
-          ? `<span class="key" aria-hidden="true">${key}</span>`
-          : "<span></span>";
-        out += `<a role="option" tabindex="-1" id="hit${count++}" class="${key}" href="${base + address}">${letter}<b>${lit(title, terms)}</b><span class="d">${lit(words + around(more, terms), terms)}</span></a>`;
+      const size = group === whole ? found.length : GROUP_SIZE;
+      list += `<div role="group" aria-label="${group}"><div class="g" role="presentation"><span>${group}</span><span>${found.length}</span></div>`;
+      for (const hit of found.slice(0, size)) list += row(hit, shown.push(hit) - 1);
+      if (found.length > size) {
+        const number = shown.push({ group }) - 1;
+        list += `<a role="option" tabindex="-1" id="hit${number}" class="more"><span></span><b>All ${found.length} in ${group}</b></a>`;
       }
+      list += "</div>";
     }
-    hits.innerHTML =
-      (out ||
-        '<div class="g">Nothing has these words. Try a module, a method, a pattern, FR-15.</div>') +
-      '<div class="hint">↑ ↓ choose &ensp; Enter open &ensp; Esc close</div>';
+    const none =
+      '<div class="g">Nothing has these words. Try fewer words, or a name such as MainController or FR-15.</div>';
+    one(".list", hits).innerHTML = list || none;
     hits.hidden = false;
     input.setAttribute("aria-expanded", "true");
-    choose(count ? 0 : -1);
+    choose(shown.length ? 0 : -1);
   }
   function close() {
     hits.hidden = true;
@@ -234,6 +280,7 @@
   }
   function choose(number) {
     chosen = number;
+    one(".preview", hits).innerHTML = number < 0 ? "" : preview(shown[number]);
     all("a", hits).forEach((hit, i) => {
       hit.setAttribute("aria-selected", i === number);
       if (i === number) {
@@ -242,21 +289,32 @@
       }
     });
   }
-  input.addEventListener("focus", () => setTimeout(PortalSearch.prepare));
+  input.addEventListener("focus", load);
   input.addEventListener("input", () => find(input.value));
   input.addEventListener("keydown", (event) => {
-    const count = all("a", hits).length;
-    if (/^Arrow(Up|Down)$/.test(event.key) && count) {
-      choose((chosen + (event.key === "ArrowDown" ? 1 : count - 1)) % count);
+    if (event.key === "ArrowDown" && hits.hidden) find(input.value);
+    else if (/^Arrow(Up|Down)$/.test(event.key) && shown.length) {
+      choose((chosen + (event.key === "ArrowDown" ? 1 : shown.length - 1)) % shown.length);
       event.preventDefault();
-    } else if (event.key === "Enter" && chosen >= 0) location.href = all("a", hits)[chosen].href;
+    } else if (event.key === "Enter" && chosen >= 0) all("a", hits)[chosen].click();
     else if (event.key === "Escape") {
       close(); // the focus stays
       event.preventDefault();
     }
   });
-  document.addEventListener("pointerdown", (event) => {
-    if (!event.target.closest(".search")) close();
+  field.addEventListener("focusout", (event) => {
+    if (!field.contains(event.relatedTarget)) close();
+  });
+  hits.addEventListener("pointerdown", (event) => {
+    if (event.target.closest(".list")) event.preventDefault(); // the field keeps the focus
+  });
+  hits.addEventListener("pointerover", (event) => {
+    const at = all("a", hits).indexOf(event.target.closest("a"));
+    if (at >= 0 && at !== chosen) choose(at);
+  });
+  hits.addEventListener("click", (event) => {
+    const at = all("a", hits).indexOf(event.target.closest("a"));
+    if (at >= 0 && shown[at].group) find(input.value, shown[at].group);
   });
   all("[data-try]").forEach((word) =>
     word.addEventListener("click", () => {
@@ -307,10 +365,65 @@
     ),
   );
 
-  /* what scrolls can be scrolled from the keyboard */
-  all(".prose .highlight, .prose table").forEach((part) => {
-    if (part.scrollWidth > part.clientWidth) part.tabIndex = 0;
+  /* the current page is in sight in the side navigation */
+  const here = one(".side [aria-current]");
+  if (here) side.scrollTop = here.offsetTop - side.clientHeight / 3;
+
+  /* each section has an address of its own, a long page its contents, and code a button to copy it */
+  const heads = all(".main .sec[id] > h2, .prose section[id] > h2, .prose section[id] > h3");
+  heads.forEach((head) => {
+    if (one(".headerlink", head)) return;
+    const link = document.createElement("a");
+    link.className = "headerlink";
+    link.href = "#" + head.parentElement.id;
+    link.textContent = "#";
+    link.setAttribute("aria-label", "Link to this section");
+    head.insertBefore(link, one(".more", head));
   });
+  const titleOf = (head) =>
+    [...head.childNodes]
+      .filter((node) => !(node.classList && node.matches(".headerlink, .more, .key")))
+      .map((node) => node.textContent)
+      .join("")
+      .trim();
+  const CONTENTS = 3; // sections of a page that has contents
+  if (heads.length >= CONTENTS && !one(".home, .vkbar, .rail")) {
+    const list = document.createElement("nav");
+    list.className = "contents";
+    list.setAttribute("aria-label", "On this page");
+    list.innerHTML = `<details><summary>On this page</summary>${heads
+      .map((head) => {
+        const sub = head.tagName === "H3" ? ' class="sub"' : "";
+        return `<a${sub} href="#${head.parentElement.id}">${escape(titleOf(head))}</a>`;
+      })
+      .join("")}</details>`;
+    one(".shell").append(list);
+    one("details", list).open = matchMedia("(min-width: 1241px)").matches;
+  }
+  all(".prose .highlight, .code").forEach((block) => {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = "btn copy";
+    button.textContent = "Copy";
+    button.addEventListener("click", async () => {
+      const lines = all(".cl", block);
+      const text = lines.length
+        ? lines.map((line) => line.textContent.replace(/^\s*\d+/, "")).join("\n")
+        : one("pre", block).textContent;
+      await navigator.clipboard.writeText(text);
+      button.textContent = "Copied";
+    });
+    block.parentElement.style.position = "relative";
+    block.parentElement.append(button);
+  });
+
+  /* what scrolls can be scrolled from the keyboard */
+  const reachable = () =>
+    all(".prose .highlight, .prose table").forEach((part) => {
+      if (part.scrollWidth > part.clientWidth) part.tabIndex = 0;
+    });
+  reachable();
+  addEventListener("resize", reachable);
 
   /* a wide diagram is scrolled to what is marked in it */
   all(".scroll:has(> .located)").forEach((frame) => {
@@ -330,8 +443,10 @@
   addEventListener("hashchange", reveal);
   if (location.hash) reveal();
 
-  /* the section in view, in the bar of a module's page */
-  const links = new Map(all('.vkbar a[href^="#"]').map((link) => [link.hash.slice(1), link]));
+  /* the section in view, in the bar of a module's page and in the contents */
+  const links = new Map(
+    all('.vkbar a[href^="#"], .contents a').map((link) => [link.hash.slice(1), link]),
+  );
   if (links.size) {
     const watcher = new IntersectionObserver(
       (entries) =>

@@ -1,19 +1,23 @@
-/* The search: MiniSearch over the entries that portal.js has. */
+/* The search: MiniSearch over the entries of search_index.js. Both are read on first use. */
 (function () {
   "use strict";
   const SMALL = new Set(
-    ("a an and are as at be by can do does for from has have how i if in into is it its may me must my " +
-      "of on one or out so than that the then there these they this to was what when where which who why " +
-      "will with you").split(" "),
+    ("a about an and any are as at be been by could did do does doing each for from get given gets got had " +
+      "happen happens has have how i if in into is it its kind just look made make many may me much must my need of " +
+      "on one or our out shall should so tell than that the their them then there these they thing this " +
+      "those to was way we were what when where which who whose why will with work works would you your").split(" "),
   );
   /* Of equal hits, the one of the earlier group is first. */
+  const ANSWERS = "Answers";
   const GROUPS = [
     "Modules",
     "Logic modules",
     "Pattern applications",
     "Requirements",
     "Pages",
+    ANSWERS,
     "Explanations",
+    "Sections",
     "Methods",
     "Data types",
     "Safety case",
@@ -24,9 +28,12 @@
     "Tests",
     "Source",
   ];
+  const NAMES = new Set([...GROUPS.slice(0, 4), "Methods", "Data types", "Safety case", "Checks"]);
   const WEIGHTS = {
     Modules: 1.6,
     Pages: 1.5,
+    Answers: 1.1,
+    Sections: 0.7,
     "Logic modules": 1.2,
     Methods: 0.9,
     "Likely changes": 0.5,
@@ -35,6 +42,7 @@
     Tests: 0.35,
     Source: 0.5,
   };
+  const ENOUGH = 8; // hits with all words; with fewer, those that lack one word are shown too
   const FEW = 3; // letters that a word has at least before it may have a typing error
 
   /* WheelController is wheel and controller; FR-15, FR15 and fr 15 are fr and 15. */
@@ -49,15 +57,17 @@
   const same = (text) => pieces(text).join("");
   /* A title is also found by its words written as one: wheelcontroller, quickstart. */
   const indexed = (text, field) =>
-    field === "title" ? [...pieces(text), same(text)] : pieces(text);
-  /* Requirements is requirement; small words are left out. */
+    field === "title"
+      ? [...new Set([...pieces(text), same(text), same(text.split("::").pop())])]
+      : pieces(text);
+  /* Requirements is requirement, verified is verify. */
   function stem(word) {
-    if (SMALL.has(word)) return null;
+    if (word.length > FEW && /ie[ds]$/.test(word)) return `${word.slice(0, -3)}y`;
     return word.length > FEW && /[^su]s$/.test(word) ? word.slice(0, -1) : word;
   }
 
   let index = null;
-  const entries = () => (window.PORTAL ? window.PORTAL.entries : []);
+  const { entries, synonyms } = window.PORTAL_SEARCH;
   function prepare() {
     if (index) return;
     index = new MiniSearch({
@@ -66,61 +76,120 @@
       processTerm: stem,
     });
     index.addAll(
-      entries().map(([, , title, text, , words], id) => ({ id, title, text, words: words || "" })),
+      entries.map(([, , title, text, , words], id) => ({ id, title, text, words: words || "" })),
     );
   }
 
-  /* A word, or one that means the same. */
-  function meaning(word) {
-    const others = ((window.PORTAL || {}).synonyms || [])
-      .filter((group) => group.includes(word))
-      .flatMap((group) => group.filter((other) => other !== word));
-    return { combineWith: "OR", queries: [word, ...others.map(exactly)] };
+  /* The words of a text, those together that have a meaning together (safe state), each with
+     what means the same. Words are lists of their stems. */
+  const groups = synonyms.map((group) =>
+    group.map((words) => pieces(words).filter((word) => !SMALL.has(word)).map(stem)),
+  );
+  const equal = (one, other) => one.join(" ") === other.join(" ");
+  function meanings(words) {
+    const found = [];
+    for (let i = 0; i < words.length; ) {
+      const most = [3, 2, 1].find(
+        (n) =>
+          n === 1 || groups.some((g) => g.some((one) => equal(one, words.slice(i, i + n)) && one.length === n)),
+      );
+      const own = words.slice(i, i + most);
+      const same = groups.filter((group) => group.some((one) => equal(one, own))).flat();
+      found.push({ own, others: same.filter((one) => !equal(one, own)) });
+      i += own.length;
+    }
+    return found;
   }
-  const exactly = (word) => ({
-    queries: pieces(word),
+  /* How a word is looked for: a word that is there needs no tolerance, and hits inside longer
+     words count little then; else the least number of errors that finds a word. */
+  const kept = new Map();
+  function tolerance(word) {
+    if (!kept.has(word)) kept.set(word, tolerated(word));
+    return kept.get(word);
+  }
+  function tolerated(word) {
+    const there = (prefix, fuzzy) => index.search(word, { prefix, fuzzy }).length > 0;
+    if (there(false, false)) return { fuzzy: false, weights: { fuzzy: 0.25, prefix: 0.15 } };
+    const least = [0, 1, 2].find((n) => n === 0 ? there(true, false) : word.length > [, FEW, FEW + 2][n] && there(false, n));
+    return { fuzzy: least || false, weights: { fuzzy: 0.45, prefix: 0.6 } };
+  }
+  const asked = ({ own, others }) => ({
+    combineWith: "OR",
+    queries: [
+      { combineWith: "AND", queries: own.map((word) => ({ queries: [word], ...tolerance(word) })) },
+      ...others.map(exactly),
+    ],
+  });
+  const exactly = (queries) => ({
+    queries,
     combineWith: "AND",
     prefix: false,
     fuzzy: false,
     boost: { title: 5, text: 1, words: 0.3 },
   });
+  const has = (terms, { own, others }) =>
+    [own, ...others].some((words) => words.every((word) => terms.has(word)));
 
   /* The numbers of the entries that fit a text, the best first. */
   function find(text) {
     prepare();
-    const words = pieces(text).filter((word) => !SMALL.has(word));
+    const all = pieces(text);
+    const large = all.filter((word) => !SMALL.has(word));
+    const words = (large.length ? large : all).map(stem);
     if (!words.length) return [];
+    const wanted = meanings(words);
     const whole = same(text);
     const options = {
       tokenize: pieces,
       prefix: (term) => term.length > 1 || words.length === 1,
-      fuzzy: (term) => (term.length > FEW && !/\d/.test(term) ? 0.2 : false),
-      maxFuzzy: 2,
-      weights: { fuzzy: 0.25, prefix: 0.6 },
       boost: { title: 6, text: 2, words: 1 },
-      boostDocument: (id) => WEIGHTS[entries()[id][0]] || 1,
+      boostDocument: (id) => WEIGHTS[entries[id][0]] || 1,
     };
-    const asked = (combineWith) =>
-      index.search({ combineWith, queries: words.map(meaning) }, options);
-    const every = asked("AND");
-    const found = every.length ? every : asked("OR");
-    const place = (id) => GROUPS.indexOf(entries()[id][0]);
     /* Its title, or the name of the method without its class. The paper's names come later. */
     const named = ([group, , title]) =>
       group !== "Paper" && [title, title.split("::").pop()].some((name) => same(name) === whole);
-    return found
-      .map(({ id, score, terms }) => ({ id, terms, score, exact: named(entries()[id]) }))
-      .sort((a, b) => b.exact - a.exact || (a.exact && place(a.id) - place(b.id)) || b.score - a.score);
+    /* A name that is written as one word, with an error in it. */
+    const joined = { queries: [whole], prefix: false, boost: { title: 12 }, ...tolerance(whole) };
+    const queries = [...wanted.map(asked), ...(words.length > 1 ? [joined] : [])];
+    const found = index.search({ combineWith: "OR", queries }, options).map((hit) => {
+      const terms = new Set(hit.queryTerms);
+      const share = terms.has(whole) ? wanted.length : wanted.filter((one) => has(terms, one)).length;
+      const score = hit.score * (share / wanted.length) ** 3;
+      return { id: hit.id, terms: hit.terms, score, share, exact: named(entries[hit.id]), wanted };
+    });
+    const most = Math.max(...found.map((hit) => hit.share));
+    const best = found.filter((hit) => hit.share === most);
+    const left = best.length < ENOUGH ? found.filter((hit) => hit.share >= Math.max(1, most - 1)) : best;
+    const place = (id) => GROUPS.indexOf(entries[id][0]);
+    return left.sort(
+      (a, b) => b.exact - a.exact || (a.exact && place(a.id) - place(b.id)) || b.score - a.score,
+    );
+  }
+
+  /* Whether a question has the words of the text, of two or more; of many, one may be missing. */
+  function asks({ id, wanted }) {
+    const [group, , title] = entries[id];
+    const terms = pieces(title).map(stem);
+    const said = (word) => terms.some((term) => term.startsWith(word));
+    const found = wanted.filter(({ own, others }) => [own, ...others].some((words) => words.every(said)));
+    const words = wanted.flatMap(({ own }) => own);
+    return group === ANSWERS && words.length > 1 && found.length >= wanted.length - (wanted.length > 3);
   }
 
   /* The hits in groups: the group of the best hit first. */
   function grouped(text) {
     const groups = new Map();
-    const seen = new Set();
-    for (const hit of find(text)) {
-      const [name, , , , address] = entries()[hit.id];
-      if (seen.has(address) && name === "Pages") continue; // a written page is there with its words
-      seen.add(address);
+    const written = new Set();
+    const hits = find(text);
+    /* A hand-written page is there with its words. */
+    hits.forEach(({ id }) => entries[id][0] === "Explanations" && written.add(entries[id][4]));
+    const isName = hits.some((hit) => hit.exact && NAMES.has(entries[hit.id][0]));
+    const asked = isName ? [] : hits.filter(asks);
+    if (asked.length) groups.set(ANSWERS, asked);
+    for (const hit of hits) {
+      const [name, , , , address] = entries[hit.id];
+      if (name === "Pages" && written.has(address)) continue;
+      if (asked.length && name === ANSWERS) continue;
       if (!groups.has(name)) groups.set(name, []);
       groups.get(name).push(hit);
     }

@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 
 from portal.navigation import Entry
+from portal.page_words import parts_of
 from portal.search import synonyms
 from portal.sections import terms_of
 
@@ -28,8 +29,18 @@ def test_a_term_of_the_glossary_is_found() -> None:
     assert term.text == "Of a wheel: its driver is off for now."
 
 
-def test_words_that_mean_the_same_are_in_small_letters_and_in_one_line() -> None:
+def test_words_that_mean_the_same_are_in_small_letters() -> None:
     words = [word for group in synonyms() for word in group]
-    assert len(set(words)) == len(words)
     assert all(word == word.lower() for word in words)
-    assert all(len(group) > 1 for group in synonyms())
+    assert all(len(set(group)) == len(group) > 1 for group in synonyms())
+
+
+def test_a_part_of_a_page_has_the_words_below_its_heading() -> None:
+    body = (
+        "<h1>Execution</h1><p class=lead>What runs.</p><section id=stack><h2>Stack</h2><p>Bytes"
+        "<br>used</p></section><section><p>more</p></section>"
+    )
+    assert [(p.anchor, p.title, p.text) for p in parts_of(body)] == [
+        ("", "Execution", "What runs. more"),
+        ("stack", "Stack", "Bytes used"),
+    ]

@@ -125,7 +125,7 @@ def section(address: str) -> str:
 
 def searched() -> list[list[str]]:
     """What the search knows: group, key, title, text and address of each entry, and more words."""
-    script = (SITE / "_static" / "portal.js").read_text(encoding="utf-8")
+    script = (SITE / "_static" / "search_index.js").read_text(encoding="utf-8")
     entries: list[list[str]] = json.loads(script.partition("=")[2].rstrip().rstrip(";"))["entries"]
     return entries
 

@@ -2,17 +2,9 @@
 
 from __future__ import annotations
 
-import functools
-import html
-import json
 import re
-import shutil
-import subprocess
-import threading
 from collections.abc import Iterator
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from typing import Any
 from urllib.parse import quote
 
 import pytest
@@ -20,10 +12,8 @@ import pytest
 from portal import site_build
 from portal.portal import CheckText
 from tests.python.portal.fixture import MODES, REPORT, make_project
+from tests.python.site.browser import BROWSER, look, served
 
-BROWSER = next(
-    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), ""
-)
 PAGES = [
     "index", "structure", "guide", "interfaces", "datatypes", "machines", "uses", "trees", "tests",
     "architecture", "modules/RC", "modules/MainController", "patterns/index",
@@ -38,28 +28,6 @@ pytestmark = [
     pytest.mark.skipif(not BROWSER, reason="there is no browser on this machine"),
 ]
 
-# A page that opens others in a frame, one after the other, and writes down what it sees.
-HARNESS = """<!doctype html><title>probe</title><body><pre id="out"></pre><script>
-const pages = %PAGES%, width = %WIDTH%, seen = {};
-const frame = document.createElement("iframe");
-frame.style.cssText = `width:${width}px;height:900px;border:0`;
-document.body.append(frame);
-function next() {
-  const name = pages.shift();
-  if (!name) { document.getElementById("out").textContent = JSON.stringify(seen); return; }
-  frame.onload = () => setTimeout(() => { seen[name] = probe(frame.contentWindow); next(); }, 30);
-  frame.src = name + ".html%QUERY%";
-}
-function probe(view) { const doc = view.document; %PROBE% }
-next();
-</script>"""
-
-
-class QuietHandler(SimpleHTTPRequestHandler):
-    def log_message(self, *_arguments: Any) -> None:
-        """The tests look at the pages, not at the requests."""
-
-
 @pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Path]]:
     root = tmp_path_factory.mktemp("project")
@@ -71,30 +39,8 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Path
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(site_build, "check_texts", lambda: checks)
         site_build.build_site(root, make_project(root), REPORT)
-    site = root / "build" / "site"
-    handler = functools.partial(QuietHandler, directory=str(site))
-    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as http:
-        threading.Thread(target=http.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{http.server_port}", site
-        http.shutdown()
-
-
-def look(
-    server: tuple[str, Path], pages: list[str], probe: str, *, width: int = 1200, query: str = ""
-) -> tuple[dict[str, Any], list[str]]:
-    """What the probe returns for each page, and the errors on the console."""
-    address, site = server
-    page = HARNESS.replace("%PAGES%", json.dumps(pages)).replace("%WIDTH%", str(width))
-    page = page.replace("%QUERY%", query).replace("%PROBE%", probe)
-    (site / "probe.html").write_text(page, encoding="utf-8")
-    options = ["--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr"]
-    timing = ["--virtual-time-budget=60000", "--dump-dom"]
-    command = [BROWSER, *options, *timing, f"{address}/probe.html"]
-    run = subprocess.run(command, capture_output=True, text=True, timeout=120, check=True)
-    match = re.search(r'<pre id="out">(.*?)</pre>', run.stdout, re.DOTALL)
-    assert match and match[1], f"the probe did not end: {run.stderr[-2000:]}"
-    errors = [line for line in run.stderr.splitlines() if "CONSOLE" in line]
-    return json.loads(html.unescape(match[1])), errors
+    with served(root / "build" / "site") as site:
+        yield site
 
 
 def test_pages_open_without_an_error(server: tuple[str, Path]) -> None:
@@ -145,15 +91,17 @@ def test_the_search_is_used_from_the_keyboard(server: tuple[str, Path]) -> None:
         "const press = (target, key, more) => target.dispatchEvent(new view.KeyboardEvent("
         "'keydown', {key, bubbles: true, cancelable: true, ...more}));"
         "const inField = () => doc.activeElement === field;"
-        "press(doc.body, '/'); found.push(inField()); field.blur();"
+        "press(doc.body, '/'); found.push(inField());"
         "press(doc.body, 'k', {ctrlKey: true}); found.push(inField());"
-        "field.value = 'read'; field.dispatchEvent(new view.Event('input', {bubbles: true}));"
         "const chosen = () => doc.querySelector('.hits [aria-selected=true]').id;"
         "found.push(chosen()); press(field, 'ArrowDown'); found.push(chosen());"
-        "press(field, 'Escape'); found.push(inField(), hits.hidden); return found;"
+        "found.push(doc.querySelector('.preview .t').textContent !== '');"
+        "press(field, 'Escape'); found.push(inField(), hits.hidden);"
+        "field.dispatchEvent(new view.Event('input')); hits.hidden = false; field.blur();"
+        "found.push(hits.hidden); return found;"
     )
-    seen, _ = look(server, ["modules/RC"], probe)
-    assert seen["modules/RC"] == [True, True, "hit0", "hit1", True, True]
+    seen, _ = look(server, ["modules/RC"], probe, query="?q=read")
+    assert seen["modules/RC"] == [True, True, "hit0", "hit1", True, True, True, True]
 
 
 def test_the_theme_button_changes_the_colours(server: tuple[str, Path]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from typing import Any
 
@@ -12,6 +13,7 @@ from tests.python.site.content import FIRST, SITE, clicks, content, section
 FILE = SITE.parents[1] / "design" / "questions.toml"
 QUESTIONS: list[dict[str, Any]] = tomllib.loads(FILE.read_text(encoding="utf-8"))["question"]
 NEAR = 3  # clicks
+NUMBER = re.compile(r"\b\d+\b")
 
 
 def test_there_are_twelve_questions_or_more() -> None:
@@ -26,8 +28,9 @@ def test_links_of_the_content_lead_to_the_answer(question: dict[str, Any]) -> No
         assert address in content(at.partition("#")[0]).links, f"{at} has no link to {address}"
         at = address
     assert len(question["clicks"]) <= NEAR
-    text = section(f"{at}#{question['part']}" if "part" in question else at)
+    text = section(f"{at.partition('#')[0]}#{question['part']}" if "part" in question else at)
     assert [words for words in question["holds"] if words not in text] == []
+    assert [number for number in NUMBER.findall(question["answer"]) if number not in text] == []
 
 
 @pytest.mark.parametrize("question", QUESTIONS, ids=[one["ask"] for one in QUESTIONS])

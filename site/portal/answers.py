@@ -1,0 +1,51 @@
+"""The questions of newcomers, and the page that answers each."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from dataclasses import dataclass, field
+from itertools import groupby
+from pathlib import Path
+
+from portal.links import ROOT
+
+QUESTIONS = Path("design/questions.toml")
+
+
+@dataclass
+class Question:
+    """A question, its answer, and the links of the content that lead to the answer."""
+
+    ask: str
+    answer: str
+    topic: str
+    clicks: list[str]
+    holds: list[str] = field(default_factory=list)
+    part: str = ""
+
+    @property
+    def page(self) -> str:
+        return "answers/" + re.sub(r"[^a-z0-9]+", "-", self.ask.lower()).strip("-")
+
+    @property
+    def address(self) -> str:
+        return f"{ROOT}{self.page}.html"
+
+    @property
+    def steps(self) -> list[str]:
+        """The addresses to open, the last one with the part that has the answer."""
+        last = self.clicks[-1]
+        return [*self.clicks[:-1], f"{last.partition('#')[0]}#{self.part}" if self.part else last]
+
+
+def questions_of(root: Path) -> list[Question]:
+    path = root / QUESTIONS
+    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    return [Question(**entry) for entry in tomllib.loads(text).get("question", [])]
+
+
+def by_topic(questions: list[Question]) -> dict[str, list[Question]]:
+    topics = list(dict.fromkeys(one.topic for one in questions))
+    ordered = sorted(questions, key=lambda one: topics.index(one.topic))
+    return {topic: list(found) for topic, found in groupby(ordered, lambda one: one.topic)}

@@ -1,0 +1,115 @@
+"""The gate of the built pages: accessible, no sideways scroll, no page that a narrow window stretches."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.python.site.browser import BROWSER, Site, look, served
+from tests.python.site.content import SITE
+
+# One page of each kind.
+PAGES = [
+    "index", "answers/index", "answers/is-rc-a-state-or-a-decorator", "architecture", "structure",
+    "patterns/index", "patterns/reading-modes", "machines", "changes", "changes/reading-modes",
+    "secrets", "guide", "interfaces", "inheritances", "products", "datatypes", "uses",
+    "concordance", "usual_design", "execution", "requirements/index", "requirements/FR-15",
+    "safety/index", "safety/SG-2", "safety/hazards", "safety/cost", "trees", "tests", "mutation",
+    "reverse", "closed_loop", "bench", "virtual_k64", "beliefs", "evidence", "checks/index",
+    "checks/drift", "checks/uses-allowed", "docs/quick_start", "docs/protocol", "docs/bring_up",
+    "docs/glossary", "source/index", "source/src/main_control/operation_modes/RC.cpp", "exports",
+    "modules/RC", "modules/MainController",
+]  # fmt: skip
+# Those that axe looks at: each part of a page is on one of them.
+LOOKED_AT = [
+    "index", "answers/index", "answers/is-rc-a-state-or-a-decorator", "architecture", "structure",
+    "patterns/index", "patterns/reading-modes", "machines", "changes/reading-modes", "products",
+    "execution", "requirements/FR-15", "requirements/FR-37", "safety/SG-2", "closed_loop", "bench",
+    "checks/uses-allowed", "docs/quick_start", "docs/bring_up", "modules/RC",
+]  # fmt: skip
+WIDTHS = (320, 390, 600, 768, 821, 900, 1024, 1280, 1920)
+AXE_WIDTHS = (390, 768, 1024, 1440)
+TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
+# What a width or a theme can change; everything else is looked at once.
+BY_LAYOUT = ["color-contrast", "target-size", "scrollable-region-focusable", "link-in-text-block"]
+AXE = "axe.min.js"
+
+MEASURE = """
+const found = {};
+for (const width of %WIDTHS%) {
+  frame.style.width = `${width}px`;
+  found[width] = [doc.documentElement.scrollWidth, doc.documentElement.scrollHeight];
+}
+return found;
+"""
+RUN_AXE = """
+const script = doc.createElement("script");
+script.src = "/probe_axe.js";
+await new Promise((done) => { script.onload = done; doc.head.append(script); });
+const found = [];
+for (const width of %WIDTHS%) for (const theme of ["light", "dark"]) {
+  frame.style.width = `${width}px`;
+  doc.documentElement.dataset.theme = theme;
+  const whole = width === 1440 && theme === "light";
+  const runOnly = whole ? { type: "tag", values: %TAGS% } : { type: "rule", values: %RULES% };
+  const result = await view.axe.run(doc, { runOnly, resultTypes: ["violations"] });
+  for (const one of result.violations)
+    found.push(`${width} ${theme} ${one.id}: ${one.nodes.length} x ${one.nodes[0].target.join(" ")}`);
+}
+return found;
+"""
+
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.skipif(not BROWSER, reason="there is no browser on this machine"),
+]
+
+
+@pytest.fixture(scope="module")
+def site() -> Iterator[Site]:
+    with served(SITE) as found:
+        yield found
+    (SITE / "probe.html").unlink(missing_ok=True)
+
+
+@pytest.fixture(scope="module")
+def sizes(site: Site) -> dict[str, dict[str, list[int]]]:
+    """Page -> width of the window -> width and height of the page."""
+    probe = MEASURE.replace("%WIDTHS%", json.dumps([*WIDTHS, 1440]))
+    seen, _ = look(site, PAGES, probe)
+    return seen
+
+
+def test_no_page_scrolls_sideways(sizes: dict[str, dict[str, list[int]]]) -> None:
+    wide = {
+        f"{page} at {width}": found[str(width)][0] - width
+        for page, found in sizes.items()
+        for width in WIDTHS
+        if found[str(width)][0] > width
+    }
+    assert wide == {}
+
+
+def test_no_page_is_twice_as_tall_in_a_narrower_window(
+    sizes: dict[str, dict[str, list[int]]],
+) -> None:
+    tall = {
+        page: (found["1024"][1], found["1440"][1])
+        for page, found in sizes.items()
+        if found["1024"][1] > 2 * found["1440"][1]
+    }
+    assert tall == {}
+
+
+@pytest.mark.parametrize("half", [0, 1])
+def test_pages_are_accessible(site: Site, half: int) -> None:
+    shutil.copyfile(Path(__file__).with_name(AXE), SITE / "probe_axe.js")
+    probe = RUN_AXE.replace("%WIDTHS%", json.dumps(AXE_WIDTHS))
+    probe = probe.replace("%TAGS%", json.dumps(TAGS)).replace("%RULES%", json.dumps(BY_LAYOUT))
+    seen, _ = look(site, LOOKED_AT[half::2], probe)
+    (SITE / "probe_axe.js").unlink()
+    assert {page: found for page, found in seen.items() if found} == {}
