@@ -173,7 +173,7 @@ class Portal:
 
     @functools.cached_property
     def runs_live(self) -> bool:
-        """Whether the page that runs the robot has what it loads."""
+        """Whether the page that runs the robot has its module and its images."""
         return (self.root / MODULE).exists()
 
     # ---- derived facts --------------------------------------------------------

@@ -32,7 +32,7 @@ NAMED = {
 }
 
 
-# Pages whose sections repeat what has an entry of its own.
+# Pages whose sections repeat texts that have entries of their own.
 LISTS = {
     *("answers", "tests", "source", "guide", "interfaces", "inheritances", "datatypes", "trees"),
     "structure",
@@ -40,13 +40,13 @@ LISTS = {
 
 
 def script(portal: Portal) -> str:
-    """What each page needs: a script, so that it can be read without a server."""
+    """Returns the data of each page: a script, so that it can be read without a server."""
     modules = {m.name: card(portal, m) for m in portal.model.modules.values()}
     return assigned("PORTAL", {"commit": portal.model.commit, "modules": modules})
 
 
 def index_script(portal: Portal, bodies: Path) -> str:
-    """What the search needs; a page reads it when the search is used first."""
+    """Returns the data of the search; a page reads it when the search is used first."""
     parts = list(section_entries(portal, bodies))
     pages = {(group, address) for group, _, _, _, address, *_ in parts if group == "Pages"}
     found = [one for one in entries(portal) if (one[0], one[4]) not in pages] + parts
