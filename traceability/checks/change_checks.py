@@ -1,4 +1,4 @@
-"""pattern-change: the likely changes name what exists."""
+"""pattern-change: the likely changes name existing parts."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         for one in _particular(name, item, model, facts)
     ]
     wrong += [
-        (pattern.place, pattern.name, f"no recipe says what a change of a {pattern.name} takes")
+        (pattern.place, pattern.name, f"there is no recipe for a change of a {pattern.name}")
         for pattern in facts.declared.patterns
         if pattern.name not in texts.recipes
     ]

@@ -1,4 +1,4 @@
-"""exec-*: the contexts are those of the code, and what they share is protected."""
+"""exec-*: the contexts are those of the code, and their shared data is protected."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from traceability.schema import ExecutionContext, Finding, Place
 from traceability.sources import SRC
 
 MASKED = "interrupts masked"  # a protection
-LOCK = "InterruptLock"  # what masks them
+LOCK = "InterruptLock"  # masks the interrupts
 DECLARED = Place("design/execution.toml", 1)
 KINDS = (INTERRUPT, THREAD, START)
 
@@ -194,7 +194,7 @@ def _claims(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _floats(model: Model, facts: Facts) -> list[Finding]:
-    """Floating-point numbers in what an interrupt runs: its registers are not saved for them."""
+    """Finds floating-point numbers in interrupts, which do not save the registers for them."""
     found: dict[Place, Finding] = {}
     for context in model.contexts.values():
         if context.kind != INTERRUPT:
@@ -246,7 +246,7 @@ def _enabled(facts: Facts) -> list[Finding]:
 
 
 def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
-    """What the handlers of products that add to the robot call."""
+    """Returns the calls of the handlers of products with additions."""
     return [
         call.target
         for handler in handlers
@@ -257,12 +257,12 @@ def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
 
 
 def _unprotected(model: Model, facts: Facts) -> list[Finding]:
-    """A member that is not protected as the design says: no atomic, or no lock where it is used."""
+    """Finds members without the declared protection: no atomic, or no lock at a use."""
     contexts = {context.id: context for context in model.contexts.values()}
     found: list[Finding] = []
     for member in model.shared:
         if "atomic" in member.protection and "atomic" not in member.type:
-            text = f"{member.id} is said to be atomic, and is {member.type}"
+            text = f"{member.id} is declared as atomic, and is {member.type}"
             found.append(Finding(member.place, "exec-shared", text, "make it std::atomic"))
         if member.protection != MASKED:
             continue
@@ -285,7 +285,7 @@ def _shared(model: Model, facts: Facts) -> list[Finding]:
             "exec-shared",
             f"{member.id} is changed by {' and '.join(member.writers)}"
             + (f" and read by {' and '.join(member.readers)}" if member.readers else "")
-            + ", and nothing says how it is protected",
+            + ", and no protection is declared",
             "put a Pipe between them, or state the protection in design/execution.toml",
         )
         for member in model.shared

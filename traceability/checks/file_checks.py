@@ -11,7 +11,7 @@ from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place
 from traceability.sources import DESIGN, files_below
 
-# Besides C++: texts on folders, and what the linker and the build of the K64 read.
+# Besides C++: texts on folders, and inputs of the linker and of the build for the K64.
 OTHERS = ("module.dox", "CMakeLists.txt")
 OTHER_ENDINGS = (".ld", ".cmake")
 NAMED = re.compile(r'\s*(<|"[^"]+\.hpp")')  # a header
@@ -56,7 +56,7 @@ def _files(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _is_described(fact: ClassFact, facts: Facts) -> bool:
-    """A module, or a data type that says so."""
+    """Whether it is a module, or a data type with its mark."""
     name = fact.qualified.rsplit("::", maxsplit=1)[-1]
     return bool(facts.comment(fact).of("datatype")) or name in facts.with_file
 

@@ -55,7 +55,7 @@ def _read(file: str) -> _Page:
 
 
 class _Site:
-    """The files below a folder, and what its pages hold."""
+    """The files below a folder, and the targets in its pages."""
 
     def __init__(self, root: Path) -> None:
         self.root = str(root.resolve())
@@ -217,7 +217,7 @@ def missing_commands(root: Path) -> list[Finding]:
                 words = [command, *re.findall(r"--[a-z-]+", options)]
                 for word in [word for word in words if f'"{word}"' not in code + HELP]:
                     place = Place(str(path.relative_to(root)), number)
-                    text, fix = f"./wr has no {word}", "name what ./wr --help lists"
+                    text, fix = f"./wr has no {word}", "name a command that ./wr --help lists"
                     found.append(Finding(place, "link-doc", text, fix))
     return found
 

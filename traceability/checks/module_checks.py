@@ -14,10 +14,10 @@ from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Method, Module, Place, is_extension
 from traceability.sources import DESIGN, SRC
 
-FEWEST_WORDS = 3  # of a sentence that says something
-FEWEST_OF_BRIEF = 2  # what is done, and with what
+FEWEST_WORDS = 3  # of a useful sentence
+FEWEST_OF_BRIEF = 2  # a verb and its object
 NUMBER = re.compile(r"\b(u?int\d+_t|size_t|int|unsigned|short|long|float|double)\b")
-# What a number is: one with a unit, a count or a number of something, bytes, or what a field holds.
+# A number has a unit, or it is a count, a number of an item, bytes, or the value of a field.
 MEANING = re.compile(
     r"\[.+?\]|\bunit\b|\bnumbers?\b|\bbytes?\b|\bfields?\b|\bcount|\bhow many\b|\bsteps?\b"
     r"|\bfactor\b|\braw\b|\bcheck sum\b|\bits value\b|\bidentif",
@@ -56,7 +56,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 def _unused(model: Model, facts: Facts) -> list[Finding]:
     """Modules that no composition leads to, by the names in the code and by bases."""
-    named: dict[str, set[str]] = {}  # module, or "" for a composition -> what its code names
+    named: dict[str, set[str]] = {}  # module, or "" for a composition -> names in its code
     for name in facts.syntax.names:
         user = facts.user(name.by, name.place)
         owner = user if user in model.modules else ""
@@ -146,7 +146,7 @@ def _written(model: Model, facts: Facts) -> list[Finding]:
         Finding(
             module.place,
             "module-count",
-            f"{module.name} says @datatype, and is a module of {module.logic} in the design",
+            f"{module.name} has the mark @datatype, and is a module of {module.logic} in the design",
             "remove the mark, or correct the design",
         )
         for module in model.modules.values()
@@ -173,7 +173,7 @@ def _function(module: Module, comment: Comment, functions: dict[str, str]) -> li
     else:
         functions[words_of(module.function)] = module.name
         return []
-    fix = "say above the class what this module alone is for, once"
+    fix = "write above the class the purpose of this module alone, once"
     return [Finding(module.place, "module-function", wrong, fix)]
 
 
@@ -188,7 +188,7 @@ def words_of(text: str) -> str:
 
 
 def _nested(facts: Facts) -> list[Finding]:
-    """A class that a module lets others use says what it is."""
+    """Finds public classes of a module without a brief."""
     nested = [
         fact
         for fact in facts.syntax.classes
@@ -199,7 +199,7 @@ def _nested(facts: Facts) -> list[Finding]:
             fact.place,
             "module-spec",
             f"{fact.name} is public, and has no @brief",
-            "make it private, or say above it what it is",
+            "make it private, or write a brief above it",
         )
         for fact in nested
         if not facts.comment(fact).brief
@@ -207,9 +207,9 @@ def _nested(facts: Facts) -> list[Finding]:
 
 
 def _silent(facts: Facts, known: list[Finding]) -> Iterator[Finding]:
-    """What a header lets others use says what it is. The manual defines the registers."""
+    """Finds public parts of a header without a brief. The manual defines the registers."""
     seen = {(one.place.file, one.place.line) for one in known if one.check == "module-spec"}
-    fix = "make it private, or say next to it what it is"
+    fix = "make it private, or write a brief next to it"
     for one in facts.syntax.silent:
         place = one.place
         if (place.file, place.line) in seen or place.file == REGISTERS:
@@ -225,7 +225,7 @@ def _silent(facts: Facts, known: list[Finding]) -> Iterator[Finding]:
 
 
 def _units(model: Model, facts: Facts) -> list[Finding]:
-    """A text that says a unit says that of the type."""
+    """Finds a unit in a text that differs from that of the type."""
     told: list[tuple[Place, str, str, str]] = []  # place, name, type, text
     for module in model.modules.values():
         for method in module.methods:
@@ -245,7 +245,7 @@ def _units(model: Model, facts: Facts) -> list[Finding]:
         said = UNITS.findall(text)
         unit = UNITS.findall(unit_text(kind, model)) if said else []
         if unit and unit[0].split(" since ")[0] not in said:
-            wrong = f"[{said[0]}] is said to be the unit of {name}, and its type has [{unit[0]}]"
+            wrong = f"the text of {name} has the unit [{said[0]}], and its type has [{unit[0]}]"
             found.append(Finding(place, "module-spec", wrong, "write the unit of the type"))
     return found
 
@@ -275,7 +275,7 @@ def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> list[F
             Finding(
                 module.place,
                 "module-secret",
-                f"the secret of {module.name} is what it says of itself to everybody",
+                f"the secret of {module.name} is the same as its public texts",
                 "state the one likely change that it hides",
             )
         )
@@ -285,7 +285,7 @@ def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> list[F
                 module.place,
                 "module-secret",
                 f"{module.name} states the same secret as {secrets[words_of(module.secret)]}",
-                "state what this module alone hides",
+                "state the likely change that this module alone hides",
             )
         )
     else:
@@ -353,7 +353,7 @@ def _folders(model: Model, facts: Facts) -> list[Finding]:
             texts = {"@brief": logic.brief, "@function": logic.function, "@secret": logic.secret}
             missing = [name for name, text in texts.items() if not text]
             if not missing and not says(logic.secret):
-                missing = ["@secret that says something"]
+                missing = ["@secret with a text of its own"]
             secret = words_of(logic.secret)
             if not missing and secret in (words_of(logic.function), words_of(logic.brief)):
                 missing = ["@secret besides its public description"]

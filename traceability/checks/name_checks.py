@@ -1,4 +1,4 @@
-"""doc-name: what a text names by its name in the code exists.
+"""doc-name: names of the code in texts exist.
 
 A text is a comment of the code, a literal of a page of docs/, or a text of design/.
 """
@@ -16,7 +16,7 @@ from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place
 from traceability.sources import DESIGN, files_below
 
-# In a comment only what cannot be a word of the language: HallCount, Wheel::stop, kPeriod, read().
+# In a comment only names that are no English words: HallCount, Wheel::stop, kPeriod, read().
 IN_COMMENT = re.compile(
     r"`([A-Za-z_]\w*(?:::\w+)*)`|\b([A-Z]\w*(?:::\w+)+|[A-Z][a-z]+(?:[A-Z][a-z0-9]+)+"
     r"|k[A-Z][a-z]{2,}\w*|[a-z]\w*(?=\(\)))"
@@ -50,7 +50,7 @@ class Words:
         return member in self.members(owner)
 
     def members(self, owner: str) -> set[str]:
-        """What a class has, inherits or holds."""
+        """Returns the own, inherited and nested names of a class."""
         fact = self.facts.classes.get(owner)
         if fact is None:
             return set()

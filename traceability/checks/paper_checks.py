@@ -13,7 +13,7 @@ from traceability.schema import Finding, PaperElement
 
 EXACT = ("module", "method", "state", "application")  # kinds whose names are those of the code
 COUNT, CONSTANT = "figure-of-design", "constant"
-PAGES = ("view", "docs")  # what only the built site can show
+PAGES = ("view", "docs")  # only in the built site
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
@@ -25,18 +25,18 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _statements(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Each statement is of a place of the paper, and what answers it exists."""
+    """Finds statements without a place in the paper, or whose answer does not exist."""
     places = {place.id for place in model.paper_places}
     for statement in model.statements:
         texts = [
-            (f"what is said to answer it, {target}, does not exist", target)
+            (f"its answer {target} does not exist", target)
             for target in statement.here
             if not exists(target, model, facts)
         ]
         if statement.where not in places:
             texts.append((f"the paper has no place {statement.where}", "place"))
         if not statement.here and not statement.deviation:
-            texts.append(("nothing answers it, and no deviation says why", "says"))
+            texts.append(("it has neither an answer nor a deviation", "says"))
         for text, word in texts:
             line = facts.declared.entries.line_in(statement.place, word)
             yield Finding(line, "paper-statement", text, "correct the entry")
@@ -84,7 +84,7 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
             entry.place,
             "paper-complete",
             f"no entry shows where the {entry.kind} {entry.name} is here",
-            "name what is in its place, or say with deviation why nothing does",
+            "name the part that replaces it, or write a deviation with the reason",
         )
         for entry in model.paper
         if not entry.here and not entry.deviation
@@ -113,8 +113,8 @@ def _stale(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
         Finding(
             facts.declared.entries.line_in(entry.place, target),
             "paper-stale",
-            f"the paper's {entry.kind} {entry.name} is said to be {target}, which does not exist",
-            "name what is in its place now",
+            f"the paper's {entry.kind} {entry.name} is linked to {target}, which does not exist",
+            "name the part that replaced it",
         )
         for target in entry.here
         if not exists(target, model, facts)
@@ -122,7 +122,7 @@ def _stale(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
 
 
 def exists(target: str, model: Model, facts: Facts) -> bool:
-    """Whether what an entry names is in the model. Generated pages are looked up in the site."""
+    """Whether the model contains the part of an entry. The site contains the generated pages."""
     kind, _, name = target.partition(":")
     if kind == "method":
         owner, _, method = name.partition("::")
@@ -157,16 +157,16 @@ def _alias(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
         )
         return [Finding(entry.place, "paper-alias", text, "remove the alias")]
     if not same and not entry.alias:
-        text = f"the paper's {entry.name} is {' and '.join(entry.here)} here, and no alias says why"
+        text = f"the paper's {entry.name} is {' and '.join(entry.here)} here, without an alias"
         return [Finding(entry.place, "paper-alias", text, "say why, or use the paper's name")]
     if entry.alias and entry.kind == "module" and entry.name in facts.classes:
-        text = f"the code has a class {entry.name}, but the entry says that it has another name"
+        text = f"the code has a class {entry.name}, but the entry has another name for it"
         return [Finding(entry.place, "paper-alias", text, "name that class, and remove the alias")]
     return []
 
 
 def _figure(entry: PaperElement, facts: Facts) -> list[Finding]:
-    """A count of the design is that of the model, and the figure of a constant that of the code."""
+    """Compares counts of the design with the model, and values of constants with the code."""
     said = re.search(r"\d+", entry.name if entry.kind == COUNT else entry.note)
     if said is None or entry.kind not in (COUNT, CONSTANT):
         return []
@@ -178,9 +178,9 @@ def _figure(entry: PaperElement, facts: Facts) -> list[Finding]:
         true = {figure for method in methods for figure in _returned(method, facts)}
     if not true or said[0] in true:
         return []
-    text = f"the figure {said[0]} of {entry.name} is {' or '.join(sorted(true, key=int))} here"
+    text = f"the number {said[0]} of {entry.name} is {' or '.join(sorted(true, key=int))} here"
     place = facts.declared.entries.line_in(entry.place, "name" if entry.kind == COUNT else "note")
-    return [Finding(place, "paper-stale", text, "correct the figure, or the design")]
+    return [Finding(place, "paper-stale", text, "correct the number, or the design")]
 
 
 def _returned(method: str, facts: Facts) -> list[str]:
@@ -214,7 +214,7 @@ def check_pages(model: Model, facts: Facts, site: Path) -> list[Finding]:
         Finding(
             facts.declared.entries.line_in(place, target),
             check,
-            f"{what} is said to be on {target}, which is no page",
+            f"{what} is linked to {target}, which is no page",
             "name the page that shows it",
         )
         for place, target, check, what in named

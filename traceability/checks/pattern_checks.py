@@ -89,9 +89,7 @@ def _roles(model: Model, facts: Facts) -> list[Finding]:
         for binding in module.roles:
             problem = _role_problem(binding, model, facts)
             if problem is None and (binding.application, binding.role) in seen:
-                again = (
-                    f"{module.name} says twice that it is {binding.role} in {binding.application}"
-                )
+                again = f"{module.name} has two tags for {binding.role} in {binding.application}"
                 problem = again, "leave one of the two"
             seen.add((binding.application, binding.role))
             if problem:
@@ -176,10 +174,10 @@ def _undecided(facts: Facts) -> list[Finding]:
 
 
 def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, str]]:
-    """What is wrong with a clause, the word in question, and its fix."""
+    """Yields the faults of a clause: text, word and fix."""
     found: list[tuple[str, str, str]] = []
     if clause.id not in CLAUSES:
-        fix = "correct the id, or write what decides it in traceability/checks/pattern_clauses.py"
+        fix = "correct the id, or write its function in traceability/checks/pattern_clauses.py"
         found.append((f"nothing decides the clause {clause.id}", clause.id, fix))
     if not clause.id.startswith(f"pattern-{clause.pattern.split()[0].lower()}-"):
         text = f"{clause.id} is no clause of the pattern {clause.pattern}"
@@ -238,7 +236,7 @@ def _required(facts: Facts) -> list[Finding]:
 
 
 def _roles_of(item: KnownApplication, roles: list[str]) -> list[tuple[str, str]]:
-    """What is wrong with the roles that an application binds, and the word in question."""
+    """Yields the faults of the roles of an application, and the word of each."""
     unbound = [
         (f"{item.id} binds nothing to the role {role}", "roles")
         for role in roles
@@ -301,8 +299,8 @@ def _heirs(model: Model, facts: Facts) -> list[Finding]:
 def _plays_heir(heir: str, binding: RoleBinding, model: Model, facts: Facts) -> bool:
     """Whether a subclass has a role that derives, in this application or one that answers for it.
 
-    The subclasses of a Command or a Builder have one application each. What extends a component,
-    or is extended, need not be one of the alternatives as well.
+    The subclasses of a Command or a Builder have one application each. A decorator of a component,
+    or a decorated one, need not be one of the alternatives as well.
     """
     module = model.modules.get(heir)
     for role in module.roles if module else []:
@@ -340,7 +338,7 @@ def _clauses(
 
 
 def _about(application: PatternApplication, clause: ClauseText, model: Model) -> list[Place]:
-    """Where the modules stand that a clause speaks of."""
+    """Returns the places of the modules of a clause."""
     return [
         model.modules[binding.module].place
         for binding in application.roles

@@ -30,7 +30,7 @@ class Shape:
 
     @property
     def declared_at(self) -> Place:
-        """Where the design says which operations are replaced."""
+        """Returns the place in the design with the replaced operations."""
         known = self.facts.declared.applications.get(self.application.id)
         place = known.place if known else self.application.place
         return self.facts.declared.entries.line_in(place, "replaces")
@@ -113,7 +113,7 @@ class Shape:
                 yield call.target, call.place
 
     def calls_from(self, method: str, module: str) -> set[str]:
-        """What a method of a class calls, itself or through methods and functions of the class."""
+        """Returns the calls of a method, also through methods and functions of its class."""
         own = {body.id: body for body in self.bodies(module)}
         work, seen = [method], {method}
         found: set[str] = set()
@@ -198,7 +198,7 @@ def state_unasked(shape: Shape, enumerations: set[str]) -> Broken:
 
 
 def called(role: str) -> Callable[[Shape], Broken]:
-    """Each Context calls the abstraction, itself or through what it inherits."""
+    """Each Context calls the abstraction, itself or through an inherited method."""
 
     def clause(shape: Shape) -> Broken:
         for base in shape.playing(role):
@@ -260,11 +260,11 @@ def decorator_holds(shape: Shape) -> Broken:
     for decorator in shape.playing("Decorator"):
         for component in shape.playing("Component"):
             if not shape.holds(decorator, component):
-                yield shape.place(decorator), f"{decorator} holds no {component}"
+                yield shape.place(decorator), f"{decorator} has no member of type {component}"
 
 
 def on_wrapped(call: CallFact, decorators: set[str]) -> bool:
-    """Whether a call goes to what the Decorator holds: no other member is the component."""
+    """Whether a call goes to the component of the Decorator: no other member is one."""
     return all(one.startswith("this ") or owner_of(one.split()[1]) in decorators for one in call.on)
 
 
@@ -308,7 +308,7 @@ def decorator_forwards(shape: Shape) -> Broken:
         if not extending and module not in decorators:
             yield shape.place(module), f"{module} extends no operation"
     for name in sorted(set(shape.replaced) - replaced):
-        yield shape.declared_at, f"no decorator replaces {name}, as the design says"
+        yield shape.declared_at, f"no decorator replaces {name}, unlike in the design"
 
 
 def primitives_called(shape: Shape, module: str) -> dict[str, set[str]]:
@@ -439,7 +439,7 @@ def command_client(shape: Shape) -> Broken:
 
 
 def makers(shape: Shape, product: str) -> Iterator[tuple[Place, str]]:
-    """Where an object of a class is made, and what makes it; "" is a function of a composition."""
+    """Yields the places where an object of a class is made, and the maker; "" is a composition."""
     for fact in shape.facts.syntax.names:
         if fact.how == "construct" and fact.target == product:
             yield fact.place, shape.facts.user(fact.by, fact.place)
@@ -469,7 +469,7 @@ def passes_steps_on(shape: Shape, builder: str) -> bool:
 
 
 def builder_parts(shape: Shape) -> Broken:
-    """What builders alone make, nothing else makes."""
+    """Only builders make the parts of builders."""
     builders = shape.playing("Concrete Builder")
     for part in sorted(parts_of(shape, builders)):
         for place, maker in makers(shape, part):
@@ -490,7 +490,7 @@ def parts_of(shape: Shape, builders: list[str]) -> set[str]:
 
 
 def builder_director(shape: Shape) -> Broken:
-    """The Director calls the Builder, and nothing of what is built, here or elsewhere."""
+    """The Director calls the Builder, and no built part, here or elsewhere."""
     builders = shape.playing("Builder")
     products = shape.playing("Product")
     concrete = shape.playing("Concrete Builder")
@@ -511,7 +511,7 @@ def builder_director(shape: Shape) -> Broken:
 
 
 def unknown_to(shape: Shape, director: str) -> list[str]:
-    """What builders make, and who builds: all but Builders, and what the Director makes itself."""
+    """Returns the parts of builders, without Builders and the parts of the Director itself."""
     known = shape.facts.declared.applications.values()
     bound = [item.roles for item in known if item.pattern == shape.application.pattern]
     bound.append({role: shape.playing(role) for role in ("Builder", "Concrete Builder", "Product")})

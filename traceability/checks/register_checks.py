@@ -20,7 +20,7 @@ PERIPHERALS = 0x4000_0000  # where the addresses of the registers begin
 CORE = 0xE000_0000  # where the addresses of the core begin
 OWNERS = "design/register_owners.toml"
 START_UP = "/start_up/"  # before it, and after it, there is no driver
-MEMORY = re.compile(r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]')  # what reads or writes
+MEMORY = re.compile(r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]')  # reads or writes memory
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
@@ -176,7 +176,7 @@ def _page(address: int) -> int:
 
 
 def _borrowed(facts: Facts) -> list[Finding]:
-    """A block of the table that gives what another block holds."""
+    """Finds a block of the table that contains the address of another block."""
     own: dict[int, str] = {}
     path = facts.root / REGISTERS
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
@@ -186,7 +186,7 @@ def _borrowed(facts: Facts) -> list[Finding]:
     return [
         _finding(
             fact.place,
-            f"the block {own[fact.place.line]} names what belongs to {fact.block}",
+            f"the block {own[fact.place.line]} names a register of {fact.block}",
             "let the owner of that block use it",
         )
         for fact in facts.syntax.blocks
@@ -212,7 +212,7 @@ def _given(facts: Facts) -> list[Finding]:
             if body.place.file == REGISTER or (own and not _is_open(body, word, facts)):
                 continue
             text = f"{function} {'gives' if word == 'result' else 'is handed'} a register"
-            fix = "let the owner read or write it, and give what it means"
+            fix = "let the owner read or write it, and return the meaning of its value"
             found[body.place.file, body.place.line] = _finding(body.place, text, fix)
     for fact in facts.syntax.classes:
         for field in fact.fields:
@@ -228,7 +228,7 @@ def _module_of(file: str) -> str:
 
 
 def _is_open(body: BodyFact, word: str, facts: Facts) -> bool:
-    """Whether other modules can call a function for what it gives."""
+    """Whether other modules can call a function for its result."""
     if word == "param" or body.local:
         return False
     methods = facts.classes[body.owner].methods if body.owner in facts.classes else []

@@ -1,4 +1,4 @@
-"""Every check: what holds when it is silent, what it cannot see, and how to fix a finding."""
+"""Every check: its rule, its limits, and the fix of a finding."""
 
 from __future__ import annotations
 
@@ -20,46 +20,45 @@ class Check:
 
     @property
     def why(self) -> str:
-        """What the family of the check is for."""
+        """Returns the purpose of the family of the check."""
         return WHY[self.id.split("-", maxsplit=1)[0]]
 
     @property
     def text(self) -> str:
         """The whole description, as plain text."""
-        return f"{self.holds} What it cannot see: {self.blind} To fix a finding: {self.fix}"
+        return f"{self.holds} Its limits: {self.blind} To fix a finding: {self.fix}"
 
 
 # The first word of an id names its family.
 WHY = {
     "syntax": "All other checks read the syntax tree: they need one without errors.",
-    "design": "What design/ declares is compared with the code: what cannot be read is compared "
-    "with nothing.",
-    "doc": "Every document is made from these texts: what is missing or wrong here is so there.",
-    "module": "A module that is small, has a place of its own and says what it does can be found, "
+    "design": "The checks compare design/ with the code, and they cannot compare an unreadable file.",
+    "doc": "Every document is made from these texts: a mistake here is a mistake there.",
+    "module": "A module that is small, has a place of its own and a specification can be found, "
     "understood and replaced without reading the others.",
-    "secret": "A change stays in one module only as long as no other one depends on what it hides.",
+    "secret": "A change stays in one module only as long as no other one uses the hidden names.",
     "pattern": "A pattern absorbs the changes it was chosen for only as long as the code keeps its "
     "shape; each clause is a part of that shape.",
-    "change": "Who changes a value must see which other values were chosen for it.",
-    "uses": "What a module may use decides what it can be reused without, and what a change of "
-    "another one can break.",
+    "change": "A change of a value must show the other values that were chosen for it.",
+    "uses": "The allowed uses of a module decide which modules come with it when it is reused, and "
+    "which changes can break it.",
     "board": "The virtual K64 replaces the hardware: a mistake that it does not find reaches the "
     "robot.",
-    "tree": "A tree shows how the code fulfils a requirement: it must be what the code can do, and "
-    "what it did.",
-    "fsm": "A state machine is read instead of the code of its states: both must say the same.",
-    "exec": "What runs at different priorities shares data: a call in the wrong place shows only "
-    "once in a thousand cycles.",
-    "stack": "The threads and interrupts share one stack: it must hold the worst moment, which no "
-    "test may ever meet.",
-    "req": "A requirement counts as fulfilled only when code, tests and results say so.",
+    "tree": "A tree shows how the code fulfils a requirement: it must be possible "
+    "in the code, and occur in a run.",
+    "fsm": "A state machine is read instead of the code of its states: both must be equal.",
+    "exec": "Contexts of different priorities share data: a call in the wrong place causes a fault "
+    "only once in a thousand cycles.",
+    "stack": "The threads and interrupts share one stack: it must be large enough for the worst "
+    "moment, which may occur in no test.",
+    "req": "A requirement counts as fulfilled only when code, tests and results show it.",
     "suspect": "A verdict holds for the texts that it was given for: the baseline shows which of "
     "them changed.",
     "hazard": "The safety case argues from each hazard to tests that ran: a link that is missing "
     "breaks the argument without anybody noticing.",
-    "paper": "The paper is the reference of the design: what it names must be found here, or the "
-    "difference must be stated.",
-    "arch": "The architecture is the first picture that a newcomer sees: it shows what is there.",
+    "paper": "The paper is the reference of the design: its names must be here, or the difference "
+    "must be stated.",
+    "arch": "The architecture is the first picture that a newcomer sees: it must match the code.",
     "link": "A reader who follows a link is to arrive.",
 }
 
@@ -71,7 +70,7 @@ _FIXED = [
         "Code without errors",
         "The syntax tree of every file below src and extensions has no error.",
         "an error that only another compiler or another target reports.",
-        "correct the code as the message says.",
+        "correct the code as in the message.",
     ),
     Check(
         "doc-warning",
@@ -79,11 +78,11 @@ _FIXED = [
         "Doxygen and Sphinx read every comment and page without a warning: each @param names a "
         "parameter, each tag is one of this project, each link has a target.",
         _TEXT_BLIND,
-        "correct the comment or the page as the message says.",
+        "correct the comment or the page as in the message.",
     ),
     Check(
         "doc-name",
-        "What a text names exists",
+        "Names in texts exist",
         "Each class, method, function, constant or value that a comment of the code, a literal of "
         "a page of docs/ or a text of design/ names is one of the code, or of the paper. In "
         "design/concordance.toml `paper-stale` finds it, in design/changes.toml `pattern-change`.",
@@ -95,9 +94,9 @@ _FIXED = [
         "design-entry",
         "The files of the design can be read",
         "Every file of design/ is there and is TOML; each entry has the keys that it needs and no "
-        "others, and no needed text is empty; what has a name of its own has one entry; each "
+        "others, and no needed text is empty; each name has one entry; each "
         "baseline and each review has a date.",
-        "whether what an entry says is true; the other checks compare it with the code. As long as "
+        "whether an entry is true; the other checks compare it with the code. As long as "
         "a file cannot be read, they wait.",
         "correct the line, or the name of the key.",
     ),
@@ -129,20 +128,20 @@ _FIXED = [
         "Each design module has one secret of its own",
         "The comment above every design module has exactly one @secret, which is not its function, "
         "and no two modules state the same.",
-        "whether the code hides what the secret names.",
+        "whether the code hides the subject of the secret.",
         "state above the class the one likely change that the module hides.",
     ),
     Check(
         "module-spec",
         "Each public method has a specification",
         "Every public method of a design module has a brief, a text for each parameter and one for "
-        "its result, and says with @isr whether an interrupt may call it; its own or inherited "
-        "from the method that it overrides. A plain number says its unit or what it counts, a "
-        "parameter with a unit says it, and a unit that is said is that of the type. Whatever else "
-        "a header lets others use has a brief: classes, types, functions, members, constants, "
-        "friends, and the values of an enumeration when one of them has.",
+        "its result, and @isr for calls from interrupts; its own or inherited "
+        "from the method that it overrides. The text of a plain number has its unit or the counted "
+        "items, the text of a parameter with a unit has the unit, and each unit is that of the "
+        "type. Every other public part of a header has a brief: classes, types, "
+        "functions, members, constants, friends, and the values of an enumeration when one of them has.",
         _TEXT_BLIND,
-        "write what is missing above the declaration.",
+        "complete the comment above the declaration.",
     ),
     Check(
         "module-name",
@@ -171,7 +170,7 @@ _FIXED = [
         "module-data",
         "A data type has no behaviour",
         "No method of a data type has a condition, a switch or a loop.",
-        "a computation without them; what a free function does with the data.",
+        "a computation without them; the work of a free function on the data.",
         "move the behaviour into a module.",
     ),
     Check(
@@ -190,16 +189,16 @@ _FIXED = [
         "A constant whose name or comment speaks of control cycles or of ticks is computed from "
         "SystemConstants, or design/tuned.toml declares that it is tuned to it. The page of the "
         "change lists both.",
-        "a value that depends on another constant, when neither name nor comment says so.",
+        "a value that depends on another constant, when neither name nor comment shows it.",
         "compute the value from the constant, or add it to design/tuned.toml.",
     ),
     Check(
         "pattern-change",
-        "Likely changes name what exists",
+        "Likely changes name existing parts",
         "Every pattern has a recipe in design/changes.toml, which names roles of the pattern: the "
-        "subclasses that it adds or alters, and what they derive from. What is particular to an "
-        "application names one that exists, and modules that exist: those with a role in it, and "
-        "examples of an extension. What a step names in backticks exists.",
+        "subclasses that it adds or alters, and their base classes. An entry for one application "
+        "names an existing one, and existing modules: those with a role in it, and "
+        "examples of an extension. Each name in backticks in a step exists.",
         "whether the steps are enough; the extensions show that for some.",
         "correct the name.",
     ),
@@ -253,31 +252,31 @@ _FIXED = [
     ),
     Check(
         "uses-extension",
-        "Nothing knows an extension",
+        "Nothing depends on an extension",
         "No file of src includes or calls one of extensions, so a product can leave it out; nor "
         "does it have a number that an extension adds to an enumeration. An extension uses another "
         "one only where design/uses.toml gives the reason.",
-        "what the linker puts into the image of a product; the tests of the products look there.",
+        "the parts that the linker adds to the image of a product; tests of products check them.",
         "remove the include or the call: a composition of the extension binds it to the robot.",
     ),
     Check(
         "uses-board",
-        "Drivers and virtual board do not know each other",
+        "Drivers and virtual board are independent",
         "No file of sim/ or tests/ includes one that is for the K64 only, and no file of "
         "sim/emulator one of the design: a driver and its model share no mistake. The programs of "
         "tests/k64/program and tests/usual_design/k64 are compositions of drivers, which run on "
-        "the virtual K64 itself. In src, `uses-allowed` shows who uses src/k64.",
+        "the virtual K64 itself. In src, `uses-allowed` shows the users of src/k64.",
         "the same number, written down wrongly twice.",
-        "write what the file needs from the manual of the part, or test the image.",
+        "write the needed facts from the manual of the part, or test the image.",
     ),
     Check(
         "secret-registers",
         "A block of registers has owners",
         "A namespace of src/k64/registers.hpp is named only by the modules that own it in "
         "design/register_owners.toml; each owner uses it; no address is in two of them; no "
-        "other place makes a register, makes a number into an address, names what is volatile, or "
+        "other place makes a register, makes a number into an address, names a volatile object, or "
         "hands a register to others, nor does the linker; no number in an offset leads from one "
-        "block to another; instructions of the processor stand with the drivers only.",
+        "block to another; only the drivers have instructions of the processor.",
         "which channel or pin of a block an owner touches; an offset that is computed elsewhere; "
         "the effect of a register on another block.",
         "call an operation of the owner, or change the design.",
@@ -296,7 +295,7 @@ _FIXED = [
         "Every belief in design/board_beliefs.toml names a register of src/k64/registers.hpp, a "
         "file of sim/emulator that has it, and a declared source; it is marked as shared exactly "
         "when that source is not an outside one. Every register of that file has a belief.",
-        "a value of a register that is not listed, and whether the source says what is stated.",
+        "a value of a register that is not listed, and whether the source confirms the belief.",
         "correct the entry, or find an outside source.",
     ),
     Check(
@@ -339,11 +338,11 @@ _FIXED = [
         "context have its priority, each pipe of the robot has a name, and each member named there "
         "is shared.",
         "handlers of products that have other interrupts.",
-        "correct the entry, or declare what is missing.",
+        "correct the entry, or declare the missing one.",
     ),
     Check(
         "exec-isr",
-        "No interrupt calls what it must not",
+        "No interrupt calls a forbidden method",
         "No method with @isr{no} is reached from the handler of an interrupt, and no method with "
         "@isr{yes} calls one with @isr{no}. Calls of an abstraction reach the objects that the "
         "builders gave.",
@@ -367,10 +366,10 @@ _FIXED = [
     ),
     Check(
         "exec-shared",
-        "What contexts share is protected",
+        "Shared data of contexts is protected",
         "A member that one context changes and another one touches is a Pipe, or has its "
-        "protection in design/execution.toml: what is said to be atomic is, and an InterruptLock "
-        "is where interrupts are said to be masked. A pipe has one context that writes it and "
+        "protection in design/execution.toml: a member declared as atomic is atomic, and an "
+        "InterruptLock is at each place declared as masked. A pipe has one context that writes and "
         "one that reads it.",
         "changes through parameters that are references and in the standard library; whether the "
         "protection is enough; two threads of one kind.",
@@ -394,20 +393,20 @@ _FIXED = [
     ),
     Check(
         "stack-bound",
-        "The stack holds the worst moment",
+        "The stack is large enough for the worst moment",
         "The greatest chains of calls of all priorities, one above the other, fit into the stack; "
         "each frame has a bound; and no run in closed loop used more than that.",
-        "what the hardware stores for a fault inside of a fault.",
+        "the words that the hardware stores for a fault inside of a fault.",
         "raise stackSize in the linker script, or shorten the deepest chain.",
     ),
     Check(
         "fsm-declared",
-        "State machines name what exists",
+        "State machines name existing parts",
         "Every application of the State pattern has a machine in design/fsm. Its states are the "
         "Concrete States of the application; each event names an operation of the State, and each "
         "transition states, an event and at least one requirement that exist; a method of one of "
         "its two states serves the requirement. Each event is used, and a guard distinguishes the "
-        "transitions of a state at one event apart. A figure with a unit is that of one of the "
+        "transitions of a state at one event apart. A number with a unit is that of one of the "
         "requirements.",
         "the words of guards and actions.",
         "correct the entry, or declare the machine.",
@@ -423,8 +422,8 @@ _FIXED = [
         "code makes it under a condition. Before each change the code asks the questions that "
         "[guards] states for its guard, and the operations of a state call the methods that "
         "[actions] states for their actions, and no others of these.",
-        "whether the words of a guard or an action mean what the code asks or calls; whether a "
-        "question is to be true or false; states that extensions add.",
+        "whether the words of a guard or an action mean the same as the code; whether a "
+        "question must be true or false; states that extensions add.",
         "correct the code, or the transition in design/fsm.",
     ),
     Check(
@@ -451,7 +450,7 @@ _FIXED = [
         "Every file belongs to a module",
         "Every file below src and extensions is that of a module, holds data types, belongs to a "
         "composition, or is listed as shared in design/modules.toml; no function or class next to "
-        "a module can be used without it; what can change is in objects of a class.",
+        "a module can be used without it; objects of a class have all variables.",
         "how long a file is.",
         "make the code a private detail of a module, or a module of its own.",
     ),
@@ -460,7 +459,7 @@ _FIXED = [
         "No macro, no condition",
         "The preprocessor includes named files and does nothing else: every product compiles the "
         "same text.",
-        "what the build leaves out of a product; the tests of the products look there.",
+        "the files that the build leaves out of a product; the tests of the products check them.",
         "use a constant, a template, or another module that the build chooses.",
     ),
     Check(
@@ -474,7 +473,7 @@ _FIXED = [
     ),
     Check(
         "secret-hidden",
-        "What a secret names stays inside",
+        "Hidden names stay inside",
         "A header, class, function or constant that @hides names is used by its module only; one "
         "that a logic module hides, by its folder only. No other constant has the value of a "
         "hidden one and a name of the same words.",
@@ -490,7 +489,7 @@ _FIXED = [
     ),
     Check(
         "tree-node",
-        "Trees name what exists",
+        "Trees name existing methods",
         "Every tree belongs to a requirement, and every node is a method that its class has or "
         "inherits. A requirement has one tree.",
         "overloads: methods of one name are one node.",
@@ -524,11 +523,11 @@ _FIXED = [
     ),
     Check(
         "req-text",
-        "Requirements are whole",
+        "Requirements are complete",
         "Every requirement has an id of its own, a sentence with a shall, @rationale, @source, and "
         "a @priority: high, medium or low.",
         "whether the sentence is clear and can be verified.",
-        "write what is missing.",
+        "write the missing part.",
     ),
     Check(
         "req-attribute",
@@ -537,8 +536,8 @@ _FIXED = [
         "of products that exist; and one @method of verification: test, analysis, measurement or "
         "inspection. A test is named in the @verifies of a test; a measurement and an analysis "
         "have @evidence, or a test that makes them.",
-        "whether the method suits the requirement; what a requirement without @partly leaves "
-        "unverified.",
+        "whether the method suits the requirement; parts that a requirement without @partly "
+        "leaves unverified.",
         "write the attribute, or correct its value.",
     ),
     Check(
@@ -547,8 +546,8 @@ _FIXED = [
         "Each number with a unit in a requirement, in digits or as a word, is linked with a "
         "constant in design/requirement_numbers.toml, and the constant has this value. The file "
         "names the other numbers with the reason why no constant has them.",
-        "numbers without a unit of the list; whether the linked constant decides on what the "
-        "sentence says.",
+        "numbers without a unit of the list; whether the linked constant decides on the subject "
+        "of the sentence.",
         "correct the constant or the requirement, or name the constant in the file.",
     ),
     Check(
@@ -557,8 +556,8 @@ _FIXED = [
         "Every @source has the form 'kind: name', several separated by semicolons. A paper names a "
         "place of design/paper.toml, a goal one of design/safety_case.toml that the requirement "
         "has as @goal, a protocol a heading of docs/protocol.rst, a data sheet one that "
-        "design/safety_case.toml lists. A decision says what was decided.",
-        "whether the source says so; a person reads that.",
+        "design/safety_case.toml lists. A decision has its text.",
+        "whether the source supports the requirement; a person reads that.",
         "name the source in this form.",
     ),
     Check(
@@ -579,8 +578,8 @@ _FIXED = [
         "req-method",
         "Each public method serves a requirement",
         "Every public method of a design module is tagged with @satisfies, has a node in a tree, "
-        "or overrides or is overridden by one that does; a constructor serves what its module "
-        "serves. The others are justified in design/justified.toml.",
+        "or overrides or is overridden by one that does; a constructor serves those of its module. "
+        " The others are justified in design/justified.toml.",
         "whether the method is needed for the requirement.",
         "tag the method, use it in a tree, remove it, or justify it.",
     ),
@@ -611,10 +610,10 @@ _FIXED = [
     Check(
         "req-evidence",
         "Measured requirements are met",
-        "Each @evidence of a requirement names a figure that was measured in this run and keeps "
+        "Each @evidence of a requirement names a metric that was measured in this run and keeps "
         "its bound: at most, at least or exactly.",
-        "whether the figure shows what the requirement says.",
-        "correct what is measured, or run the command that measures it.",
+        "whether the metric shows the property that the requirement demands.",
+        "correct the measured code, or run the command that measures it.",
     ),
     Check(
         "req-passed",
@@ -650,15 +649,15 @@ _FIXED = [
         "req-line",
         "Each line serves a requirement",
         "Each line of a method of the design is executed by a passing test of a requirement that "
-        "the method serves: its tree holds the method, the method is tagged with it, or what calls "
-        "the method serves it. Other lines are justified in design/justified.toml.",
+        "the method serves: its tree contains the method, the method is tagged with it, or a "
+        "caller of the method serves it. Other lines are justified in design/justified.toml.",
         "the drivers of the K64, whose lines the page of the virtual K64 lists; whether the test "
-        "looks at what the line does.",
+        "checks the effect of the line.",
         "test the line for its requirement, remove it, or justify it.",
     ),
     Check(
         "hazard-name",
-        "The safety case names what exists",
+        "The safety case names existing parts",
         "Each hazard has an id HZ-n, each safety goal SG-n, each assumption of use AU-n; the "
         "goals, assumptions and safe states that an entry of design/safety_case.toml names are "
         "declared there.",
@@ -685,8 +684,8 @@ _FIXED = [
         "Times of goals are derived",
         "The fault-tolerant time of each goal is the value of its formula, rounded down by at most "
         "10 %, and the reaction of the firmware is not longer.",
-        "whether distances and energies in the formula fit the robot; whether the reaction is what "
-        "the tests measure.",
+        "whether distances and energies in the formula fit the robot; whether the tests measure "
+        "this reaction.",
         "correct the time or the formula, or let the firmware react sooner.",
     ),
     Check(
@@ -705,7 +704,7 @@ _FIXED = [
         "and passed on each target that the test is built for; every scenario that a goal lists "
         "exists. A result that is older than the sources is not counted as passed.",
         "faults that no scenario has.",
-        "complete the links, play the scenario in a test, or correct what failed.",
+        "complete the links, play the scenario in a test, or correct the failure.",
     ),
     Check(
         "hazard-assumption",
@@ -727,7 +726,7 @@ _FIXED = [
         "A requirement is as in its baseline",
         "The text of each requirement, its invocation tree, its transitions of state machines, its "
         "safety goals and their hazards are as they were when its baseline was recorded.",
-        "whether the texts are right: a review says that; how a text is laid out in lines.",
+        "whether the texts are right: a review answers that; the lines of a text.",
         "run ./wr review with the id of the requirement, or with --baseline and the id.",
     ),
     Check(
@@ -750,17 +749,17 @@ _FIXED = [
     Check(
         "req-review",
         "A record of a review is a review",
-        "Each record in requirements/reviews.toml names a person with an address who, by git, "
-        "wrote no line of the texts; it has a remark, and an answer to each question.",
+        "Each record in requirements/reviews.toml names a person with an address, and by git this "
+        "person wrote no line of the texts; it has a remark, and an answer to each question.",
         "how well the person looked. A requirement without a review is no finding: its page "
-        "says so.",
+        "shows that.",
         "remove the record, and let another person run ./wr review with the id.",
     ),
     Check(
         "paper-complete",
         "The concordance with the paper is complete",
-        "Every figure, table, section and named element of the paper that design/paper.toml lists "
-        "has one entry in design/concordance.toml, which says where it is here, or why it is not. "
+        "Every picture, table, section and named element of the paper that design/paper.toml lists "
+        "has one entry in design/concordance.toml: its place here, or why it is not here. "
         "Each arrow of the high-level diagram is named by an entry.",
         "an element that the list leaves out; it was made from the text of the paper by hand.",
         "write the entry, or correct its kind or name.",
@@ -768,7 +767,7 @@ _FIXED = [
     Check(
         "paper-statement",
         "The statements of the paper are answered",
-        "Each entry of design/statements.toml names a place of the paper, and what answers it "
+        "Each entry of design/statements.toml names a place of the paper, and its answer "
         "exists. Each requirement whose source is a place of the paper answers a statement of it.",
         "whether the list has every statement of the paper, and whether an answer is a good one: a "
         "person compares them with the paper.",
@@ -776,13 +775,13 @@ _FIXED = [
     ),
     Check(
         "paper-stale",
-        "The concordance names what exists",
+        "The concordance names existing parts",
         "Every module, method, application, state machine, requirement, check and page that an "
-        "entry of design/concordance.toml names exists, and so does what its texts name in "
-        "backticks. A count of modules or applications, and the figure of a constant, are those of "
+        "entry of design/concordance.toml names exists, and so does each name in backticks in "
+        "its texts. A count of modules or applications, and the value of a constant, are those of "
         "the code.",
-        "whether it is what the paper means; a person reads that.",
-        "name what is in its place now.",
+        "whether the paper means this part; a person reads that.",
+        "name the part that replaced it.",
     ),
     Check(
         "paper-alias",
@@ -790,14 +789,14 @@ _FIXED = [
         "A module, method or state whose name here is not the paper's, and an application with "
         "another title, has an alias with the reason, and no other one has.",
         "whether the reason is good.",
-        "say why the name differs, or use the name of the paper.",
+        "state why the name differs, or use the name of the paper.",
     ),
     Check(
         "doc-diagram",
         "Every diagram can be drawn",
         "PlantUML draws each diagram of the model without an error.",
         "whether the diagram is easy to read.",
-        "correct what the diagram is made from.",
+        "correct the source of the diagram.",
     ),
     Check(
         "link-doc",

@@ -1,6 +1,6 @@
 """req-*, suspect-*: each requirement is satisfied by code, verified by tests that passed.
 
-What its links depend on is as in its baseline, and a review is one.
+The texts of its links are as in its baseline, and each review is valid.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _texts(model: Model) -> list[Finding]:
-    """A requirement is one sentence with a shall, and says why it is."""
+    """A requirement is one sentence with a shall, and has a rationale."""
     found: list[Finding] = []
     for requirement in model.requirements.values():
         parts = {

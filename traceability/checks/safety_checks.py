@@ -35,7 +35,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _names(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Ids have their form, and what an entry names exists."""
+    """Ids have their form, and each named part exists."""
     case = model.safety
     kinds = (("HZ", case.hazards), ("SG", case.goals), ("AU", case.assumptions))
     for prefix, items in kinds:

@@ -1,4 +1,4 @@
-"""secret-open and secret-hidden: what a module hides, no other one reaches."""
+"""secret-open and secret-hidden: no module reaches the hidden names of another one."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def _open(model: Model, facts: Facts) -> list[Finding]:
     for friend in facts.syntax.friends:
         module_, other = friend.by.split("::")[0], friend.target.split("::")[0]
         if module_ != other:
-            text = f"{module_} lets its friend {other} see what it hides"
+            text = f"{module_} shows its friend {other} its hidden members"
             fix = "remove the friend: let it use the interface"
             found.append(Finding(friend.place, "secret-open", text, fix))
     return found
@@ -63,7 +63,7 @@ def _given_out(model: Model, facts: Facts) -> list[Finding]:
             if method.access != "public" or not refers:
                 continue
             for member in filter(None, map(own.get, results.get(f"result {method.id}", []))):
-                text = f"{method.id} lets who calls it change the private {member}"
+                text = f"{method.id} lets its caller change the private {member}"
                 fix = "give a value, or a reference to const"
                 found.append(Finding(method.place, "secret-open", text, fix))
     return found

@@ -19,7 +19,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 def _calls(proof: StackProof) -> list[Finding]:
     fix = f"call an object that a builder gives, or declare the call in {DECLARED}"
     found = [
-        Finding(place, "stack-call", f"nobody knows what {function} calls here", fix)
+        Finding(place, "stack-call", f"the target of this call in {function} is unknown", fix)
         for function, place in proof.unresolved
     ]
     if proof.untold:
@@ -53,6 +53,6 @@ def _bound(proof: StackProof) -> list[Finding]:
         found.append(Finding(SCRIPT, "stack-bound", text, fix))
     if proof.seen is not None and proof.seen > proof.total:
         text = f"a run used {proof.seen} bytes of the stack, more than the proven {proof.total}"
-        fix = "find the call that the proof does not know"
+        fix = "find the call that is missing in the proof"
         found.append(Finding(SCRIPT, "stack-bound", text, fix))
     return found

@@ -115,7 +115,7 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
 def _asked_for(
     step: Transition, machine: StateMachine, model: Model, facts: Facts
 ) -> list[tuple[str, str, str]]:
-    """What is wrong with the requirements of a transition: text, fix, the word in question."""
+    """Yields the faults of the requirements of a transition: text, fix and word."""
     asked = [model.requirements[name] for name in step.requirements if name in model.requirements]
     found = [
         (f"there is no requirement {name}", "correct the id", name)
@@ -126,7 +126,7 @@ def _asked_for(
     family = ends.union(*(facts.classes[end].bases for end in ends if end in facts.classes))
     found += [
         (
-            f"no method of {' or '.join(sorted(ends))} serves {one.id}, which is said to ask for "
+            f"no method of {' or '.join(sorted(ends))} serves {one.id}, which is to demand "
             f"{words(step)}",
             "name the requirement that asks for it, or tag the method",
             one.id,
@@ -134,10 +134,10 @@ def _asked_for(
         for one in asked
         if not any(method.split("::")[0] in family for method in _serving(one))
     ]
-    fix = "write the figure of the requirement"
+    fix = "write the number of the requirement"
     return found + [
         (
-            f"the figure '{figure[0]}' of {words(step)} is in none of its requirements",
+            f"the number '{figure[0]}' of {words(step)} is in none of its requirements",
             fix,
             figure[0],
         )
@@ -248,7 +248,7 @@ def _rows(machine: StateMachine, state: str, operation: str) -> list[Transition]
 
 
 def _asked(machine: StateMachine, row: Transition) -> set[str]:
-    """What the code asks by the guard and by the event of a transition."""
+    """Returns the conditions in the code for the guard and the event of a transition."""
     return {*machine.guards.get(row.guard, ()), *machine.guards.get(row.event, ())}
 
 
@@ -270,7 +270,7 @@ def _conditions(machine: StateMachine, code: MachineCode) -> list[Finding]:
     found: list[Finding] = []
     for row in [row for row in machine.transitions if not is_stay(row)]:
         if row.guard and row.guard not in machine.guards and not row.guard.startswith("in "):
-            text = f"[guards] does not state what the code asks for '{row.guard}'"
+            text = f"[guards] has no condition of the code for '{row.guard}'"
             found.append(Finding(row.place, "fsm-code", text, "write it, or correct the guard"))
         for change in matching(machine, row, code):
             for question in sorted(_asked(machine, row) - set(change.asked)):
@@ -288,7 +288,7 @@ def _conditions(machine: StateMachine, code: MachineCode) -> list[Finding]:
 
 
 def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Finding]:
-    """The operation of a state calls what the actions of its transitions are, and no others."""
+    """The operation of a state calls the methods of its transitions' actions, and no others."""
     found: list[Finding] = []
     for state, operations in code.runs.items():
         for operation, method in operations.items():

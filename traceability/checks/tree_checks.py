@@ -70,8 +70,8 @@ def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> list[Findi
                 Finding(
                     _body_place(node, facts),
                     "tree-static",
-                    f"{node.label} never {verb} {child.label}, as the tree of {requirement.id} "
-                    f"says ({tree})",
+                    f"{node.label} never {verb} {child.label}, but the tree of "
+                    f"{requirement.id} contains the call ({tree})",
                     "restore the call, or change the tree",
                 )
             )
@@ -84,7 +84,7 @@ def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> list[Findi
 def _order(
     node: TreeNode, child: TreeNode, requirement: Requirement, facts: Facts
 ) -> list[Finding]:
-    """The code makes the call as often as the tree says, and behind the call before it."""
+    """The code makes the call as often as in the tree, and after the call before it."""
     tree = f"tree of {requirement.id}, {child.place.file}:{child.place.line}"
     texts = []
     if child.often_in_code is not None and child.often_in_code != child.often:

@@ -55,7 +55,7 @@ def written(facts: Facts) -> Iterator[Written]:
 
 
 def _unknown(model: Model, constants: dict[str, Written]) -> Iterator[Finding]:
-    """What the declarations name exists."""
+    """Finds declarations that name no existing constant."""
     methods = {method.id for module in model.modules.values() for method in module.methods}
     for item in model.tuned:
         for name in [item.to, *item.constants]:

@@ -1,4 +1,4 @@
-"""uses-*: logic modules use only what the design allows, without cycles."""
+"""uses-*: logic modules use only the modules that the design allows, without cycles."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def _board(root: Path) -> list[Finding]:
                 fix = "test the image on the virtual K64 instead"
             elif file.startswith(VIRTUAL_BOARD) and include.target.startswith(OF_FIRMWARE):
                 text = f"the virtual K64 includes {include.target} of the firmware"
-                fix = "write what it needs from the manual of the part: a mistake is not shared"
+                fix = "write the needed facts from the manual of the part: a mistake is not shared"
             else:
                 continue
             found.append(Finding(include.place, "uses-board", text, fix))
@@ -73,8 +73,8 @@ def _forbidden(model: Model) -> list[Finding]:
 
 
 def _extensions(model: Model) -> list[Finding]:
-    """The robot knows no extension, whatever is allowed; an extension names those that it needs."""
-    # An extension may build on another one where the design says why; the robot never does.
+    """The robot names no extension, whatever is allowed; an extension names those that it needs."""
+    # An extension may build on another one where the design has the reason; the robot never does.
     builds_on = {(one.source, one.target) for one in model.allowed_uses if is_extension(one.source)}
     return [
         Finding(
@@ -169,7 +169,7 @@ def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
 
 
 def _apart(facts: Facts) -> list[Finding]:
-    """Where a module names one that it is to know nothing of, or the other way round."""
+    """Finds a module that names one that it must not name, or the other way round."""
     pairs = {
         (one, other): rule
         for rule in facts.declared.apart

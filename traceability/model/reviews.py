@@ -1,4 +1,4 @@
-"""What changed since the baseline of a requirement, and who reviewed it.
+"""The changes since the baseline of a requirement, and its reviews.
 
 The baseline holds a hash of each text that carries the verdict of a requirement: it shows change.
 A review is the judgement of a person who wrote none of these texts. Git keeps the texts themselves.
@@ -154,7 +154,7 @@ class LinkTexts:
         return LinkText("method", name, specified[0][0], "\n".join(text for _, text in specified))
 
     def _bodies(self, requirement: Requirement) -> Iterator[LinkText]:
-        """Of the methods that satisfy it or have a node in its tree, and what is constant there."""
+        """Yields the bodies of the methods that satisfy it or are in its tree, and their constants."""
         nodes = nodes_of(requirement.tree) if requirement.tree else []
         names = {method for node in nodes for method in accepted(node, self.facts)}
         files: set[str] = set()
@@ -286,7 +286,7 @@ def objections(root: Path, review: Review, texts: Iterable[LinkText]) -> Iterato
 
 
 def authors(root: Path, place: Place) -> set[str]:
-    """Names and addresses of those who wrote the lines, by git, in lower case."""
+    """Returns the names and addresses of the authors of the lines, by git, in lower case."""
     lines = ["-L", f"{place.line},{place.end}"] if place.end else []
     command = ["git", "-C", str(root), "blame", "-w", "--line-porcelain", *lines, "--", place.file]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
