@@ -32,7 +32,7 @@ QUANTITY = re.compile(
 UNIT = re.compile(r"\[.+?\]|\bnot used\b|\bno meaning\b")
 UNITS = re.compile(r"\[([^\]]+)\]")
 PROMISE = re.compile(r"\b(to be (written|done|defined|decided)|TODO|TBD|FIXME)\b", re.IGNORECASE)
-INTERRUPT = re.compile(r"(yes|no)$|depends on ")  # what @isr says
+INTERRUPT = re.compile(r"(yes|no)$|depends on ")  # the argument of @isr
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
@@ -146,7 +146,7 @@ def _written(model: Model, facts: Facts) -> list[Finding]:
         Finding(
             module.place,
             "module-count",
-            f"{module.name} has the mark @datatype, and is a module of {module.logic} in the design",
+            f"{module.name} has @datatype, but is a module of {module.logic} in the design",
             "remove the mark, or correct the design",
         )
         for module in model.modules.values()

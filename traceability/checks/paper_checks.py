@@ -95,7 +95,7 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
 def _arrows(model: Model) -> list[Finding]:
     """Each arrow of the high-level diagram is named by an entry of the concordance."""
     said = {target.partition(":")[2] for entry in model.paper for target in entry.here}
-    fix = "correct the arrow, or name it in the entry of Figure 5 and say why with deviation"
+    fix = "correct the arrow, or name it in the entry of Figure 5 with the reason as deviation"
     return [
         Finding(
             connection.place,
@@ -158,7 +158,8 @@ def _alias(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
         return [Finding(entry.place, "paper-alias", text, "remove the alias")]
     if not same and not entry.alias:
         text = f"the paper's {entry.name} is {' and '.join(entry.here)} here, without an alias"
-        return [Finding(entry.place, "paper-alias", text, "say why, or use the paper's name")]
+        fix = "give the reason as alias, or use the paper's name"
+        return [Finding(entry.place, "paper-alias", text, fix)]
     if entry.alias and entry.kind == "module" and entry.name in facts.classes:
         text = f"the code has a class {entry.name}, but the entry has another name for it"
         return [Finding(entry.place, "paper-alias", text, "name that class, and remove the alias")]

@@ -178,7 +178,7 @@ def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, s
     found: list[tuple[str, str, str]] = []
     if clause.id not in CLAUSES:
         fix = "correct the id, or write its function in traceability/checks/pattern_clauses.py"
-        found.append((f"nothing decides the clause {clause.id}", clause.id, fix))
+        found.append((f"no function checks the clause {clause.id}", clause.id, fix))
     if not clause.id.startswith(f"pattern-{clause.pattern.split()[0].lower()}-"):
         text = f"{clause.id} is no clause of the pattern {clause.pattern}"
         found.append((text, clause.pattern, "correct the pattern"))

@@ -25,14 +25,14 @@ class Check:
 
     @property
     def text(self) -> str:
-        """The whole description, as plain text."""
+        """Returns the whole description, as plain text."""
         return f"{self.holds} Its limits: {self.blind} To fix a finding: {self.fix}"
 
 
 # The first word of an id names its family.
 WHY = {
     "syntax": "All other checks read the syntax tree: they need one without errors.",
-    "design": "The checks compare design/ with the code, and they cannot compare an unreadable file.",
+    "design": "The checks compare design/ with the code. They cannot compare an unreadable file.",
     "doc": "Every document is made from these texts: a mistake here is a mistake there.",
     "module": "A module that is small, has a place of its own and a specification can be found, "
     "understood and replaced without reading the others.",
@@ -52,14 +52,14 @@ WHY = {
     "stack": "The threads and interrupts share one stack: it must be large enough for the worst "
     "moment, which may occur in no test.",
     "req": "A requirement counts as fulfilled only when code, tests and results show it.",
-    "suspect": "A verdict holds for the texts that it was given for: the baseline shows which of "
-    "them changed.",
+    "suspect": "A verdict is valid for the texts that it was given for: the baseline shows which "
+    "of them changed.",
     "hazard": "The safety case argues from each hazard to tests that ran: a link that is missing "
     "breaks the argument without anybody noticing.",
     "paper": "The paper is the reference of the design: its names must be here, or the difference "
     "must be stated.",
     "arch": "The architecture is the first picture that a newcomer sees: it must match the code.",
-    "link": "A reader who follows a link is to arrive.",
+    "link": "A reader who follows a link must reach its target.",
 }
 
 _TEXT_BLIND = "whether the words are true and useful; a person reads that."
@@ -138,15 +138,15 @@ _FIXED = [
         "its result, and @isr for calls from interrupts; its own or inherited "
         "from the method that it overrides. The text of a plain number has its unit or the counted "
         "items, the text of a parameter with a unit has the unit, and each unit is that of the "
-        "type. Every other public part of a header has a brief: classes, types, "
-        "functions, members, constants, friends, and the values of an enumeration when one of them has.",
+        "type. Every other public part of a header has a brief: classes, types, functions, "
+        "members, constants, friends, and the values of an enumeration if one of them has a brief.",
         _TEXT_BLIND,
         "complete the comment above the declaration.",
     ),
     Check(
         "module-name",
         "A header is named after its class",
-        "Every design module has the name of its header, and no header holds two.",
+        "Every design module has the name of its header, and no header contains two.",
         "the quality of the name.",
         "rename the file or the class, or mark a value type with @datatype.",
     ),
@@ -207,7 +207,7 @@ _FIXED = [
         "Known roles",
         "Every @role names an application that is declared and a role of it, and is once above "
         "a module that the design binds to that role, or above one of an extension.",
-        "a class that plays a role without saying so; the clauses of the pattern find some.",
+        "a class that plays a role without @role; the clauses of the pattern find some.",
         "correct the application or the role, or change the design.",
     ),
     Check(
@@ -325,8 +325,8 @@ _FIXED = [
     Check(
         "arch-code",
         "Connections of the high-level diagram are in the code",
-        "Calls lead from the one module to the other, over a Command where the connection is one; "
-        "a pipe has a writer in the one and a reader in the other.",
+        "One module calls the other, through a Command where the connection is a command; a pipe "
+        "has a writer in the one and a reader in the other.",
         "physical connections; connections that nobody declared.",
         "correct the connection, or the code.",
     ),

@@ -134,7 +134,7 @@ def _is_executed(requirement: Requirement) -> bool:
 
 
 def safety(case: SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
-    """Counts goals and fault scenarios by the verdict of this run, and the files of the functions."""
+    """Counts goals and fault scenarios by the verdict of this run, and the cost of safety."""
     goals = Counter(goal.state for goal in report.goals.values())
     scenarios = Counter(report.scenarios.values())
     return {

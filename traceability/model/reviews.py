@@ -1,6 +1,7 @@
 """The changes since the baseline of a requirement, and its reviews.
 
-The baseline holds a hash of each text that carries the verdict of a requirement: it shows change.
+The baseline contains a hash of each text that the verdict of a requirement depends on, so it shows
+changes.
 A review is the judgement of a person who wrote none of these texts. Git keeps the texts themselves.
 """
 
@@ -43,7 +44,7 @@ BASELINE_HEADING = """\
 # and is no review. Written by ./wr review --baseline.
 """
 REVIEWS_HEADING = """\
-# The reviews of requirements by persons who wrote none of the texts. Written by ./wr review ID.
+# The reviews of requirements by people who wrote none of the texts. Written by ./wr review ID.
 """
 # How messages name a text of each kind.
 NAMES_OF_TEXTS = {
@@ -154,7 +155,7 @@ class LinkTexts:
         return LinkText("method", name, specified[0][0], "\n".join(text for _, text in specified))
 
     def _bodies(self, requirement: Requirement) -> Iterator[LinkText]:
-        """Yields the bodies of the methods that satisfy it or are in its tree, and their constants."""
+        """Yields the bodies of the methods that satisfy it or are in its tree; their constants."""
         nodes = nodes_of(requirement.tree) if requirement.tree else []
         names = {method for node in nodes for method in accepted(node, self.facts)}
         files: set[str] = set()

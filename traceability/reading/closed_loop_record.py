@@ -192,7 +192,7 @@ def measure(figure: dict[str, Any], points: Points) -> float | None:
             return scale * max(abs(value - target) for _, value in points)
         case "peak":
             return scale * max(abs(value) for _, value in points)
-    raise ValueError(f"{DECLARED}: unknown kind of figure {figure['kind']!r}")
+    raise ValueError(f"{DECLARED}: unknown kind of metric {figure['kind']!r}")
 
 
 def settling(points: Points, start: float, target: float, band: float) -> float | None:

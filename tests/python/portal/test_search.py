@@ -1,4 +1,4 @@
-"""What the search knows, and the library that finds it."""
+"""The entries of the search, and the library that finds them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a patch touches, and the comparison of the numbers of the two designs."""
+"""The extent of a patch, and the comparison of the numbers of the two designs."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""What it cost to add safety, as git counts it."""
+"""The cost of the safety functions, counted by git."""
 
 from __future__ import annotations
 

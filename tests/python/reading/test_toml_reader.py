@@ -1,4 +1,4 @@
-"""The entries of the design: what cannot be read is reported with its line."""
+"""The entries of the design: an unreadable one is reported with its line."""
 
 from __future__ import annotations
 

@@ -38,7 +38,7 @@ pytestmark = [
     pytest.mark.skipif(not BROWSER, reason="there is no browser on this machine"),
 ]
 
-# A page that opens others in a frame, one after the other, and writes down what it sees.
+# A page that opens others in a frame, one after the other, and records the results of a probe.
 HARNESS = """<!doctype html><title>probe</title><body><pre id="out"></pre><script>
 const pages = %PAGES%, width = %WIDTH%, seen = {};
 const frame = document.createElement("iframe");
@@ -82,7 +82,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Path
 def look(
     server: tuple[str, Path], pages: list[str], probe: str, *, width: int = 1200, query: str = ""
 ) -> tuple[dict[str, Any], list[str]]:
-    """What the probe returns for each page, and the errors on the console."""
+    """Returns the result of the probe for each page, and the errors on the console."""
     address, site = server
     page = HARNESS.replace("%PAGES%", json.dumps(pages)).replace("%WIDTH%", str(width))
     page = page.replace("%QUERY%", query).replace("%PROBE%", probe)
