@@ -1,7 +1,7 @@
 """The typed records of the model, which readers, checks, pages and exports share.
 
 Texts are plain, with the light markup of the comments: `names`, lists, and an empty line between
-paragraphs. A figure or result that this run did not produce is ``None``.
+paragraphs. A value or result that this run did not produce is ``None``.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 from traceability.sources import EXTENSIONS
 
-# What the firmware runs on in a test: this machine, or the virtual board that boots the image.
+# The targets of a test: this machine, or the virtual board that boots the image.
 HOST = "host"
 VIRTUAL_K64 = "virtual K64"
 BINDINGS = (HOST, VIRTUAL_K64)
@@ -54,7 +54,7 @@ class Constant:
 
 @dataclass(frozen=True)
 class PaperStatement:
-    """What a place of the paper demands or claims about the software, and what answers it here."""
+    """A demand or claim of the paper about the software, with the answer of this project."""
 
     where: str  # id of a place
     says: str
@@ -200,7 +200,7 @@ class LogicModule:
     secret: str
     place: Place
     modules: Sequence[str] = field(default_factory=list)
-    hides: Sequence[str] = field(default_factory=list)  # what only its folder names
+    hides: Sequence[str] = field(default_factory=list)  # names that only its folder uses
     children: Sequence[str] = field(default_factory=list)
 
 
@@ -266,7 +266,7 @@ class TraceRow:
 
 @dataclass(frozen=True)
 class TreeRun:
-    """A recorded run of a test that holds a whole tree: what the page shows next to the tree."""
+    """A recorded run of a test that contains a whole tree. The page shows it next to the tree."""
 
     test: str
     rows: Sequence[TraceRow]
@@ -288,7 +288,7 @@ class FoldedCall:
 
 @dataclass(frozen=True)
 class MethodCoverage:
-    """What the passing tests of one requirement executed of a method, on one target."""
+    """The part of a method that the passing tests of one requirement executed on one target."""
 
     method: str
     place: Place
@@ -318,7 +318,7 @@ class BindingResult:
     recordings: Sequence[str] = field(
         default_factory=list
     )  # files of recorded calls that it may have
-    measured: str = ""  # what the test reports of its run, besides the result
+    measured: str = ""  # text that the test reports besides its result
     instances: Mapping[str, str] = field(default_factory=dict)  # of a parameterised test -> result
     images: Sequence[str] = field(default_factory=list)  # products whose images the test ran
 
@@ -347,7 +347,7 @@ class Test:
 
 @dataclass(frozen=True)
 class Evidence:
-    """A figure that a tool measures, and its bound. One without a relation could not be read."""
+    """A metric that a tool measures, with its bound. No relation: the text could not be read."""
 
     figure: str
     relation: str  # "at most", "at least", "exactly"
@@ -429,7 +429,7 @@ SOURCE_KINDS = ("paper", "goal", "protocol", "data sheet", "decision")
 
 @dataclass(frozen=True)
 class Requirement:
-    """A requirement. One that is partly verified says in ``partly`` what no test shows."""
+    """A requirement. If it is partly verified, ``partly`` describes the part that no test shows."""
 
     id: str
     text: str
@@ -447,7 +447,7 @@ class Requirement:
     satisfied_by: Sequence[str] = field(default_factory=list)
     verified_by: Sequence[str] = field(default_factory=list)
     tree: TreeNode | None = None
-    runs: Mapping[str, TreeRun] = field(default_factory=dict)  # target -> run that holds the tree
+    runs: Mapping[str, TreeRun] = field(default_factory=dict)  # target -> run with the tree
     coverage: Mapping[str, list[MethodCoverage]] = field(default_factory=dict)  # target -> methods
     evidence: Sequence[Evidence] = field(default_factory=list)  # instead of calls
     reviews: Sequence[Review] = field(default_factory=list)
@@ -477,7 +477,7 @@ class SafeState:
 
 @dataclass(frozen=True)
 class Assumption:
-    """What hardware and people do for safety, because the firmware cannot."""
+    """A duty of hardware or people that safety needs, because the firmware cannot fulfil it."""
 
     id: str
     title: str
@@ -508,7 +508,7 @@ class Hazard:
 
 @dataclass(frozen=True)
 class SafetyGoal:
-    """What must be achieved against hazards. Times in seconds."""
+    """A goal that prevents hazards. Times in seconds."""
 
     id: str
     title: str
@@ -568,7 +568,7 @@ class TouchedFile:
 
 @dataclass(frozen=True)
 class SafetyCost:
-    """What the safety functions took, by git; ``None`` of the model when git does not know."""
+    """The cost of the safety functions, counted by git; ``None`` in the model without git."""
 
     base: str
     commit: str
@@ -580,7 +580,7 @@ class SafetyCost:
 
 @dataclass(frozen=True)
 class SafetyCase:
-    """The hazards, the goals against them, and what they assume."""
+    """The hazards, the goals against them, and the assumptions of the goals."""
 
     base: str = ""  # commit before the first safety function
     says: str = ""
@@ -644,7 +644,7 @@ class Mutant:
     killed_by: Sequence[str]  # tests
     own: Mapping[
         str, bool
-    ]  # requirement whose tree holds the method -> whether its own tests find it
+    ]  # requirement with the method in its tree -> whether its own tests find it
 
 
 @dataclass(frozen=True)
@@ -680,7 +680,7 @@ class FileHash:
 
 @dataclass(frozen=True)
 class BuildEvidence:
-    """From what, with what and where these pages were built."""
+    """The sources, the tools and the machine of this build of the pages."""
 
     commit: str  # empty without git
     changed: Sequence[str]  # files that differ from the commit
@@ -696,7 +696,7 @@ class LastRecord:
     """A test of the tests or of the checks that takes too long for each build, when last run."""
 
     command: str
-    commit: str  # empty when git did not know it
+    commit: str  # empty without git
     found: int
     tried: int
     current: bool  # whether it was run with the present sources
@@ -722,7 +722,7 @@ class StateMachine:
     """``states`` maps a state's name to the module that realises it.
 
     ``events`` maps an event to the operation of the state that the Context calls then, ``guards``
-    a guard or an event to what the code asks, and ``actions`` an action to what it calls.
+    a guard or an event to the condition in the code, and ``actions`` an action to its calls.
     """
 
     id: str
@@ -741,7 +741,7 @@ class StateMachine:
 
 @dataclass(frozen=True)
 class ExecutionContext:
-    """What the hardware enters: an interrupt, the thread of a control system, or the start."""
+    """Code that the hardware enters: an interrupt, the thread of a control system, or the start."""
 
     id: str
     kind: str  # "interrupt", "thread", "start"
@@ -768,7 +768,7 @@ class StackCall:
 
 @dataclass(frozen=True)
 class StackContext:
-    """What one context needs at most, and the chain of calls that needs it."""
+    """The greatest stack use of one context, and the chain of calls that causes it."""
 
     id: str
     name: str
@@ -782,8 +782,8 @@ class StackContext:
 class StackProof:
     """The stack that the image of the robot needs at most, in bytes."""
 
-    exception_frame: int  # what the hardware stores at each entry
-    limit: int = 0  # what the linker script gives
+    exception_frame: int  # bytes that the hardware stores at each entry
+    limit: int = 0  # size of the stack in the linker script
     seen: int | None = None  # the most that a run in closed loop used
     contexts: Sequence[StackContext] = field(default_factory=list)
     unresolved: Sequence[tuple[str, Place]] = field(default_factory=list)  # calls: function, place
@@ -811,7 +811,7 @@ class StackProof:
 
     @property
     def total(self) -> int:
-        """All levels at a time, each but the lowest with what the hardware stores."""
+        """All levels at a time, each but the lowest with the frame that the hardware stores."""
         levels = self.levels
         return sum(one.bytes for one in levels) + self.exception_frame * (len(levels) - 1)
 
@@ -894,7 +894,7 @@ class ArchitectureElement:
 
 @dataclass(frozen=True)
 class PaperPlace:
-    """A figure, table, section or box of the paper."""
+    """A picture, table, section or box of the paper."""
 
     id: str
     kind: str
@@ -904,13 +904,13 @@ class PaperPlace:
 
 @dataclass(frozen=True)
 class PaperElement:
-    """What the paper names, and where it is here. ``here`` holds targets as "kind:name"."""
+    """A name of the paper and its place here. ``here`` contains targets as "kind:name"."""
 
     kind: str
     name: str
     here: Sequence[str]
     alias: str = ""  # why it has another name here
-    deviation: str = ""  # what is different here on purpose
+    deviation: str = ""  # intended difference
     note: str = ""
     where: Sequence[str] = field(default_factory=list)  # places of the paper that name it
     place: Place = field(default_factory=lambda: Place("", 0))
@@ -918,16 +918,16 @@ class PaperElement:
 
 @dataclass(frozen=True)
 class LikelyChange:
-    """What a change takes that an application of a pattern absorbs."""
+    """The effort of a change that an application of a pattern absorbs."""
 
     application: str
     pattern: str
     hidden_by: str  # module
     altered: Sequence[str]  # modules that each hide one way that exists
     role: str  # role of a new class; "" when none is added
-    derives: Sequence[str]  # what a new class derives from
+    derives: Sequence[str]  # base classes of a new class
     logic: str  # where the present ones are
-    edits: Sequence[str]  # modules that make a new class known
+    edits: Sequence[str]  # modules that register a new class
     untouched: Sequence[str]
     requirements: Sequence[str]  # to look at again
     tests: Sequence[str]
@@ -1002,7 +1002,7 @@ class BoardBelief:
 
 @dataclass(frozen=True)
 class DriverFault:
-    """A mistake seeded in a driver, and what the virtual K64 found in the image made from it."""
+    """A fault seeded in a driver, and the findings of the virtual K64 in the image made from it."""
 
     fault: str
     file: str
@@ -1013,7 +1013,7 @@ class DriverFault:
 
 @dataclass(frozen=True)
 class Finding:
-    """What a check found. ``text`` says what is wrong, ``fix`` how to fix it."""
+    """A finding of a check. ``text`` describes the fault, ``fix`` the correction."""
 
     place: Place
     check: str
@@ -1039,7 +1039,7 @@ class LoopPlot:
 
 @dataclass(frozen=True)
 class LoopFigure:
-    """A figure of a run in closed loop, with the greatest value that is allowed."""
+    """A metric of a run in closed loop, with the greatest value that is allowed."""
 
     title: str
     limit: float
@@ -1054,7 +1054,7 @@ class LoopFigure:
 
 @dataclass(frozen=True)
 class LoopRun:
-    """Whether all expectations of the scenario held, and what was printed if not."""
+    """Whether all expectations of the scenario were met, and the output if they were not."""
 
     passed: bool
     said: str
@@ -1075,7 +1075,7 @@ class LoopScenario:
 
 @dataclass(frozen=True)
 class ProductImage:
-    """The image of a product: its bytes, its modules, and what no image may contain."""
+    """The image of a product: its bytes, its modules, and its forbidden features."""
 
     flash: int
     ram: int
@@ -1103,7 +1103,7 @@ class Latency:
 
 @dataclass(frozen=True)
 class ExceptionCost:
-    """What an interrupt or thread costs in a cycle on average."""
+    """The average cost of an interrupt or thread in a cycle."""
 
     who: str
     entries: float

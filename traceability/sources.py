@@ -1,4 +1,4 @@
-"""Contents of files as hashes: what was built, tested or read from what."""
+"""Hashes of the contents of files: they identify the inputs of a build, test or page."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import hashlib
 from collections.abc import Iterable
 from pathlib import Path
 
-# The design: the robot, and what products add to it.
+# The design: the robot, and the extensions of the products.
 SRC, EXTENSIONS = "src", "extensions"
 DESIGN = (SRC, EXTENSIONS)
 # The table of frames, and its reader: the build of the simulator makes a header from them.
@@ -54,7 +54,10 @@ def hash_of(root: Path, paths: Iterable[Path]) -> str:
 
 
 def source_hash(root: Path) -> str:
-    """The hash of what test results depend on. Python's own tests and texts are not part of it."""
+    """Computes the hash of the files that test results depend on.
+
+    Tests and texts of the Python tools are not part of it.
+    """
     suffixes = (".cpp", ".hpp", ".h", ".cmake", ".txt", ".json", ".S", ".ld")
     paths = files_below(root, TESTED, suffixes)
     python = root / "tests" / "python"

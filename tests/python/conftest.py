@@ -1,4 +1,4 @@
-"""What all tests of the tools share."""
+"""Fixtures of all tests of the tools."""
 
 import fcntl
 import os

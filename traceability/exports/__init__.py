@@ -1,1 +1,1 @@
-"""What other programs read: the model with its schema, the verification, the metrics."""
+"""Files for other programs: the model with its schema, the verification, the metrics."""

@@ -16,7 +16,7 @@ METRICS = Path("build/metrics.json")
 
 
 def write_metrics(root: Path, model: Model, report: Report, measured: dict[str, Any]) -> Path:
-    """Writes the metrics. ``measured`` adds what other steps of the run found, by key."""
+    """Writes the metrics. ``measured`` adds the metrics of other steps of the run, by key."""
     path = root / METRICS
     path.parent.mkdir(parents=True, exist_ok=True)
     found = metrics(model, report) | measured

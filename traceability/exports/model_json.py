@@ -1,4 +1,4 @@
-"""What other programs read: the model and its schema."""
+"""Files for other programs: the model and its schema."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from traceability.model.report import Report
 MODEL = "model.json"
 SCHEMA = "model.schema.json"
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
-# What the report adds to the records of the model.
+# The fields that the report adds to the records of the model.
 VERDICT = {"state": str, "reasons": list[str]}
 ADDED: dict[type, dict[str, Any]] = {
     Model: {"findings": list[schema.Finding]},
@@ -89,7 +89,7 @@ def _type(kind: Any, definitions: dict[str, Any]) -> dict[str, Any]:
 
 
 def _composed(kind: Any, parts: list[dict[str, Any]]) -> dict[str, Any]:
-    """The schema of what is made of other types."""
+    """Returns the schema of a type that is composed of other types."""
     found: dict[Any, dict[str, Any]] = {
         types.NoneType: {"type": "null"},
         types.UnionType: {"anyOf": parts},
@@ -100,5 +100,5 @@ def _composed(kind: Any, parts: list[dict[str, Any]]) -> dict[str, Any]:
     origin = typing.get_origin(kind) or kind
     origin = {list: Sequence, dict: Mapping}.get(origin, origin)
     if origin not in found:
-        raise TypeError(f"the schema cannot say what {kind} is")
+        raise TypeError(f"the schema has no form for {kind}")
     return found[origin]

@@ -59,7 +59,7 @@ def calls_between(facts: Facts, connection: Connection) -> list[str]:
 
 
 def called(facts: Facts, method: str) -> list[str]:
-    """What a method calls. A post is followed by the body that its own module gave the thread."""
+    """Returns the calls of a method. A post leads to the body that its module gave the thread."""
     found = [
         target
         for body in facts.references.own_bodies(method)

@@ -144,7 +144,7 @@ def _assemble(
 
 
 def _last(root: Path, sources: str) -> dict[str, LastRecord]:
-    """The last run of what each build does not run."""
+    """Returns the last record of the commands that are not part of each build."""
     records = {"mutation": last_mutation(root, sources), "drift": last_seeded(root)}
     return {name: record for name, record in records.items() if record}
 
@@ -187,7 +187,7 @@ def _logic_modules(model: Model, facts: Facts) -> dict[str, LogicModule]:
 
 
 def _places(facts: Facts) -> list[Place]:
-    """Where classes and functions stand: a folder may hold functions only."""
+    """Returns the places of classes and functions: a folder may contain functions only."""
     classes = [fact.place for fact in facts.syntax.classes]
     return classes + [body.place for body in facts.syntax.bodies]
 
@@ -367,7 +367,7 @@ def _with_calls(model: Model, facts: Facts) -> Model:
 
 
 def _constants(facts: Facts) -> dict[str, Constant]:
-    """The constants by their names, without names that stand for several numbers."""
+    """Returns the constants by their names, without names that have several numbers."""
     found: dict[str, list[Constant]] = {}
     for fact in facts.syntax.values:
         if fact.place.file.startswith(tuple(f"{name}/" for name in DESIGN)):
@@ -384,7 +384,7 @@ Named = dict[str, dict[str, None]]  # module -> others, in order
 
 
 def _users(model: Model, facts: Facts) -> tuple[Named, Named]:
-    """What each module names, and by which ones it is named."""
+    """Returns the modules that each module names, and those that name it."""
     uses: Named = {}
     used_by: Named = {}
     for named in facts.syntax.names:
@@ -520,7 +520,7 @@ def _with_measures(model: Model, root: Path, coverage: dict[str, Coverage]) -> M
 
 
 def _covered(module: Module, coverage: Coverage) -> Module:
-    """The module with what the tests executed of its files."""
+    """Returns the module with the coverage of its files by the tests."""
     whole, covered = coverage.whole, coverage.all
     files = [
         one for one in (module.header, module.source) if one is not None and one in whole.lines

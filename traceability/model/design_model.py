@@ -96,7 +96,7 @@ class Model:
     board_lines: Mapping[str, dict[int, bool]] | None = None
     line_gaps: Sequence[LineGap] = field(default_factory=list)
     reviews_of_nothing: Sequence[str] = field(default_factory=list)  # requirements that are no more
-    # What the design asks for, be it written or not.
+    # The elements that the design demands, whether the code has them or not.
     designed_modules: Sequence[str] = field(default_factory=list)
     designed_applications: Mapping[str, str] = field(default_factory=dict)  # id -> pattern
     closed_loop: Sequence[LoopScenario] = field(default_factory=list)
@@ -106,7 +106,7 @@ class Model:
     bench_paper: Mapping[str, BenchScenario] | None = None  # without safety functions
     products: Mapping[str, ProductImage] | None = None
     faults: Sequence[Fault] = field(default_factory=list)  # that are seeded to test the checks
-    outcomes: Sequence[Outcome] | None = None  # what became of them
+    outcomes: Sequence[Outcome] | None = None  # their results
     last: Mapping[str, LastRecord] = field(default_factory=dict)  # "mutation", "drift"
     build: BuildEvidence | None = None
     measured: Mapping[str, Any] = field(default_factory=dict)  # metrics of other steps

@@ -1,6 +1,6 @@
 """The data dictionary: the parts of each value type, and the fields of the messages.
 
-Who makes a part is who assigns it or names it in a list; who reads it names it otherwise.
+A writer of a part assigns it or names it in a list; a reader names it in another way.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def parts_of(name: str, facts: Facts) -> list[FieldFact]:
 
 
 def unit_text(kind: str, model: Model) -> str:
-    """The text of the value type that a type names: it holds the unit."""
+    """Returns the text of the value type that a type names: it contains the unit."""
     named = [model.modules[word] for word in re.findall(r"\w+", kind) if word in model.modules]
     return named[-1].brief if named else ""
 

@@ -1,4 +1,4 @@
-"""Requirements that no call fulfils: what a tool must have measured in this run."""
+"""Evidence of requirements that no call fulfils: metrics that a tool measures in this run."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ CHECKS = "checks."
 
 
 def read_evidence(text: str, place: Place) -> Evidence:
-    """``coverage.line at least 98 %``: figure, relation, bound and unit."""
+    """Reads ``coverage.line at least 98 %``: metric, relation, bound and unit."""
     match = WRITTEN.fullmatch(text)
     if match is None:
         return Evidence(text, "", 0, "", place)
@@ -26,7 +26,7 @@ def read_evidence(text: str, place: Place) -> Evidence:
 def measured_values(
     model: Model, figures: Mapping[str, Any], findings: Iterable[Finding], checks: Collection[str]
 ) -> dict[str, float | None]:
-    """Figure of an evidence -> its value in this run; ``None`` when it was not measured."""
+    """Returns metric of an evidence -> its value in this run; ``None`` if it was not measured."""
     counts = Counter(finding.check for finding in findings)
     found: dict[str, float | None] = {}
     for name in {one.figure for item in model.requirements.values() for one in item.evidence}:
@@ -39,7 +39,7 @@ def measured_values(
 
 
 def figure_of(figures: Mapping[str, Any], name: str) -> float | None:
-    """A figure by its key. ``bench.scenarios.max_ms`` is the greatest of those of all scenarios."""
+    """Returns a metric by its key. ``bench.scenarios.max_ms`` is the greatest of all scenarios."""
     value = figures.get(name)
     if value is None:
         above, _, part = name.rpartition(".")

@@ -1,8 +1,8 @@
-"""What runs when: the contexts, what each reaches, and what two of them share.
+"""The execution contexts, the methods that each reaches, and the members that two of them share.
 
-A context is a handler that the hardware enters, or the command that a thread executes. What it
-reaches is found in the syntax tree: a call of an abstraction reaches the objects that the builders
-gave.
+A context is a handler that the hardware enters, or the command that a thread executes. The methods
+that it reaches are found in the syntax tree: a call of an abstraction reaches the objects that the
+builders passed.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ READS = ("read", "newest")
 START = "start"
 THREAD = "thread"
 INTERRUPT = "interrupt"
-DISPATCH = "Command::execute"  # what the handler of a thread executes
+DISPATCH = "Command::execute"  # operation that the handler of a thread executes
 ENABLE = "K64Thread::enable"  # line, priority
 
 
 @dataclass
 class Code:
-    """What the code says of the contexts, for the checks."""
+    """The facts of the code about the contexts, for the checks."""
 
     lines: dict[str, list[int]] = field(default_factory=dict)  # handler -> interrupt lines
     reached: dict[str, dict[str, str]] = field(default_factory=dict)  # context -> method -> caller
@@ -206,7 +206,7 @@ def shared_members(model: Model, facts: Facts, code: Code) -> list[SharedMember]
         for method in reached:
             owner, _, short = method.rpartition("::")
             if short == owner.rpartition("::")[2]:
-                continue  # a constructor: nobody else knows the object yet
+                continue  # a constructor: no other context can reach the object yet
             for body in facts.references.own_bodies(method):
                 for member, changed in body.touches.items():
                     users = touched.setdefault(member, {})

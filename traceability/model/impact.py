@@ -1,8 +1,8 @@
-"""What a change may affect: modules by their distance, and what to look at again.
+"""The possible effects of a change: modules by their distance, and the items to review again.
 
 A change of a module may affect the modules that name it, those that call it, and those that derive
-from it; and what these affect in turn. A reference to an abstraction hides who is behind it: a
-change of a subclass does not reach those that know the abstraction only.
+from it; and the modules that these affect in turn. A reference to an abstraction hides the object
+behind it: a change of a subclass does not reach modules that name only the abstraction.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Impact:
 
 
 class UnknownSubjectError(Exception):
-    """What was asked for is no file, no module and no requirement of the model."""
+    """The name in the command is no file, no module and no requirement of the model."""
 
 
 class Impacts:

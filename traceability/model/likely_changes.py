@@ -1,8 +1,8 @@
-"""The likely changes: what each application of a pattern absorbs, and what it leaves alone.
+"""The likely changes that each application of a pattern absorbs, and the modules they leave alone.
 
-What a change adds is declared for each pattern in ``design/changes.toml``. Which modules it edits,
-and which requirements and tests it touches, is read off the code: a new class is made known where
-the present ones are named, and nowhere else.
+The additions of a change are declared for each pattern in ``design/changes.toml``. The modules that
+it edits, and the requirements and tests that it touches, are read from the code: a new class is
+registered where the present ones are named, and nowhere else.
 """
 
 from __future__ import annotations

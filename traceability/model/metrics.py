@@ -1,4 +1,4 @@
-"""The metrics of a run. What this run did not measure is null."""
+"""The metrics of a run. A metric that this run did not measure is null."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ OF_OTHER_STEPS = (  # metrics that are null until a step measures them
 
 
 def read_measured(root: Path, model: Model) -> dict[str, Any]:
-    """What other steps measured of the present sources."""
+    """Reads the metrics that other steps measured with the present sources."""
     tests = {"tests.recording_factor": read_recording_factor(root, model.sources_hash)}
     if not model.stale_on(HOST):
         tests |= coverage(root)
@@ -43,7 +43,7 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
 
 
 def coverage(root: Path) -> dict[str, Any]:
-    """What the last run of the tests on this machine executed, when gcovr counted it."""
+    """Returns the coverage of the last run of the tests on this machine, if gcovr counted it."""
     totals = read_totals(root)
     if totals is None:
         return {}
@@ -69,7 +69,7 @@ def image(root: Path) -> dict[str, Any]:
 
 
 def forbidden(model: Model) -> dict[str, Any]:
-    """How many kinds of what no image may hold are in one, and modules that a product has not."""
+    """Counts the forbidden features of the images, and modules that their product does not have."""
     products = model.products
     if products is None:
         return {}
@@ -138,7 +138,7 @@ def _is_executed(requirement: Requirement) -> bool:
 
 
 def safety(case: SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
-    """Goals and fault scenarios, with the verdict of this run, and what the functions touched."""
+    """Counts goals and fault scenarios by the verdict of this run, and the cost of safety."""
     goals = Counter(goal.state for goal in report.goals.values())
     scenarios = Counter(report.scenarios.values())
     return {

@@ -1,4 +1,4 @@
-"""What a build does not show, so that no page claims more than was done."""
+"""The limits of a build's evidence, so that no page claims more than was done."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def _verdicts(model: Model, report: Report) -> Iterator[tuple[str, str]]:
     requirements = model.requirements.values()
     partly = [one.id for one in requirements if one.partly]
     if partly:
-        yield f"Partly verified, each page says why: {', '.join(partly)}.", "requirements"
+        yield f"Partly verified, each page gives the reason: {', '.join(partly)}.", "requirements"
     goals = [name for name, verdict in report.goals.items() if verdict.state != "verified"]
     if goals:
         yield f"Safety goals that are not verified: {', '.join(goals)}.", "safety"

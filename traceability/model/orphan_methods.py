@@ -13,7 +13,7 @@ JUSTIFIED_BY_CHECKS = ("uncalled", "loop")  # the checks compare these with the 
 
 
 def serving_methods(model: Model) -> set[str]:
-    """The methods that are tagged with a requirement or stand in a tree, and what these stand for.
+    """Returns the methods that are tagged with a requirement or are in a tree, and related ones.
 
     An operation of an abstraction serves with all methods that override it, and a constructor with
     its module.

@@ -1,4 +1,4 @@
-"""The report: what this run shows of the model. It is never written back into the model."""
+"""The report: the results of this run. They are never written back into the model."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Report:
-    """Findings, verdicts and measured values, each by the id or name of what it is about."""
+    """Findings, verdicts and measured values, each by the id or name of its subject."""
 
     findings: Sequence[Finding] = ()
     requirements: Mapping[str, Verdict] = field(default_factory=dict)
@@ -30,4 +30,4 @@ class Report:
     # Fault scenario -> "verified", "failed", "stale" or "unverified".
     scenarios: Mapping[str, str] = field(default_factory=dict)
     clauses: Mapping[str, Sequence[Clause]] = field(default_factory=dict)  # by application
-    measured: Mapping[str, float | None] = field(default_factory=dict)  # by figure of an evidence
+    measured: Mapping[str, float | None] = field(default_factory=dict)  # by metric of an evidence

@@ -69,7 +69,7 @@ def quantity_of(constant: ConstantFact) -> Quantity:
 
 
 def is_same(stated: Quantity, constant: Quantity) -> bool:
-    """A constant without a unit counts what its name says, in the unit of the text."""
+    """Compares two quantities. A constant without a unit has the unit of the text."""
     if constant.kind:
         return stated == constant
     scales = {scale for kind, scale in UNITS.values() if kind == stated.kind}

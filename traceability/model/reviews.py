@@ -1,6 +1,7 @@
-"""What changed since the baseline of a requirement, and who reviewed it.
+"""The changes since the baseline of a requirement, and its reviews.
 
-The baseline holds a hash of each text that carries the verdict of a requirement: it shows change.
+The baseline contains a hash of each text that the verdict of a requirement depends on, so it shows
+changes.
 A review is the judgement of a person who wrote none of these texts. Git keeps the texts themselves.
 """
 
@@ -156,7 +157,7 @@ class LinkTexts:
         return LinkText("method", name, specified[0][0], "\n".join(text for _, text in specified))
 
     def _bodies(self, requirement: Requirement) -> Iterator[LinkText]:
-        """Of the methods that satisfy it or have a node in its tree, and what is constant there."""
+        """Yields the bodies of the methods that satisfy it or are in its tree; their constants."""
         files: set[str] = set()
         for name in sorted(self._methods(requirement)):
             bodies = self.facts.bodies.get(name, [])
@@ -298,7 +299,7 @@ def objections(root: Path, review: Review, texts: Iterable[LinkText]) -> Iterato
 
 
 def authors(root: Path, place: Place) -> set[str]:
-    """Names and addresses of those who wrote the lines, by git, in lower case."""
+    """Returns the names and addresses of the authors of the lines, by git, in lower case."""
     lines = ["-L", f"{place.line},{place.end}"] if place.end else []
     command = ["git", "-C", str(root), "blame", "-w", "--line-porcelain", *lines, "--", place.file]
     run = subprocess.run(command, capture_output=True, text=True, check=False)

@@ -1,4 +1,4 @@
-"""Adds the safety case to the model, and decides what this run shows of its goals."""
+"""Adds the safety case to the model, and computes the verdicts of its goals in this run."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from traceability.schema import (
 
 
 def safety_of(model: Model, facts: Facts) -> SafetyCase:
-    """The case with the tests that play its scenarios, and what git counts.
+    """Returns the case with the tests that play its scenarios, and the counts of git.
 
     A parameterised test that names their folder may play each of them, until it has run.
     """

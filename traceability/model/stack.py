@@ -1,8 +1,8 @@
 """The stack that the image needs at most: each call of each function that a context may reach.
 
-Frames and calls are the compiler's. An indirect call reaches what the model says: the methods of
-the objects that the builders gave. A chain of decorators passes once through each Concrete
-Decorator of its application, which is all that can repeat.
+Frames and calls are the compiler's. An indirect call reaches the methods of the objects that the
+builders passed, by the model. A chain of decorators passes once through each Concrete Decorator of
+its application; no other call repeats.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ DECLARED = Path("design/stack.toml")
 BUILD = Path("build/k64")
 PRODUCT = "weeding_robot"
 RUN_OF_THREAD = "ControlThread::run"
-# ARMv7-M ARM, B1.5.6: what the hardware stores at an entry, and a word that aligns it.
+# ARMv7-M ARM, B1.5.6: the frame that the hardware stores at an entry, and a word that aligns it.
 FRAME = 32 + 4
 FRAME_WITH_FLOATS = 104 + 4
 
@@ -187,7 +187,7 @@ class Prover:
         if not any(set(cycle) == set(known) for known in self.cycles):
             self.cycles.append(cycle)
 
-    # ---- what a function calls ------------------------------------------------------
+    # ---- calls of a function ---------------------------------------------------------
 
     def _callees(self, function: Function) -> list[str]:
         found = dict.fromkeys(symbol for symbol in function.calls if symbol in self.graph)

@@ -1,4 +1,4 @@
-"""State machines: what the code can change, and which changes the tests make.
+"""State machines: the changes that the code can make, and those that the tests make.
 
 A machine is declared in ``design/fsm``. Its states are the Concrete States of an application of the
 State pattern. Here the changes are found a second time, in the bodies of the states; and a third
@@ -191,7 +191,7 @@ class _Changes:
         return found
 
 
-# ---- what the tests showed ---------------------------------------------------
+# ---- changes in the tests ----------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -224,13 +224,13 @@ class Watcher:
         self.constructors = {f"{name}::{name}" for name in code.holders}
 
     def known(self) -> list[object]:
-        """What decides on what is seen."""
+        """Returns the inputs that the result depends on, for the key of the cache."""
         runners = [(method, sorted(states)) for method, states in sorted(self.runners.items())]
         others = (self.foreign, self.helpers, self.changers, self.constructors)
         return [runners, self.code.runs, self.code.holders, *(sorted(one) for one in others)]
 
     def turns(self, method: str) -> bool:
-        """Whether its call may change what is known of the state."""
+        """Returns whether its call may change the state."""
         return method in self.changers | self.constructors | self.foreign
 
     def concerns(self, method: str) -> bool:
@@ -249,7 +249,7 @@ class Watcher:
 
 
 class _Run:
-    """What is known while a recording is read."""
+    """The state of the reader of a recording."""
 
     def __init__(self, watcher: Watcher) -> None:
         self.watcher = watcher
@@ -336,7 +336,7 @@ def matching(machine: StateMachine, step: Transition, code: MachineCode) -> list
 
 
 def watch_all(watcher: Watcher, traces: Traces, cache: Path) -> dict[str, list[Seen]]:
-    """What each recording shows."""
+    """Returns the changes that each recording shows."""
     names = {a: m for a, m in traces.symbols.items() if watcher.concerns(m)}
     runners = traces.addresses(watcher.runners.keys())
     turning = {a for a, m in names.items() if watcher.turns(m)}
@@ -359,7 +359,7 @@ def watch_all(watcher: Watcher, traces: Traces, cache: Path) -> dict[str, list[S
 
 
 def _passing(model: Model, seen: dict[str, list[Seen]]) -> list[tuple[str, Seen]]:
-    """Each passing test with what its recordings show."""
+    """Returns each passing test with the changes that its recordings show."""
     return [
         (test.id, one)
         for test in model.tests.values()

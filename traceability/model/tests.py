@@ -1,4 +1,4 @@
-"""The tests: what each verifies, what it gave on each target, and which modules it executed."""
+"""The tests: the requirements, the result on each target and the executed modules of each."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ Folded = tuple[list[str], list[str]]  # the method of each call, requirements th
 
 
 def starts(nodes: list[TreeNode], placed: dict[int, int]) -> list[int]:
-    """Where the runs of a tree begin: at its root, and at what its threads do."""
+    """Returns the rows where the runs of a tree begin: its root, and the bodies of its threads."""
     return [
         placed[id(node)]
         for node in nodes
@@ -19,7 +19,7 @@ def starts(nodes: list[TreeNode], placed: dict[int, int]) -> list[int]:
 
 
 def fold(rows: list[Row], firsts: list[int], edges: Edges) -> list[FoldedCall]:
-    """The calls within some rows. What an interrupt called meanwhile is left out."""
+    """Returns the calls within some rows, without those of an interrupt meanwhile."""
     paths: dict[tuple[str, ...], Folded] = {}
     end = 0
     for first in firsts:

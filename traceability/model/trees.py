@@ -210,7 +210,7 @@ def _modules_of(node: TreeNode, facts: Facts) -> set[str]:
 
 @dataclass
 class Run:
-    """What the recordings of a target are searched with."""
+    """The inputs of a search in the recordings of a target."""
 
     binding: str
     traces: Traces
@@ -249,7 +249,7 @@ class Search:
     run: Run
 
     def asked(self) -> object:
-        """What decides on what is found."""
+        """Returns the inputs that the result depends on, for the key of the cache."""
         return self.requirement, self.run.binding, self.passing, self._shape(self.tree)
 
     def _shape(self, node: TreeNode) -> object:

@@ -1,4 +1,4 @@
-"""What the tests of each requirement executed of the methods that fulfil it."""
+"""The parts of the methods of each requirement that its tests executed."""
 
 from __future__ import annotations
 

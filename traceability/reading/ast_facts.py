@@ -1,4 +1,4 @@
-"""What is known of the code: classes, methods, calls, names and includes, each at its place."""
+"""Facts about the code: classes, methods, calls, names and includes, each with its place."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class SilentFact:
     """A declaration in a header that others can use, and that has no comment."""
 
     name: str
-    place: Place  # with an end where it is a variable: a comment may stand behind the value
+    place: Place  # of a variable, with an end: a comment may follow the value
 
 
 @dataclass
@@ -79,12 +79,12 @@ class CallFact:
     virtual: bool
     place: Place
     declared: str = ""  # the file that declares a function outside classes
-    on: list[str] = field(default_factory=list)  # what a method is called on, see flow
-    args: list[list[str]] = field(default_factory=list)  # what each argument names
+    on: list[str] = field(default_factory=list)  # objects that a method is called on, see flow
+    args: list[list[str]] = field(default_factory=list)  # names in each argument
     sometimes: bool = False  # below a condition, or after one that may have left the function
     repeated: bool = False  # below a loop
     end: int = 0  # offset in the file: a call ends behind those in its arguments
-    asked: list[str] = field(default_factory=list)  # what these conditions ask, see conditions
+    asked: list[str] = field(default_factory=list)  # operands of these conditions, see conditions
 
 
 @dataclass
@@ -109,7 +109,7 @@ class BodyFact:
 class NameFact:
     """A class is named in the code of another one. ``how``: type, member, construct, base.
 
-    What a namespace holds has no class; its ``member`` has the name of the namespace.
+    A member of a namespace has no class; its ``member`` has the name of the namespace.
     """
 
     by: str

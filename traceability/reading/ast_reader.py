@@ -1,4 +1,4 @@
-"""Walks the syntax tree of one unit and notes the facts of its files."""
+"""Walks the syntax tree of one unit and records the facts of its files."""
 
 from __future__ import annotations
 
@@ -202,13 +202,13 @@ class Reader:
             self.initialised = ""
 
     def leave(self, cursor: Cursor) -> None:
-        """Notes the conditions under which a statement leaves the function."""
+        """Records the conditions under which a statement leaves the function."""
         if cursor.kind == CursorKind.RETURN_STMT and self.chances > 0:
             self.left = True
             self.left_by += [question for asked in self.asked for question in asked]
 
     def questions(self, cursor: Cursor) -> list[str]:
-        """What the condition of a statement asks."""
+        """Returns the operands of the condition of a statement."""
         parts = [part for part in cursor.get_children() if part.kind.is_expression()]
         return questions(parts[0], self.is_own) if parts else []
 
@@ -216,7 +216,7 @@ class Reader:
         return target is not None and self.place(target) is not None
 
     def values(self, cursor: Cursor, place: Place) -> None:
-        """Notes the constants of a declaration under all names that a text can use."""
+        """Records the constants of a declaration under all names that a text can use."""
         if cursor.kind not in _CONSTANTS:
             return
         for end, number, unit in constants_of(cursor):
@@ -326,7 +326,7 @@ class Reader:
                 call.asked = list(dict.fromkeys([*self.left_by, *asked]))
 
     def made_by_library(self, cursor: Cursor, target: Cursor, owner: str, place: Place) -> None:
-        """The library makes what it holds by value, and the types that it is given."""
+        """Records the objects that the library constructs: its values, and its type arguments."""
         constructs = target.kind == CursorKind.CONSTRUCTOR and target.spelling in _HOLDERS
         if not constructs and target.spelling not in _MAKERS:
             return
@@ -355,7 +355,7 @@ class Reader:
         return call
 
     def unresolved(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """In a template a call of what depends on the parameters has a name only."""
+        """Records a call that depends on the parameters of a template: it has only a name."""
         if body is not None and cursor.kind == CursorKind.MEMBER_REF_EXPR:
             name = [token.spelling for token in cursor.get_tokens()][-1:]
             body.calls += [CallFact(f"{ANY_CLASS}::{one}", False, place) for one in name]
@@ -425,7 +425,7 @@ class Reader:
             body.loops.append(place.line)
 
     def block(self, cursor: Cursor | None, place: Place, *, declares: bool) -> None:
-        """Notes a namespace that lies in that of the project, and what its header holds."""
+        """Records a namespace inside that of the project, and the contents of its header."""
         while cursor is not None and cursor.kind != CursorKind.NAMESPACE:
             cursor = cursor.semantic_parent
         name = namespace_of(cursor)
@@ -620,7 +620,7 @@ class Reader:
 
 
 def bare(cursor: Cursor | None) -> Cursor | None:
-    """An expression without brackets, and without what takes or follows its address."""
+    """Returns an expression without brackets, address operators and dereferences."""
     while cursor is not None and cursor.kind in _WRAPPING:
         cursor = next(cursor.get_children(), None)
     return cursor
@@ -684,7 +684,7 @@ def _makes_address(cursor: Cursor) -> bool:
 
 
 def _is_volatile(cursor: Cursor) -> bool:
-    """Whether what is declared is, or leads to, memory that changes by itself."""
+    """Returns whether a declaration is, or refers to, memory that changes by itself."""
     kind = cursor.type.get_canonical()
     while kind.kind in _REFERRING:
         kind = kind.get_pointee()
@@ -696,7 +696,7 @@ def _types_in(union: Cursor) -> list[Any]:
 
 
 def _parts(cursor: Cursor) -> Iterator[Cursor]:
-    """What is cast, without what the compiler puts around it."""
+    """Yields the operand of a cast, without the nodes that the compiler adds around it."""
     for child in cursor.get_children():
         yield child
         if child.kind == CursorKind.UNEXPOSED_EXPR:

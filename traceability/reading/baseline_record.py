@@ -1,4 +1,4 @@
-"""The baseline design next to that of the robot: what each costs, and what likely changes touch."""
+"""The baseline design next to that of the robot: their costs, and the extent of likely changes."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ TARGETS = {"report_avg": 5, "cycle_avg": 5, "flash": 10}
 
 @dataclass(frozen=True)
 class Row:
-    """A figure of both designs."""
+    """A metric of both designs."""
 
     key: str
     title: str
@@ -40,9 +40,9 @@ ROWS = (
     Row("cycle_avg", "whole cycle of 100 ms, mean", "instructions"),
     Row("cycle_max", "whole cycle of 100 ms, most", "instructions"),
     Row("flash", "flash of the image", "bytes"),
-    Row("own_flash", "flash without what both share", "bytes"),
+    Row("own_flash", "flash without the shared code", "bytes"),
     Row("ram", "RAM of the image, without the stack", "bytes"),
-    Row("own_ram", "RAM without what both share", "bytes"),
+    Row("own_ram", "RAM without the shared data", "bytes"),
     Row("stack", "stack, deepest use seen", "bytes"),
     Row("functions", "functions", ""),
     Row("complexity_max", "cyclomatic complexity of a function, most", ""),
@@ -55,13 +55,13 @@ ROWS = (
 
 @dataclass
 class Touched:
-    """What a patch does, counted from its text."""
+    """The extent of a patch, counted from its text."""
 
     files_changed: list[str] = field(default_factory=list)
     files_added: list[str] = field(default_factory=list)
     lines_touched: int = 0  # of existing files: removed or changed
     lines_added: int = 0
-    code_added: int = 0  # of these, what is neither empty nor a comment
+    code_added: int = 0  # of these, neither empty nor a comment
 
     def as_json(self) -> dict[str, Any]:
         return dict(vars(self))
@@ -107,7 +107,7 @@ def more(figures: dict[str, dict[str, float]], key: str) -> float | None:
 
 
 def verdict(figures: dict[str, dict[str, float]], key: str) -> bool | None:
-    """Whether a target is met; None for a figure without one."""
+    """Returns whether a target is met; None for a metric without a target."""
     found = more(figures, key)
     return None if key not in TARGETS or found is None else found <= TARGETS[key]
 

@@ -1,4 +1,4 @@
-"""The four scenarios of the paper: what it measured, and what was measured here."""
+"""The four scenarios of the paper: its measurements, and those of this project."""
 
 from __future__ import annotations
 
@@ -120,11 +120,11 @@ def bench_metrics(record: Mapping[str, BenchScenario] | None) -> list[dict[str, 
     ]
 
 
-# ---- from what the board program measured -------------------------------------
+# ---- from the measurements of the board program --------------------------------
 
 
 def bench_run(raw: dict[str, Any], speed: float | None = None) -> BenchRun:
-    """The numbers of one run, from what the board program measured."""
+    """Returns the numbers of one run, from the measurements of the board program."""
     if len(raw["reported"]) != CYCLES or not all(raw["reported"]):
         raise ValueError(f"{sum(raw['reported'])} cycles with a report, not {CYCLES}")
     per_ms = raw["clock_hz"] / 1000
@@ -163,7 +163,7 @@ def latencies(raw: dict[str, dict[str, int]], per_ms: float) -> dict[str, Latenc
 
 
 def exceptions(raw: dict[str, dict[str, int]], per_ms: float) -> list[ExceptionCost]:
-    """What each interrupt and thread costs in a cycle on average, dearest first."""
+    """Returns the average cost of each interrupt and thread in a cycle, highest first."""
     rows = [
         ExceptionCost(
             who(int(number)),

@@ -1,7 +1,7 @@
 """Which lines of the design were executed on the virtual K64.
 
 The drivers are built for the K64 only, so no coverage of this machine includes them. A test on
-the virtual K64 leaves one bit for each half-word of the flash that it executed; the image knows
+the virtual K64 sets one bit for each half-word of the flash that it executed; the image contains
 the line that each of its instructions was made from.
 """
 

@@ -1,4 +1,4 @@
-"""Reads from what, with what and where a build was made."""
+"""Reads the sources, the tools and the machine of a build."""
 
 from __future__ import annotations
 

@@ -33,14 +33,14 @@ SHORT = re.compile(r"(?:wr::)(?P<name>[\w:~]+(?:<[^()]*>[\w:~]*)*)\(")
 
 @dataclass
 class Function:
-    """``frame`` is in bytes. ``dynamic``: the frame has no bound that the compiler knows."""
+    """``frame`` is in bytes. ``dynamic``: the compiler reports no bound of the frame."""
 
     symbol: str
     name: str
     frame: int
     dynamic: bool = False
     measured: bool = False  # from the instructions, not from the compiler
-    blind: bool = False  # its instructions call a function that only the compiler knows
+    blind: bool = False  # its instructions call a function that only the compiler's graph contains
     calls: list[str] = field(default_factory=list)  # symbols
     indirect: list[Place] = field(default_factory=list)
 
@@ -96,7 +96,7 @@ def _read_unit(root: Path, folder: Path, text: str, told: dict[str, Function]) -
 
 
 def _symbol(title: str) -> str:
-    """A function that only its unit knows has the file before its symbol."""
+    """Returns the symbol of a function. The title of a local function begins with its file."""
     return title.rpartition(":")[2]
 
 

@@ -13,7 +13,7 @@ FILE = Path("design/changes.toml")
 
 @dataclass
 class Recipe:
-    """What a change of an application of one pattern takes. Roles are those of the pattern."""
+    """The steps that change an application of one pattern. Roles are those of the pattern."""
 
     alters: list[str]  # roles whose modules each hide one way that exists
     adds: str = ""  # role of a new class
@@ -24,7 +24,7 @@ class Recipe:
 
 @dataclass
 class Particular:
-    """What is particular to one application."""
+    """The data of one application."""
 
     derives: list[str] = field(default_factory=list)
     examples: list[str] = field(default_factory=list)

@@ -1,4 +1,4 @@
-"""What the elements of a syntax tree are called in the model."""
+"""The names in the model of the elements of a syntax tree."""
 
 from __future__ import annotations
 

@@ -52,7 +52,7 @@ def csv_of(scenario: str, binding: str) -> Path:
 
 
 def declared(root: Path, entries: Entries | None = None) -> list[dict[str, Any]]:
-    """The scenarios with those of their plots and values that have what each needs."""
+    """Returns the scenarios, each with the plots and values that have all their keys."""
     entries = entries or Entries(root)
     may: Keys = {"plot": list, "figure": list}
     found = entries.tables(root / DECLARED, "scenario", SCENARIO, may, own="name")
@@ -128,8 +128,11 @@ def _plot(plot: dict[str, Any], rows: dict[str, Rows]) -> LoopPlot:
 
 
 def column(rows: Rows, name: str) -> Points:
-    """The valid values of a column with their times [ms]: of the truth when it was read, of what a
-    report shows the clock pulse."""
+    """Returns the valid values of a column with their times [ms].
+
+    For a true value, that is the time of the reading; for a value of a report, that of the clock
+    pulse.
+    """
     return [
         (float(row[time_column(name)]), float(row[name])) for row in rows if is_valid(row, name)
     ]
@@ -173,7 +176,7 @@ def _figure(figure: dict[str, Any], rows: dict[str, Rows]) -> LoopFigure:
 
 
 def measure(figure: dict[str, Any], points: Points) -> float | None:
-    """The value of a figure; None when there are no points, or it never settles."""
+    """Computes a metric; None when there are no points, or the value never settles."""
     if not points:
         return None
     target = float(figure.get("target", 0))
@@ -189,7 +192,7 @@ def measure(figure: dict[str, Any], points: Points) -> float | None:
             return scale * max(abs(value - target) for _, value in points)
         case "peak":
             return scale * max(abs(value) for _, value in points)
-    raise ValueError(f"{DECLARED}: unknown kind of figure {figure['kind']!r}")
+    raise ValueError(f"{DECLARED}: unknown kind of metric {figure['kind']!r}")
 
 
 def settling(points: Points, start: float, target: float, band: float) -> float | None:

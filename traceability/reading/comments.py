@@ -1,8 +1,8 @@
 """Reads comments: each tag with its arguments, its text and its line.
 
 A comment is a block of ``///`` lines or a ``/** */``. It belongs to the declaration for which the
-syntax tree has its place, or to the test macro below it; in a ``.dox`` file its own tags say what
-it is about. Texts are plain, with the light markup of the comment: `names` and lists.
+syntax tree has its place, or to the test macro below it; in a ``.dox`` file its own tags name its
+subject. Texts are plain, with the light markup of the comment: `names` and lists.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from traceability.schema import Place
 from traceability.sources import files_below
 
 SUFFIXES = (".hpp", ".cpp", ".dox")
-# What follows the name of a tag: arguments in braces, one word, or a text. Doxygen's settings
+# The name of a tag is followed by arguments in braces, a word, or a text. Doxygen's settings
 # declare those that are not its own.
 IN_BRACES = {"role": 2, "patternapp": 3, "isr": 1, "hides": 1}
 WORD = ("param", "tparam", "throws", "satisfies", "verifies", "requirement", "dir", "page")

@@ -1,4 +1,4 @@
-"""Reads what the paper names (``paper.toml``), and where it is here (``concordance.toml``)."""
+"""Reads the names of the paper (``paper.toml``) and their places here (``concordance.toml``)."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ STATEMENTS = Path("design/statements.toml")
 
 @dataclass
 class Concordance:
-    """The places of the paper, what they name, and the entries of the concordance."""
+    """The places of the paper, the names in them, and the entries of the concordance."""
 
     places: list[PaperPlace] = field(default_factory=list)
     named: dict[tuple[str, str], list[str]] = field(default_factory=dict)  # -> ids of places
@@ -31,7 +31,7 @@ class Concordance:
 
 
 def read_concordance(root: Path, entries: Entries) -> Concordance:
-    """An entry says where it is named as well; one that the paper does not name has no place."""
+    """Reads the concordance. Each entry lists the places of the paper that name it, if any."""
     if not (root / PAPER).exists() or not (root / CONCORDANCE).exists():
         return Concordance()
     found = _paper(root, entries)

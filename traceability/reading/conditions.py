@@ -50,7 +50,7 @@ def _local(cursor: Cursor) -> Cursor | None:
 
 
 def _names(cursor: Cursor, is_own: IsOwn) -> Iterator[str]:
-    """What an expression asks, in the order of the text: no argument of an operation."""
+    """Yields the operands of an expression in the order of the text, without arguments of calls."""
     variable = _local(cursor)
     if variable is not None:
         yield from _names(variable, is_own)

@@ -13,7 +13,7 @@ from clang.cindex import Cursor, CursorKind, SourceLocation, SourceRange, TokenK
 from traceability.reading.clang_names import class_name
 
 UNIT = re.compile(r"\[([^\]]+)\]")
-RANGE = " to "  # such brackets hold no unit
+RANGE = " to "  # brackets with this text contain a range, not a unit
 UNSIGNED = {TypeKind.UCHAR, TypeKind.USHORT, TypeKind.UINT, TypeKind.ULONG, TypeKind.ULONGLONG}
 INTEGER = 1  # kind of an evaluated expression
 
@@ -27,7 +27,7 @@ def constant_names(cursor: Cursor, file: str) -> list[str]:
 
 
 def constants_of(cursor: Cursor) -> Iterator[tuple[str, int, str]]:
-    """The constants that a declaration has: what follows its name, value and unit."""
+    """Yields the constants of a declaration: suffix of the name, value and unit."""
     if cursor.kind == CursorKind.ENUM_CONSTANT_DECL:
         bits = 8 * cursor.semantic_parent.enum_type.get_size()
         unsigned = cursor.semantic_parent.enum_type.get_canonical().kind in UNSIGNED
@@ -49,7 +49,7 @@ def constants_of(cursor: Cursor) -> Iterator[tuple[str, int, str]]:
 
 
 def value_of(cursor: Cursor) -> Cursor | None:
-    """The expression that a constant has; of an operation, what its only statement returns."""
+    """Returns the expression of a constant, or the result of an operation with one statement."""
     if cursor.kind == CursorKind.VAR_DECL:
         return last_expression(cursor) if cursor.type.is_const_qualified() else None
     body = next((c for c in cursor.get_children() if c.kind == CursorKind.COMPOUND_STMT), None)

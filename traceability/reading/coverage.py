@@ -20,13 +20,13 @@ from traceability.schema import HOST, VIRTUAL_K64
 from traceability.sources import DESIGN, file_hash
 
 HOST_BUILD = SOURCES[HOST].executable.parents[1]
-# Folders of programs that may be next to that of the tests: no test runs what only they hold.
+# Folders of programs that may be next to that of the tests: no test runs code that only they have.
 OTHER_PROGRAMS = r".*/(usual_design_tests|change_\w+_tests|weeding_robot_host)\.dir"
 
 
 @dataclass
 class Coverage:
-    """What there is to execute on a target, and what each recording executed of it."""
+    """The executable code of a target, and the part of it that each recording executed."""
 
     whole: Covered = field(default_factory=Covered)
     recordings: dict[str, Covered] = field(default_factory=dict)
@@ -37,7 +37,7 @@ class Coverage:
         return any(self.whole.branches.values())
 
     def of(self, recordings: list[str]) -> Covered:
-        """What some recordings executed together."""
+        """Returns the code that some recordings executed together."""
         union = Covered()
         for name in recordings:
             if name in self.recordings:
@@ -46,7 +46,7 @@ class Coverage:
 
     @functools.cached_property
     def all(self) -> Covered:
-        """What all recordings executed together."""
+        """Returns the code that all recordings executed together."""
         return self.of(list(self.recordings))
 
 
@@ -149,7 +149,7 @@ def _of_design(root: Path, covered: Covered) -> Covered:
 
 @functools.cache
 def design_file(root: Path, file: str) -> str:
-    """The path below the root; empty for what is no file of the design."""
+    """Returns the path below the root; empty for a file outside the design."""
     path = Path(file)
     if not path.is_relative_to(root):
         return ""

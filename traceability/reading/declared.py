@@ -1,4 +1,4 @@
-"""Reads what ``design/`` declares: trees, state machines, architecture, uses, pattern tables."""
+"""Reads the declarations of ``design/``: trees, state machines, architecture, uses, patterns."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ class Block:
 
 @dataclass
 class PipeText:
-    """What a pipe of the robot is called."""
+    """The name and text of a pipe of the robot."""
 
     name: str
     says: str

@@ -1,8 +1,8 @@
 """Where references go: from an object through members, parameters and results to its users.
 
 Places are named by strings: ``field Class::name``, ``param function 0``, ``var file:name``,
-``result function``, ``this Class``, ``function name`` and ``constant Enum::name``. What has no name
-is ``value``.
+``result function``, ``this Class``, ``function name`` and ``constant Enum::name``. An expression
+without a name is ``value``.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ EXPRESSIONS_APART = {CursorKind.TYPE_REF, CursorKind.NAMESPACE_REF, CursorKind.L
 
 @dataclass
 class FlowFact:
-    """What the sources refer to may be referred to by a place too."""
+    """A flow: the place may refer to the same objects as the sources."""
 
     into: str
     sources: list[str]
@@ -51,7 +51,7 @@ class FlowFact:
 
 
 class FlowReader:
-    """Names what the expressions of one unit refer to."""
+    """Names the places that the expressions of one unit refer to."""
 
     def __init__(self, place: PlaceOf) -> None:
         self.place = place
@@ -78,7 +78,7 @@ class FlowReader:
         return names.get(cursor.kind, "")
 
     def function(self, cursor: Cursor) -> str:
-        """The id of a function; with its file when only that file knows it."""
+        """Returns the id of a function; with its file when it is local to the file."""
         name = function_id(cursor)
         if "::" in name or cursor.linkage == LinkageKind.EXTERNAL:
             return name
@@ -86,7 +86,7 @@ class FlowReader:
         return f"{at.file}:{name}" if at else name
 
     def sources(self, cursor: Cursor) -> list[str]:
-        """The places that an expression names, without what only leads to them."""
+        """Returns the places that an expression names, without the steps that lead to them."""
         return list(dict.fromkeys(self._sources(cursor)))
 
     def _sources(self, cursor: Cursor) -> Iterator[str]:
@@ -125,14 +125,14 @@ class FlowReader:
         self.add(self.node(member.referenced), self.sources(value) or ["value"], place)
 
     def arguments(self, call: Cursor, target: Cursor, place: Place) -> list[list[str]]:
-        """What the arguments of a call of the project name; the parameters refer to it."""
+        """Returns the places in the arguments of a call; the parameters refer to them."""
         named = [self.sources(value) for value in call.get_arguments()]
         for number, sources in enumerate(named):
             self.add(f"param {self.function(target)} {number}", sources, place)
         return named
 
     def receiver(self, call: Cursor) -> list[str]:
-        """What a method is called on; empty when it is called on its own object."""
+        """Returns the places of the object of a call; empty when it is the caller's own object."""
         callee = next(call.get_children(), None)
         if callee is None or callee.kind != CursorKind.MEMBER_REF_EXPR:
             return []
@@ -166,7 +166,7 @@ class FlowReader:
         self.add(name, sources, place)
 
     def kept(self, sides: list[Cursor], place: Place) -> None:
-        """``a[i] = b``: both the member and the index know what is kept."""
+        """Records ``a[i] = b``: both the member and the index refer to ``b``."""
         kept = self.sources(sides[1])
         for name in self.sources(sides[0]) if kept else []:
             self.add(name, kept, place)

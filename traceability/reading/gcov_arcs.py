@@ -1,7 +1,7 @@
 """Which lines and branches of the design each test executed on this machine.
 
 gcc counts some arcs of the flow graph of each function, and leaves the graphs next to the objects.
-The counters of the other arcs follow: what enters a block leaves it.
+The counters of the other arcs follow: a block is left as often as it is entered.
 """
 
 from __future__ import annotations
@@ -98,7 +98,7 @@ class Graph:
         return found
 
     def whole(self) -> Covered:
-        """What there is to execute."""
+        """Returns all executable code."""
         return self._covered(self.lines, self.branches)
 
     def executed(self, counters: tuple[int, ...]) -> Covered:
@@ -182,7 +182,7 @@ def records(data: bytes) -> Iterator[tuple[int, Words]]:
 
 
 def lines_of(words: Words, file: str) -> Iterator[Line]:
-    """What a block was made from."""
+    """Yields the lines that a block was made from."""
     while words.left():
         if line := words.number():
             yield file, line

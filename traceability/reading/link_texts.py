@@ -1,7 +1,7 @@
 """The texts that a requirement's links depend on, without comments and layout.
 
-Each is found in the text of its file, so that an earlier version of the file gives the earlier
-text: git keeps what was recorded.
+Each is found in the text of its file. So an earlier version of the file, from git, gives the
+earlier text.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ def tests(text: str) -> list[tuple[str, str]]:
 
 @functools.cache
 def support(text: str) -> str:
-    """What a file holds besides its tests: fixtures, oracles, helpers, lists of parameters.
+    """Returns the text of a file without its tests: fixtures, oracles, helpers, parameter lists.
 
     In a scenario, and in a file without tests, that is all but the comments.
     """
@@ -63,7 +63,7 @@ def support(text: str) -> str:
 
 
 def without_remarks(text: str) -> str:
-    """The lines of a tree or of a scenario without what follows ``#``. Depth and order remain."""
+    """Returns the lines of a tree or scenario without ``#`` comments. Depth and order remain."""
     lines = (line.split("#")[0].rstrip() for line in text.splitlines())
     return "\n".join(
         f"{(len(line) - len(line.lstrip())) // 2} {line.strip()}" for line in lines if line
@@ -116,7 +116,7 @@ def texts_of_test(text: str, name: str) -> Iterator[str]:
 
 
 def texts_of_support(text: str, name: str) -> Iterator[str]:
-    """What a file holds besides its tests; a scenario whole."""
+    """Yields the text of a file without its tests; a scenario as a whole."""
     yield without_remarks(text) if name.endswith(".scenario") else support(text)
 
 

@@ -1,4 +1,4 @@
-"""Reads what ./wr mutate left: which seeded faults the tests found."""
+"""Reads the record of ./wr mutate: the seeded faults that the tests found."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ RECORD = RESULTS / "mutation.json"
 
 
 def last_mutation(root: Path, sources: str) -> LastRecord | None:
-    """What the last run found, with whatever sources."""
+    """Returns the result of the last run, even with other sources."""
     data = read_json(root / RECORD)
     if not isinstance(data, dict):
         return None

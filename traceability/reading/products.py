@@ -50,7 +50,7 @@ _LISTED = listed(Path(__file__).parents[2])
 PRODUCTS = {one.name: one.commands for one in _LISTED}
 HAS = {one.name: set(one.has) for one in _LISTED}
 DIFFERENT = set().union(*HAS.values())
-RESULTS = Path("build/results/products.json")  # what each image holds
+RESULTS = Path("build/results/products.json")  # contents of each image
 
 # A symbol of a class of the project: a method, an object that it owns, or its table of methods.
 SYMBOL = re.compile(r"[0-9a-f ]+ \w (?:[a-z-]+(?: [a-z]+)? (?:for|to) )?wr::(\w+)")

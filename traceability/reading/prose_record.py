@@ -1,4 +1,4 @@
-"""What the linter of prose found, and in which texts."""
+"""The findings of the linter of prose, and the hash of the texts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Results that are kept between runs, as long as what they were made from is the same."""
+"""Cache of results between runs. A result is valid as long as its inputs are the same."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Result = TypeVar("Result")
 
 
 def kept(path: Path, parts: Iterable[object], make: Callable[[], Result]) -> Result:
-    """What the file keeps if it was made from these parts; else it is made, and kept.
+    """Returns the cached result if it was made from these parts; else makes and stores it.
 
     The ``repr`` of each part identifies it.
     """

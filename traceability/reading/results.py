@@ -1,4 +1,4 @@
-"""Reads what the test run left: results and sizes."""
+"""Reads the results and sizes that the test run wrote."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ RUNS = {HOST: "trace", VIRTUAL_K64: "board"}  # the run of the tests that counts
 TASKS = {HOST: task_record.TESTS_TRACE, VIRTUAL_K64: task_record.TESTS_BOARD}
 TYPE = re.compile(r"/\d+$")  # of a suite of typed tests
 PLAIN = "plain"  # the run without records
-# What gcovr counted: the totals, and the lines of each file.
+# The counts of gcovr: the totals, and the lines of each file.
 COVERAGE = RESULTS / "coverage.json"
 COVERAGE_LINES = RESULTS / "coverage_lines.json"
 BOARD_ONLY = ("tests/sim/emulator/", "tests/torture/", "tests/k64/", "tests/system/board/")
@@ -36,7 +36,7 @@ class Result:
     milliseconds: float
     message: str
     recordings: list[str] = field(default_factory=list)  # names of the files of recorded calls
-    measured: str = ""  # what the test itself reports: its property of this name
+    measured: str = ""  # text that the test itself reports: its property of this name
     instances: dict[str, str] = field(default_factory=dict)  # of a parameterised test -> result
     images: list[str] = field(default_factory=list)  # products whose images the test ran
 
@@ -89,12 +89,12 @@ def run_hash(root: Path, binding: str) -> str:
 
 
 def read_totals(root: Path) -> dict[str, float] | None:
-    """What gcovr counted, when it counted the last run on this machine."""
+    """Returns the totals of gcovr, if they belong to the last run on this machine."""
     return count_totals(root) if task_record.is_fresh(root, task_record.COVERAGE) else None
 
 
 def count_totals(root: Path) -> dict[str, float] | None:
-    """What gcovr counted, when it found a line of the design."""
+    """Returns the totals of gcovr, if it found a line of the design."""
     record = read_json(root / COVERAGE)
     if not isinstance(record, dict) or not record["line_total"]:
         return None

@@ -1,4 +1,4 @@
-"""What it cost to add safety: files and lines since a base commit, counted by git."""
+"""The cost of the safety functions: files and lines since a base commit, counted by git."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What became of the seeded faults, and whether it holds for the present state of the project."""
+"""The results of the seeded faults, and whether they belong to the present files."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ SOURCES = (
 
 @dataclass(frozen=True)
 class Outcome:
-    """``line`` is where the finding was to lie; ``said`` is what was found, there if possible."""
+    """``line`` is the expected line of the finding; ``said`` is the finding, if possible there."""
 
     name: str
     check: str
@@ -55,7 +55,7 @@ def write_record(root: Path, outcomes: list[Outcome], left_out: int, commit: str
 
 
 def last_seeded(root: Path) -> LastRecord | None:
-    """What the last run found, in whatever state of the project."""
+    """Returns the result of the last run, even with other files."""
     record = read_json(root / RECORD)
     if not isinstance(record, dict):
         return None

@@ -8,15 +8,15 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 FAULTS = Path("tests/drift")
-# What a fault is seeded in: the sources, the sources with the results of their tests, the pages, or
-# the finished site.
+# The targets of a seeded fault: the sources, the sources with the results of their tests, the
+# pages, or the finished site.
 STAGES = ("sources", "results", "pages", "site")
 COMPILER = "syntax-error"
 
 
 @dataclass(frozen=True)
 class Edit:
-    """Replaces what a pattern matches first. Without a pattern the file is new."""
+    """Replacement of the first match of a pattern. Without a pattern the file is new."""
 
     file: str
     find: str

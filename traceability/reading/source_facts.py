@@ -1,4 +1,4 @@
-"""What the model is made from, and what is found out by looking at it as a whole."""
+"""The inputs of the model, and the facts that follow from all of them together."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from traceability.sources import DESIGN, SRC
 
 @dataclass
 class Facts:
-    """What the model was made from. Checks that need more than the model read it here."""
+    """The inputs of the model, for the checks that need more than the model."""
 
     root: Path
     comments: Comments
@@ -37,7 +37,7 @@ class Facts:
     classes: dict[str, ClassFact]
     written_in: dict[str, str]  # file -> the class that it is named after
     bodies_of: dict[str, list[BodyFact]] = field(default_factory=dict)  # class -> all in its files
-    names_of: dict[str, list[NameFact]] = field(default_factory=dict)  # class -> what it names
+    names_of: dict[str, list[NameFact]] = field(default_factory=dict)  # class -> names in it
     includes_of: dict[str, list[IncludeFact]] = field(default_factory=dict)  # class -> its files'
     warnings: list[tuple[Place, str]] = field(default_factory=list)  # of Doxygen
 
@@ -91,7 +91,7 @@ class Facts:
         return {comment.of("dir")[0].argument: comment for comment in found if comment.of("dir")}
 
     def kind_of(self, name: str) -> str:
-        """What a class is: class, struct, enum or alias; empty for one that is not known."""
+        """Returns class, struct, enum or alias; empty for a class outside the project."""
         fact = self.classes.get(name)
         return fact.kind if fact else ""
 
@@ -170,9 +170,9 @@ class Object:
 
 
 class References:
-    """What each reference may refer to.
+    """The objects that each reference may refer to.
 
-    An object is a member or a variable that holds a class of the project by value. Its references
+    An object is a member or a variable whose type is a class of the project. Its references
     are followed through constructors, parameters, members and results, in all files of the robot
     itself.
     """
@@ -180,7 +180,7 @@ class References:
     def __init__(self, facts: Facts) -> None:
         self.facts = facts
         self.known: dict[str, set[Object]] = {}  # place -> objects
-        self.next: dict[str, set[str]] = {}  # place -> places that know what it knows
+        self.next: dict[str, set[str]] = {}  # place -> places that refer to the same objects
         self._objects()
         self._flows()
         self._solve()
@@ -239,7 +239,7 @@ class References:
                     work.append(target)
 
     def objects(self, places: list[str], kind: str = "") -> set[Object]:
-        """What places may refer to: objects of a class and its subclasses, or all."""
+        """Returns the objects that places may refer to: of a class and its subclasses, or all."""
         family = {kind, *self.facts.heirs.get(kind, [])}
         found = {one for place in places for one in self.known.get(place, set())}
         return {one for one in found if not kind or one.kind in family}
@@ -258,7 +258,7 @@ class References:
     def reached(
         self, start: Iterable[str], within: dict[str, str], ends: list[str]
     ) -> dict[str, str]:
-        """Methods and functions that may run below the start -> who calls each first.
+        """Returns the methods and functions that may run below the start -> first caller of each.
 
         ``within`` narrows a virtual method to one that overrides it. Nothing runs below ``ends``.
         """

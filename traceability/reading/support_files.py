@@ -39,7 +39,7 @@ class SupportFiles:
         return (self.root / file).read_text(encoding="utf-8")
 
     def _helpers(self, file: str) -> frozenset[str]:
-        """Headers of tests/, with what they include, and the files without tests behind them."""
+        """Returns the headers of tests/, the files that they include, and their sources."""
         reached: set[str] = set()
         pending = [file]
         while pending:

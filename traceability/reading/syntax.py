@@ -1,7 +1,7 @@
-"""Reads what the code is, from libclang's syntax tree: what compiles is the truth.
+"""Reads the facts of the code from libclang's syntax tree, so they are those of the compiler.
 
 The facts of a translation unit are kept in a cache, whose key is the content of its own files, and
-the code without comments of all that it includes.
+the code, without comments, of all files that it includes.
 """
 
 from __future__ import annotations

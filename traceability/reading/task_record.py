@@ -1,4 +1,4 @@
-"""Reads what the task graph recorded: which results belong to the present files."""
+"""Reads the record of the task graph: the results that belong to the present files."""
 
 from __future__ import annotations
 

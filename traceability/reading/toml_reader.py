@@ -1,6 +1,6 @@
 """Reads the entries of the files in ``design/``, each with its line.
 
-What cannot be read is left out and becomes a problem, so that nothing is lost without a word.
+An entry that cannot be read is left out and becomes a problem, so that no entry is lost silently.
 """
 
 from __future__ import annotations
@@ -94,8 +94,8 @@ class Entries:
             text = f"the entry has no {key}, which is {_WORDS[needs[key]]}"
             self.problems.append(Problem(place, text, "write it, or correct its name"))
         for key in [key for key, value in item.items() if _is_blank(key, value)]:
-            text = f"{key} says nothing"
-            fix = "write what it is to say, or remove the key"
+            text = f"{key} is empty"
+            fix = "write its text, or remove the key"
             self.problems.append(Problem(self.line_in(place, key), text, fix))
         for key in [key for key in item if key not in known]:
             text = f"the entry has a key {key}, which nothing reads"
@@ -104,7 +104,7 @@ class Entries:
         return not missing
 
     def line_in(self, place: Place, words: str) -> Place:
-        """Where words stand in the entry that begins at a place; else the place itself."""
+        """Returns the line of some words in the entry that begins at a place; else the place."""
         path = self.root / place.file
         lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
         wanted = re.compile(rf"(?<![\w-]){re.escape(words)}(?![\w-])")
@@ -118,14 +118,14 @@ class Entries:
         return place
 
     def others(self) -> None:
-        """Notes the tables and names of the files that nothing asked for."""
+        """Records the tables and names of the files that no reader uses."""
         for path, asked in self._asked.items():
             for name in self._read.get(path, {}).keys() - asked:
                 text = f"nothing reads the values under {name}"
                 self.problems.append(Problem(self.place_of(path, name), text, "correct the name"))
 
     def absent(self, files: Iterable[Path]) -> None:
-        """Notes the files that should be there, and are not."""
+        """Records the expected files that do not exist."""
         for path in [path for path in files if not path.exists()]:
             place = Place(str(path.relative_to(self.root)), 1)
             text, fix = "there is no such file", "write it: a whole design has it"

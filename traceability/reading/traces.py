@@ -21,7 +21,7 @@ from traceability.sources import file_hash
 
 @dataclass(frozen=True)
 class Source:
-    """Where the recordings of a target lie, and what holds the names of their addresses."""
+    """The folder with the recordings of a target, and the executable with their symbols."""
 
     executable: Path
     folder: Path
@@ -41,9 +41,9 @@ SHOWN = 60
 
 @dataclass(slots=True)
 class Row:
-    """A call: it holds the rows up to, and without, ``end``, but for those of an interrupt.
+    """A call: it contains the rows before ``end``, without those of an interrupt.
 
-    Each entry of an interrupt is an ``activation`` of its own; 0 is what ran from the start.
+    Each entry of an interrupt has its own ``activation``; 0 is the code that ran from the start.
     """
 
     depth: int
@@ -58,7 +58,7 @@ class Traces:
     """The recordings of a target."""
 
     folder: Path
-    state: str = ""  # names the run of the tests, and what ran
+    state: str = ""  # identifies the run of the tests and the executable
     symbols: dict[int, str] = field(default_factory=dict)  # address -> method or function
     vectors: set[str] = field(default_factory=set)  # functions that the hardware enters
     tests: set[str] = field(default_factory=set)
@@ -165,7 +165,7 @@ def read_traces(root: Path, cache: Path) -> dict[str, Traces]:
 
 
 def _state(folder: Path, executable: Path) -> str:
-    """Names the recordings, and what ran."""
+    """Computes a hash that identifies the recordings and the executable."""
     total = hashlib.sha256(file_hash(executable).encode())
     for entry in sorted(os.scandir(folder), key=lambda one: one.name):
         state = entry.stat()
@@ -196,7 +196,7 @@ def _symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
 
 @functools.cache
 def method_of(symbol: str) -> str:
-    """``wr::Pipe<int>::write(int const&)`` -> ``Pipe::write``; empty for what is no method."""
+    """``wr::Pipe<int>::write(int const&)`` -> ``Pipe::write``; empty for other symbols."""
     if "{lambda" in symbol or not re.match(r"(?:[\w:<>,&* ]+ )?wr::", symbol):
         return ""
     kept, depth = "", 0
@@ -214,7 +214,7 @@ def method_of(symbol: str) -> str:
 
 
 def function_of(symbol: str) -> str:
-    """``cycleTimerInterrupt()`` -> ``cycleTimerInterrupt``; empty for what is no plain function."""
+    """``cycleTimerInterrupt()`` -> ``cycleTimerInterrupt``; empty for other symbols."""
     match = re.fullmatch(r"(?:wr::)?(\w+)(?:\(\))?", symbol)
     return match[1] if match else ""
 
@@ -230,7 +230,7 @@ class Embedding:
 def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str]]) -> Embedding:
     """Looks for the tree in a trace: a child lies within the call of its parent, in order.
 
-    What an interrupt called meanwhile is no call of the parent; what the parent posts is.
+    A call by an interrupt meanwhile is not a call of the parent; a post by the parent is.
     """
     order = {id(node): number for number, node in enumerate(nodes_of(tree))}
     names = {id(node): accepts(node) for node in nodes_of(tree)}

@@ -53,7 +53,7 @@ def clang_arguments(board: bool) -> list[str]:
 
 
 def _board_folders() -> list[str]:
-    """Where the compiler of the K64 looks for headers, as it says itself."""
+    """Returns the folders of headers that the compiler of the K64 reports."""
     answer = subprocess.run(
         [BOARD_COMPILER, *BOARD_FLAGS, "-E", "-x", "c++", "-v", "/dev/null"],
         capture_output=True,

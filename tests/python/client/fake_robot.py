@@ -55,7 +55,7 @@ class FakeRobot:
     start: tuple[int, int, int, int] = (1, 0, 0, 0)
     conditions: tuple[int, ...] = (1, 0, 0, 0, 0, 0, 0, 0)
     numbers: dict[int, int] = field(default_factory=dict)  # bytes of the report that are fixed
-    more: bytes = b""  # what a later version appends to Report and Welcome
+    more: bytes = b""  # bytes that a later version appends to Report and Welcome
     noise: bytes = b""
     silent: bool = False
     has_safety: bool = True

@@ -326,7 +326,7 @@ class Person:
         self.shown = b""
 
     def reads(self, text: str, seconds: float = 15.0) -> None:
-        """Reads on, until a text was shown; what was read before does not count again."""
+        """Reads until a text is shown. Output that was read before does not count again."""
         end = time.monotonic() + seconds
         while text.encode() not in self.shown:
             assert time.monotonic() < end, self.shown.decode()

@@ -1,4 +1,4 @@
-"""The capture of the line, as Wireshark shows it, against what the client decodes."""
+"""The capture of the line, as Wireshark shows it, against the frames that the client decodes."""
 
 import os
 import random

@@ -449,7 +449,7 @@ def test_driving_by_keyboard_tells_when_a_fault_begins_and_ends(
 
 
 def read_until(terminal: int, text: bytes, seconds: float = 10.0) -> bytes:
-    """What the program shows, until the text is there."""
+    """Returns the output of the program until the text is there."""
     data = b""
     end = time.monotonic() + seconds
     while text not in data and time.monotonic() < end:
@@ -518,7 +518,7 @@ def test_the_keyboard_drives_while_a_key_is_held(mcu: Any, terminal: Terminal) -
     terminal.type(b"\x1b[D")
     terminal.type(b"\x1b[A", seconds=0.5)
     read_until(terminal.keys, b"ordered: +50 rpm, +1 deg")
-    wait_for(lambda: orders(mcu)[-1] == (0, 100, 0))  # nobody holds the key any more
+    wait_for(lambda: orders(mcu)[-1] == (0, 100, 0))  # the key is released
     terminal.type(b"q")
     assert terminal.program.wait(10) == 0
     ordered = orders(mcu)

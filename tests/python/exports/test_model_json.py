@@ -1,4 +1,4 @@
-"""The schema of the exported model refuses what does not fit, and each diagram has its source.
+"""The schema of the exported model rejects invalid data, and each diagram has its source.
 
 That the model of this project fits is tested on the built site.
 """

@@ -1,4 +1,4 @@
-"""What is in an image: its vectors, its symbols, its sections."""
+"""Contents of an image: its vectors, its symbols, its sections."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def across_border(program: Path) -> list[str]:
 
 
 def vector_problems(image: bytes) -> list[str]:
-    """What is wrong with the vectors of an image; empty when nothing is."""
+    """Returns the faults of the vectors of an image."""
     stack, *handlers = struct.unpack_from(f"<{VECTORS}I", image)
     problems = []
     if not SRAM_LOWER < stack <= BORDER or stack % 8:

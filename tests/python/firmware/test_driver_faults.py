@@ -20,7 +20,7 @@ CALCULATION = Change(
     "  stop();\n  volatile float ratio = 1.5F;\n  ratio = ratio * ratio;\n  const auto ticks",
 )
 
-# What is wrong, the finding, and the changes; the first one names the driver.
+# The fault, its finding, and the changes; the first change names the driver.
 FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
     "clock gate of UART0 left closed": (
         "clock-gate",
@@ -236,7 +236,7 @@ def programs(tmp_path_factory: pytest.TempPathFactory) -> None:
 
 @pytest.fixture(scope="module")
 def table() -> Iterator[dict[str, dict[str, object]]]:
-    """What was found. When all faults were seeded, it is a result of the run."""
+    """Yields the table of findings. When all faults were seeded, it is a result of the run."""
     rows: dict[str, dict[str, object]] = {}
     yield rows
     for fault, row in rows.items():

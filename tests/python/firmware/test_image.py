@@ -1,4 +1,4 @@
-"""The image of the K64 holds what the chip needs, and nothing that the firmware must not have."""
+"""The image of the K64 contains all parts that the chip needs, and no forbidden part."""
 
 from __future__ import annotations
 

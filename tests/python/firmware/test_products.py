@@ -1,4 +1,4 @@
-"""The image of each product holds what the product needs, and nothing of what it does not need."""
+"""The image of each product contains all parts that the product needs, and no others."""
 
 from __future__ import annotations
 

@@ -57,7 +57,7 @@ namespace wr {
 ///
 /// @function Acts in NAME.
 ///
-/// @secret What follows NAME.
+/// @secret The state that follows NAME.
 ///
 /// @role{operation-states, Concrete State}
 /// @role{read-orders, Concrete Class}
@@ -145,7 +145,7 @@ class OperationState;
 
 /// @brief Runs the control cycle.
 ///
-/// @function Holds the current state and the current mode.
+/// @function Stores the current state and the current mode.
 ///
 /// @secret The order of the steps of a cycle.
 ///
@@ -266,7 +266,7 @@ namespace wr {
 class MainController;
 class Mode;
 
-/// @brief What the controller does in a cycle.
+/// @brief Runs the control cycle.
 ///
 /// @function Reads an order and acts on it.
 ///
@@ -290,11 +290,11 @@ class OperationState {
   void read(MainController& mCtrl);
 
  protected:
-  /// @brief What is done with a message.
+  /// @brief Acts on a message.
   /// @param mCtrl the controller
   /// @param md the mode
   virtual void actionWithMsg(MainController& mCtrl, Mode& md) = 0;
-  /// @brief What is done without a message.
+  /// @brief Acts without a message.
   /// @param mCtrl the controller
   /// @param md the mode
   virtual void actionNoMsg(MainController& mCtrl, Mode& md) = 0;

@@ -1,4 +1,4 @@
-"""What a change may affect, and the command that shows it."""
+"""The possible effects of a change, and the command that shows them."""
 
 from __future__ import annotations
 

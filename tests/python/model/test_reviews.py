@@ -1,4 +1,4 @@
-"""The baseline of a requirement, what makes it suspect, and the review by a person."""
+"""The baseline of a requirement, the changes that make it suspect, and the review by a person."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def tree(sound: Path, tmp_path: Path) -> Path:
 
 @pytest.fixture
 def answers(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """What the person types: yes to each question, and a remark."""
+    """Types the answers of the person: yes to each question, and a remark."""
     typed = [*("yes" for _ in QUESTIONS), REMARK]
     rest: Iterator[str] = iter(typed)
 

@@ -1,4 +1,4 @@
-"""The safety case: levels, times, links, and what this run shows of the goals."""
+"""The safety case: levels, times, links, and the verdicts of the goals in this run."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""State machines: what recorded calls show of them."""
+"""State machines: the changes that recorded calls show."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A requirement is verified by what its own tests executed, and by nothing else."""
+"""Only the code that its own tests executed verifies a requirement."""
 
 from __future__ import annotations
 

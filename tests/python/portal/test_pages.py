@@ -1,4 +1,4 @@
-"""What pages are made from, and what a reader finds on pages of a small model."""
+"""The inputs of pages, and the contents of the pages of a small model."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def pages(portal: Portal) -> dict[str, Shown]:
     return {page.name: read_page(page.body) for page in all_pages(portal)}
 
 
-# ---- what pages are made from -------------------------------------------------
+# ---- inputs of pages ----------------------------------------------------------
 
 
 def test_a_derived_class_overrides_operations_of_its_base(portal: Portal) -> None:
@@ -139,7 +139,7 @@ def test_a_check_that_needs_fresh_results_does_not_hold_without_them(portal: Por
     assert "no fresh results" in stale.verdict_of("tree-dynamic")
 
 
-# ---- what a reader finds ------------------------------------------------------
+# ---- contents of pages --------------------------------------------------------
 
 
 @pytest.mark.parametrize(

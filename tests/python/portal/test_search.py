@@ -1,4 +1,4 @@
-"""What the search knows, and the library that finds it."""
+"""The entries of the search, and the library that finds them."""
 
 from __future__ import annotations
 
@@ -37,10 +37,10 @@ def test_words_that_mean_the_same_are_in_small_letters() -> None:
 
 def test_a_part_of_a_page_has_the_words_below_its_heading() -> None:
     body = (
-        "<h1>Execution</h1><p class=lead>What runs.</p><section id=stack><h2>Stack</h2><p>Bytes"
+        "<h1>Execution</h1><p class=lead>All contexts.</p><section id=stack><h2>Stack</h2><p>Bytes"
         "<br>used</p></section><section><p>more</p></section>"
     )
     assert [(p.anchor, p.title, p.text) for p in parts_of(body)] == [
-        ("", "Execution", "What runs. more"),
+        ("", "Execution", "All contexts. more"),
         ("stack", "Stack", "Bytes used"),
     ]

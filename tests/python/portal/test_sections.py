@@ -15,7 +15,7 @@ It begins here. See :ref:`the way <way>` and
 2. The way
 ----------
 
-.. list-table:: What there is
+.. list-table:: All parts
    :header-rows: 1
 
    * - name

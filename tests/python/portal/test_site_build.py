@@ -1,4 +1,4 @@
-"""The site of a small model: what is written, what is warned of, and what a second run does."""
+"""The site of a small model: the files, the warnings, and the effect of a second run."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Two readers of what the tests executed agree: gcovr on the whole run, and the records by test."""
+"""Two measurements of coverage agree: gcovr on the whole run, and the records by test."""
 
 import json
 from pathlib import Path
@@ -14,7 +14,7 @@ from traceability.schema import HOST
 
 ROOT = Path(__file__).parents[3]
 
-Lines = dict[int, list[dict[str, Any]]]  # a line -> what gcovr says of it, once for each function
+Lines = dict[int, list[dict[str, Any]]]  # a line -> the records of gcovr, one for each function
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -25,7 +25,7 @@ def run() -> None:
 
 @pytest.fixture(scope="module")
 def counted() -> dict[str, Lines]:
-    """What gcovr says, by file."""
+    """Returns the records of gcovr, by file."""
     found: dict[str, Lines] = {}
     for file in json.loads((ROOT / COVERAGE_LINES).read_text(encoding="utf-8"))["files"]:
         lines = found.setdefault(file["file"], {})

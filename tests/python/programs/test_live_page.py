@@ -134,10 +134,10 @@ def test_a_requirement_is_watched_as_it_happens(site: Path) -> None:
     probe = """
       one("[data-go]").click();
       await until(() => doc.querySelectorAll(".lv-happened li").length === 2);
-      return { says: text("[data-result] p"), calls: text(".lv-happened") };
+      return { shows: text("[data-result] p"), calls: text(".lv-happened") };
     """
     seen = look(site, probe, page="requirements/FR-15.html")
-    assert "seen at " in seen["says"]
+    assert "seen at " in seen["shows"]
     assert seen["calls"] == "MainController::readRC::read"
 
 

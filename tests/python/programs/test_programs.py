@@ -41,8 +41,8 @@ def program(request: pytest.FixtureRequest) -> Words:
 
 
 Row = dict[str, str]
-# What depends on the instant at which a sensor is read, or on the time that the image takes. All
-# else in a report is decided.
+# Columns that depend on the instant of a reading, or on the run time of the image. The firmware
+# decides all others in a report.
 MEASURED = {"time_ms", "steering", "velocity", "current", "position", "tension"}
 MEASURED |= {"report_cycles", "awake_cycles", "start_cycles", "rejected_edges"}
 # Orders of the remote control are measured too: each is the width of a pulse. The steering follows
@@ -63,7 +63,7 @@ RARE = 0.06  # share of the cycles
 
 
 def decided(row: Row) -> Row:
-    """What the firmware decided: states, sources, set-points, faults, counts."""
+    """Returns the decisions of the firmware: states, sources, set-points, faults, counts."""
     of_report = list(row)[: list(row).index("at_ms")]
     measured = MEASURED | (SET_POINTS if row["mode"] == REMOTE_CONTROL else set())
     return {name: row[name] for name in of_report if name.rstrip(WHEELS) not in measured}
@@ -84,10 +84,12 @@ def difference(first: Row, second: Row) -> float:
 def test_the_image_does_what_the_firmware_on_this_machine_does(
     example: Path, tmp_path: Path
 ) -> None:
-    """It decides the same, a decision that hangs on a measured value at most one cycle earlier or
-    later. What it measures and applies differs by at most 1 % of the range in 94 of 100 cycles, and
+    """Both make the same decisions; one that depends on a measured value may be a cycle apart.
+
+    Measured and applied values differ by at most 1 % of the range in 94 of 100 cycles. They differ
     by more than 8 % only in a cycle next to such a decision; while pulses order, by at most 8 %.
-    At the end of a connection, and at that of the scenario, one may have sent a report more."""
+    At the end of a connection, and of the scenario, one program may have sent one more report.
+    """
     reports = []
     for binding in ("host", "board"):
         table = tmp_path / f"{binding}.csv"

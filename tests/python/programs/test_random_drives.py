@@ -3,7 +3,7 @@
 ``python tests/python/programs/test_random_drives.py [SERIES ...]`` plays whole series, and prints
 how many drives were stopped, how far the robot went until then, and its greatest velocity. A series
 is a fault of a scenario, as "leads 0", or "none", the drives without a fault. The exceptions in
-design/safety_case.toml state what these series print.
+design/safety_case.toml are the results of these series.
 """
 
 import csv

@@ -1,4 +1,4 @@
-"""What a patch touches, and the comparison of the numbers of the two designs."""
+"""The extent of a patch, and the comparison of the numbers of the two designs."""
 
 from pathlib import Path
 
@@ -23,7 +23,7 @@ new file mode 100644
 --- /dev/null
 +++ b/src/New.hpp
 @@ -0,0 +1,2 @@
-+/// What it is.
++/// Its purpose.
 +class New;
 """
 

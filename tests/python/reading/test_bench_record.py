@@ -1,4 +1,4 @@
-"""The times of the bench, from what the board program measured."""
+"""The times of the bench, from the measurements of the board program."""
 
 from dataclasses import replace
 from pathlib import Path

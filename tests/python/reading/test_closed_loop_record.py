@@ -115,7 +115,7 @@ def test_each_kind_of_figure(
 
 
 def test_an_unknown_kind_is_told() -> None:
-    with pytest.raises(ValueError, match="unknown kind of figure 'area'"):
+    with pytest.raises(ValueError, match="unknown kind of metric 'area'"):
         measure({"kind": "area"}, POINTS)
 
 

@@ -15,7 +15,7 @@ namespace wr {
 /// @brief Speed of a `Wheel`, \\, and more,
 /// on two lines.
 ///
-/// What else there is:
+/// Other items:
 /// - one item
 ///   of two lines
 /// - another item
@@ -74,7 +74,7 @@ def test_a_tag_has_its_text_its_arguments_and_its_line() -> None:
     comment = comments_of(HEADER)[0]
     assert (comment.place.line, comment.place.end) == (3, 19)
     assert comment.brief == "Speed of a `Wheel`, , and more, on two lines."
-    assert comment.details == "What else there is:\n- one item of two lines\n- another item"
+    assert comment.details == "Other items:\n- one item of two lines\n- another item"
     assert comment.one("secret") == "How it is measured."
     assert comment.all("hides") == ["k64/Register.hpp"]
     roles = [(*tag.arguments, tag.place.line) for tag in comment.of("role")]

@@ -33,7 +33,7 @@ def writer(path: Path, content: object) -> Callable[[Path], object]:
 
 
 class Case(NamedTuple):
-    """A result of a task: how it is written, how it is read, and what is read."""
+    """A result of a task, with its writer, its reader and the value that is read."""
 
     task: str
     write: Callable[[Path], object]

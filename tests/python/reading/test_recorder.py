@@ -1,4 +1,4 @@
-"""What the recorder of tests/support/trace.cpp keeps of the calls of a test."""
+"""The calls of a test that the recorder of tests/support/trace.cpp records."""
 
 from __future__ import annotations
 

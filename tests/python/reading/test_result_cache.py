@@ -1,4 +1,4 @@
-"""Results are kept as long as what they were made from is the same."""
+"""The cache of results: a result is valid as long as its inputs are the same."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The entries of the design: what cannot be read is reported with its line."""
+"""The entries of the design: an unreadable one is reported with its line."""
 
 from __future__ import annotations
 
@@ -85,4 +85,4 @@ def test_a_file_that_a_whole_design_lacks_is_found(tmp_path: Path) -> None:
 
 def test_a_text_of_blanks_says_nothing(tmp_path: Path) -> None:
     text = SOUND.replace("It shows that all is well.", " ")
-    assert problems(tmp_path, text) == [(11, "why says nothing")]
+    assert problems(tmp_path, text) == [(11, "why is empty")]

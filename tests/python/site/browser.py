@@ -1,4 +1,4 @@
-"""Opens pages in a browser without a window, and returns what a probe sees on them."""
+"""Opens pages in a browser without a window, and returns the results of a probe on them."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from typing import Any
 BROWSER = next(
     filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), ""
 )
-# A page that opens others in a frame, one after the other, and writes down what it sees.
+# A page that opens others in a frame, one after the other, and writes down the results.
 HARNESS = """<!doctype html><title>probe</title><body><pre id="out"></pre><script>
 const pages = %PAGES%, seen = {};
 const frame = document.createElement("iframe");
@@ -56,7 +56,7 @@ def served(site: Path) -> Iterator[Site]:
 def look(
     server: Site, pages: list[str], probe: str, *, width: int = 1200, query: str = ""
 ) -> tuple[dict[str, Any], list[str]]:
-    """What the probe returns for each page, and the errors on the console."""
+    """Returns the result of the probe for each page, and the errors on the console."""
     address, site = server
     values = {"PAGES": json.dumps(pages), "WIDTH": str(width), "QUERY": query, "PROBE": probe}
     page = HARNESS

@@ -1,4 +1,4 @@
-"""Reads the pages of the built site as a reader does who follows the links of the content only."""
+"""Reads the pages of the built site like a reader who follows only the links of the content."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ VOID = {
     "area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track",
     "wbr", "path", "rect", "circle", "line",
 }  # fmt: skip
-# What only leads on: the side navigation, the way back, the search.
+# Classes of elements for navigation: the side navigation, the way back, the search.
 NAVIGATION = re.compile(r"\b(search|crumbs|side|skip)\b")
 
 
@@ -31,7 +31,7 @@ class Code:
 
 @dataclass
 class Content:
-    """What the content of a page links to, names and says."""
+    """The links, the ids and the text of the content of a page."""
 
     links: list[str] = field(default_factory=list)
     ids: dict[str, tuple[int, int]] = field(default_factory=dict)  # id -> part of the text
@@ -124,7 +124,7 @@ def section(address: str) -> str:
 
 
 def searched() -> list[list[str]]:
-    """What the search knows: group, key, title, text and address of each entry, and more words."""
+    """Returns the entries of the search: group, key, title, text, address and more words."""
     script = (SITE / "_static" / "search_index.js").read_text(encoding="utf-8")
     entries: list[list[str]] = json.loads(script.partition("=")[2].rstrip().rstrip(";"))["entries"]
     return entries

@@ -1,4 +1,4 @@
-"""The gate of the built pages: accessible, no sideways scroll, no page that a narrow window stretches."""
+"""The gate of the built pages: accessible, no sideways scroll, no page stretched by narrow windows."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ LOOKED_AT = [
 WIDTHS = (320, 390, 600, 768, 821, 900, 1024, 1280, 1920)
 AXE_WIDTHS = (390, 768, 1024, 1440)
 TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
-# What a width or a theme can change; everything else is looked at once.
+# Rules whose result depends on width or theme; all others run once.
 BY_LAYOUT = ["color-contrast", "target-size", "scrollable-region-focusable", "link-in-text-block"]
 AXE = "axe.min.js"
 
@@ -58,7 +58,8 @@ for (const width of %WIDTHS%) for (const theme of ["light", "dark"]) {
   const runOnly = whole ? { type: "tag", values: %TAGS% } : { type: "rule", values: %RULES% };
   const result = await view.axe.run(doc, { runOnly, resultTypes: ["violations"] });
   for (const one of result.violations)
-    found.push(`${width} ${theme} ${one.id}: ${one.nodes.length} x ${one.nodes[0].target.join(" ")}`);
+    const [first] = one.nodes;
+    found.push(`${width} ${theme} ${one.id}: ${one.nodes.length} x ${first.target.join(" ")}`);
 }
 return found;
 """

@@ -11,7 +11,7 @@ import pytest
 from tests.python.site.content import SITE, content
 
 MODEL = SITE / "model.json"
-# Not the data dictionary: some of its enumerators have the name of the module they stand for.
+# Not the data dictionary: some of its enumerators have the name of their module.
 SAMPLE = [
     "index", "structure", "guide", "interfaces", "inheritances", "secrets", "changes",
     "concordance", "architecture", "machines", "uses", "trees", "products",

@@ -1,4 +1,4 @@
-"""Measuring the two designs: what is counted from runs, images and sources."""
+"""Measurement of the two designs: the counts from runs, images and sources."""
 
 import sys
 from pathlib import Path

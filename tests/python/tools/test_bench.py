@@ -1,4 +1,4 @@
-"""./wr bench: the orders of its scenarios, what a board reports, and when it fails."""
+"""./wr bench: the orders of its scenarios, the reports of a board, and its failures."""
 
 from pathlib import Path
 from types import SimpleNamespace

@@ -1,4 +1,4 @@
-"""./wr check: what it reports, what it measures, and a file that it cannot read."""
+"""./wr check: its findings, its measurements, and a file that it cannot read."""
 
 from __future__ import annotations
 

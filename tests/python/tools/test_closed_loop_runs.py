@@ -1,4 +1,4 @@
-"""The scenarios of the closed loop, played by programs that stand in for the two of the project."""
+"""The scenarios of the closed loop, played by stubs of the two programs of the project."""
 
 import json
 import sys

@@ -137,7 +137,7 @@ def test_results_of_the_board_and_of_this_machine_are_kept_apart(root: Path) -> 
 
 
 def test_tests_of_the_image_run_with_that_of_the_default_product_too(root: Path) -> None:
-    """The stub leaves the same results for each image: what is asked for is what counts."""
+    """The stub writes the same results for each image: the test compares its arguments."""
     tests = root / "build/host/tests/board_tests"
     tests.parent.mkdir(parents=True)
     write_program(tests, f'echo "$WR_IMAGE $GTEST_FILTER" >>{root}/asked')

@@ -35,11 +35,11 @@ class Desk:
         (self.tools / name).chmod(0o755)
 
     def add_tool(self, name: str, end: str = "exit 0") -> None:
-        """A tool that notes its words, one a line."""
+        """Adds a stub of a tool: it records its arguments, one a line."""
         self.add_program(name, f'printf "%s\\n" {name} "$@" >"{self.root}/called"\n{end}')
 
     def add_pyocd(self, read_back: str = "flashed") -> None:
-        """A pyOCD that notes its words of ``flash``, and reads back what it wrote, or a file."""
+        """Adds a stub of pyOCD: it records the arguments of ``flash`` and reads back a file."""
         self.add_program(
             "pyocd",
             'for word; do case "$word" in "savemem "*)'
@@ -93,7 +93,7 @@ def desk(
 
 @contextlib.contextmanager
 def board(drive: Path, failure: str = "", comes: bool = True) -> Iterator[None]:
-    """A debug probe that takes what is copied: its drive goes, and comes with the outcome."""
+    """Acts as a debug probe: after a copy, its drive disappears, and returns with the outcome."""
     end = threading.Event()
 
     def take() -> None:
@@ -164,7 +164,7 @@ def test_the_way_can_be_chosen(desk: Desk, way: str) -> None:
     ],
 )
 def test_pyocd_reads_the_flash_back(desk: Desk, content: bytes | None, words: str) -> None:
-    """pyOCD itself does not compare what it wrote."""
+    """pyOCD itself does not compare the flash with the image."""
     desk.add_probe()
     if content is None:
         desk.add_tool("pyocd")

@@ -1,4 +1,4 @@
-"""./wr portal: pages first, then results; the open page learns what runs."""
+"""./wr portal: pages first, then results; the open page shows the running step."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""./wr mutate: its steps, what it prints, and what it leaves."""
+"""./wr mutate: its steps, its output, and its files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The task graph: nothing runs twice on the same files, and what depends on a change runs again."""
+"""The task graph: no task runs twice on the same files; after a change its dependents run again."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ def test_only_what_depends_on_a_change_runs_again(
     project: Project, changed: str, expected: list[str]
 ) -> None:
     if "coverage" in expected:
-        # The tests leave other results, so what counts them runs too.
+        # The tests write other results, so the task that counts them runs too.
         results = Task(
             "tests",
             lambda _log: project.action("tests")(_log) or write(project.root / RESULT, changed),
