@@ -1,4 +1,4 @@
-"""The gate of the built pages: accessible, no sideways scroll, no page stretched by narrow windows."""
+"""The gate of the built pages: accessible, no sideways scroll, none stretched when narrow."""
 
 from __future__ import annotations
 
