@@ -351,6 +351,9 @@
         const own = rows.filter((row) => part.contains(row));
         part.hidden = own.length > 0 && own.every((row) => row.hidden);
       });
+      all(".mx tbody").forEach((part) => {
+        part.hidden = all("tr.row", part).every((row) => row.hidden);
+      });
       const left = rows.filter((row) => !row.hidden).length;
       count.textContent =
         (left === rows.length ? "" : left + " of ") + rows.length + " " + count.dataset.noun;
@@ -387,7 +390,7 @@
       .join("")
       .trim();
   const CONTENTS = 3; // sections of a page that has contents
-  if (heads.length >= CONTENTS && !one(".home, .vkbar, .rail")) {
+  if (heads.length >= CONTENTS && !one(".home, .vkbar, .rail, .main.wide")) {
     const list = document.createElement("nav");
     list.className = "contents";
     list.setAttribute("aria-label", "On this page");
