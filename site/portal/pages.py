@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from collections import defaultdict
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
@@ -24,7 +25,14 @@ from portal.source_pages import folders, source_page
 from traceability.model.not_shown import by_method, not_shown
 from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.reading.products import PRODUCTS
-from traceability.schema import Method, PatternApplication, Place, Requirement, TreeNode
+from traceability.schema import (
+    Method,
+    Module,
+    PatternApplication,
+    Place,
+    Requirement,
+    TreeNode,
+)
 
 HIGH_LEVEL = "High-level diagram"
 ANY = "*"  # in an allowed use: every logic module
@@ -202,7 +210,12 @@ def groups(portal: Portal) -> dict[str, Any]:
 
 def structure(portal: Portal) -> dict[str, Any]:
     tops = [m for m in portal.model.logic_modules.values() if m.parent is None]
-    return {"tops": tops, "anchor": logic_anchor}
+    found: dict[str, list[Module]] = defaultdict(list)
+    for module in portal.designs:
+        parts = module.logic.split("/")
+        for count in range(1, len(parts) + 1):
+            found["/".join(parts[:count])].append(module)
+    return {"tops": tops, "anchor": logic_anchor, "below": found.__getitem__, "wide": True}
 
 
 # The pages of the navigation, each with what its template needs besides the model.

@@ -28,6 +28,7 @@ pytestmark = [
     pytest.mark.skipif(not BROWSER, reason="there is no browser on this machine"),
 ]
 
+
 @pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Path]]:
     root = tmp_path_factory.mktemp("project")

@@ -34,8 +34,9 @@ LOOKED_AT = [
 WIDTHS = (320, 390, 600, 768, 821, 900, 1024, 1280, 1920)
 AXE_WIDTHS = (390, 768, 1024, 1440)
 TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
-# What a width or a theme can change; everything else is looked at once.
-BY_LAYOUT = ["color-contrast", "target-size", "scrollable-region-focusable", "link-in-text-block"]
+# A width changes the layout, a theme the colours; everything else is looked at once.
+BY_WIDTH = ["target-size", "scrollable-region-focusable"]
+BY_THEME = ["color-contrast", "link-in-text-block"]
 AXE = "axe.min.js"
 
 MEASURE = """
@@ -51,15 +52,34 @@ const script = doc.createElement("script");
 script.src = "/probe_axe.js";
 await new Promise((done) => { script.onload = done; doc.head.append(script); });
 const found = [];
-for (const width of %WIDTHS%) for (const theme of ["light", "dark"]) {
+async function run(width, theme, runOnly) {
   frame.style.width = `${width}px`;
   doc.documentElement.dataset.theme = theme;
-  const whole = width === 1440 && theme === "light";
-  const runOnly = whole ? { type: "tag", values: %TAGS% } : { type: "rule", values: %RULES% };
   const result = await view.axe.run(doc, { runOnly, resultTypes: ["violations"] });
   for (const one of result.violations)
     found.push(`${width} ${theme} ${one.id}: ${one.nodes.length} x ${one.nodes[0].target.join(" ")}`);
 }
+for (const width of %WIDTHS%) await run(width, "light", { type: "rule", values: %BY_WIDTH% });
+await run(1440, "light", { type: "tag", values: %TAGS% });
+await run(1440, "dark", { type: "rule", values: %BY_THEME% });
+await run(390, "dark", { type: "rule", values: %BY_THEME% });
+return found;
+"""
+
+KEYBOARD = """
+const name = doc.querySelector("a.mod[data-m=RC]"), found = [];
+name.matches = () => true;
+name.focus();
+name.dispatchEvent(new view.FocusEvent("focusin", { bubbles: true }));
+const key = doc.querySelector(".card a");
+found.push(Boolean(key));
+key.focus();
+found.push(doc.activeElement === key);
+key.dispatchEvent(new view.KeyboardEvent("keydown", { key: "Escape", bubbles: true }));
+found.push(doc.activeElement === name, !doc.querySelector(".card"));
+doc.querySelector(".skip").click();
+await new Promise((done) => setTimeout(done, 50));
+found.push(doc.activeElement.id);
 return found;
 """
 
@@ -105,11 +125,26 @@ def test_no_page_is_twice_as_tall_in_a_narrower_window(
     assert tall == {}
 
 
-@pytest.mark.parametrize("half", [0, 1])
-def test_pages_are_accessible(site: Site, half: int) -> None:
-    shutil.copyfile(Path(__file__).with_name(AXE), SITE / "probe_axe.js")
-    probe = RUN_AXE.replace("%WIDTHS%", json.dumps(AXE_WIDTHS))
-    probe = probe.replace("%TAGS%", json.dumps(TAGS)).replace("%RULES%", json.dumps(BY_LAYOUT))
-    seen, _ = look(site, LOOKED_AT[half::2], probe)
-    (SITE / "probe_axe.js").unlink()
-    assert {page: found for page, found in seen.items() if found} == {}
+@pytest.fixture(scope="module")
+def violations(site: Site) -> Iterator[dict[str, list[str]]]:
+    """Page -> what axe finds on it."""
+    script = SITE / "probe_axe.js"
+    shutil.copyfile(Path(__file__).with_name(AXE), script)
+    values = {"WIDTHS": AXE_WIDTHS, "TAGS": TAGS, "BY_WIDTH": BY_WIDTH, "BY_THEME": BY_THEME}
+    probe = RUN_AXE
+    for name, value in values.items():
+        probe = probe.replace(f"%{name}%", json.dumps(value))
+    seen, _ = look(site, LOOKED_AT, probe)
+    yield seen
+    script.unlink()
+
+
+def test_pages_are_accessible(violations: dict[str, list[str]]) -> None:
+    assert {page: found for page, found in violations.items() if found} == {}
+
+
+def test_escape_gives_the_focus_back_and_every_stop_is_seen(site: Site) -> None:
+    """From the name of a module into its card and back; the skip link leads into the content."""
+    seen, errors = look(site, ["patterns/reading-modes"], KEYBOARD)
+    assert seen["patterns/reading-modes"] == [True, True, True, True, "main"]
+    assert errors == []
