@@ -24,6 +24,7 @@ from portal.search import entries
 from portal.source_pages import folders, source_page
 from traceability.model.not_shown import by_method, not_shown
 from traceability.model.orphan_methods import methods_without, tests_without
+from traceability.reading.bench_record import SCENARIOS
 from traceability.reading.products import PRODUCTS
 from traceability.schema import (
     Method,
@@ -56,6 +57,9 @@ def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
     for question in portal.questions:
         values = {"question": question, "titles": page_titles(portal)}
         yield partial(portal.page, question.page, question.ask, "answers", "answer", **values)
+    for tour in portal.tours:
+        values = {"tour": tour, "titles": page_titles(portal)}
+        yield partial(portal.page, f"tours/{tour.id}", f"Tour: {tour.title}", "", "tour", **values)
     for change in model.changes.values():
         yield partial(change_page, portal, change)
     if model.safety.goals:
@@ -96,6 +100,9 @@ def home_page(portal: Portal) -> Page:
         by_method=by_method(portal.model, portal.report),
         limits=not_shown(portal.model, portal.report),
         method=method,
+        tours=[tour.id for tour in portal.tours],
+        paper_most=max(paper.maximum for paper in SCENARIOS),
+        shown_changes=sorted(portal.model.changes.values(), key=lambda one: not one.examples)[:6],
         rows=aligned(portal, example, first_run(example))[:14] if example else [],
     )
 
