@@ -1,4 +1,4 @@
-"""The gate of the built pages: accessible, no sideways scroll, no page that a narrow window stretches."""
+"""The gate of the built pages: accessible, no sideways scroll, no page of twice the height."""
 
 from __future__ import annotations
 
@@ -56,8 +56,8 @@ async function run(width, theme, runOnly) {
   frame.style.width = `${width}px`;
   doc.documentElement.dataset.theme = theme;
   const result = await view.axe.run(doc, { runOnly, resultTypes: ["violations"] });
-  for (const one of result.violations)
-    found.push(`${width} ${theme} ${one.id}: ${one.nodes.length} x ${one.nodes[0].target.join(" ")}`);
+  for (const { id, nodes } of result.violations)
+    found.push(`${width} ${theme} ${id}: ${nodes.length} x ${nodes[0].target.join(" ")}`);
 }
 for (const width of %WIDTHS%) await run(width, "light", { type: "rule", values: %BY_WIDTH% });
 await run(1440, "light", { type: "tag", values: %TAGS% });
