@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
-from portal.plots import HEIGHT, WIDTH, Axis, Drawing, Line, Tick, axis
+from portal.plots import HEIGHT, WIDTH, Axis, Drawing, Line, axis
 from portal.portal import Portal
 from traceability.reading import bench_record
 from traceability.reading.bench_record import MANUAL, SCENARIOS, SHARE, SLOW, TIMINGS, Paper
@@ -15,6 +16,7 @@ from traceability.schema import BenchRun
 Runs = Mapping[str, BenchRun]  # by the model of time
 
 BIN_US = 20
+GROUP = 4  # cycles that a band joins
 TOP = 12  # modules and functions shown of each scenario
 CLASSES = {MANUAL: "measured host", SLOW: "measured board", "board": "truth host"}
 WORDS = {**TIMINGS, "board": "a board"}
@@ -29,7 +31,10 @@ def bench(portal: Portal) -> dict[str, Any]:
         "profiles": {name: scenario.profile for name, scenario in measured.items()},
         "target": target,
         "top": TOP,
-        "comparison": comparison(runs) if runs else None,
+        "comparison": comparison(runs),
+        "longest": longest(runs),
+        "bands": {name: bands(run) for name, run in runs.items()},
+        "wide": True,
         "distributions": {name: distribution(run) for name, run in runs.items()},
         "board": any("board" in run for run in runs.values()),
     }
@@ -41,33 +46,67 @@ def target(paper: Paper, run: Runs, kind: str) -> tuple[float, float]:
     return round(most, 3), round(getattr(run[SLOW].report_ms, kind) / most, 2)
 
 
-def comparison(runs: Mapping[str, Runs]) -> Drawing:
-    """For each scenario a line from the average to the maximum: the paper's and ours."""
+@dataclass
+class Range:
+    """From the average to the maximum of a scenario, and both places on the axis [per cent]."""
+
+    words: str
+    kind: str
+    average: float
+    maximum: float
+    first: float
+    last: float
+
+
+def longest(runs: Mapping[str, Runs]) -> dict[str, float]:
+    """The longest cycle of all scenarios, for each model of time."""
+    found = [(name, one.report_ms.maximum) for run in runs.values() for name, one in run.items()]
+    return {name: max(value for key, value in found if key == name) for name, _ in found}
+
+
+def comparison(runs: Mapping[str, Runs]) -> dict[str, Any]:
+    """For each scenario the paper's range and ours, on one axis."""
     x = axis(0.0, max(paper.maximum for paper in SCENARIOS), rounded=True)
-    rows = len(SCENARIOS)
-    lines, parts = [], []
-    for offset, name, kind in (
-        (-0.2, "the paper", "set-point"),
-        (0.0, WORDS[MANUAL], CLASSES[MANUAL]),
-        (0.2, WORDS[SLOW], CLASSES[SLOW]),
-    ):
-        path = ""
-        for row, paper in enumerate(SCENARIOS):
-            low, high = paper.average, paper.maximum
-            if name != "the paper":
-                found = runs[paper.name].get(MANUAL if name == WORDS[MANUAL] else SLOW)
-                if found is None:
-                    continue
-                low, high = found.report_ms.average, found.report_ms.maximum
-            down = HEIGHT * (row + 0.5 + offset) / rows
-            first, last = (x.place(value) * WIDTH / 100 for value in (low, high))
-            path += f"M{first:.1f} {down - 8:.1f}v16m0 -8H{last:.1f}"
-            parts.append(f"{paper.title}, {name}: {low:g} to {high:g} ms")
-        lines.append(Line(kind, f"{name}: average to maximum", path))
-    marks = [Tick(str(row + 1), 100 - 100 * (row + 0.5) / rows) for row in range(rows)]
-    return Drawing(
-        "Time from the clock pulse to the report", "ms", x.ticks, marks, lines, "; ".join(parts)
-    )
+
+    def shown(words: str, kind: str, average: float, maximum: float) -> Range:
+        return Range(words, kind, average, maximum, x.place(average), x.place(maximum))
+
+    rows = {
+        paper.name: [
+            shown("the paper", "paper", paper.average, paper.maximum),
+            *(
+                shown(WORDS[name], kind, one.report_ms.average, one.report_ms.maximum)
+                for name, kind in ((MANUAL, "fast"), (SLOW, "slow"), ("board", "board"))
+                if (one := runs.get(paper.name, {}).get(name))
+            ),
+        ]
+        for paper in SCENARIOS
+    }
+    return {"ticks": x.ticks, "rows": rows}
+
+
+def bands(run: Runs) -> Drawing:
+    """Cycle by cycle: the mean of a few cycles, between the least and the most of them."""
+    times = {kind: run[kind].times_us for kind in CLASSES if kind in run}
+    count = max(len(values) for values in times.values())
+    x = axis(0.0, float(count), rounded=False)
+    y = axis(0.0, max(max(values) for values in times.values()) / 1000, rounded=True)
+    lines = []
+    for kind, values in times.items():
+        parts = [values[at : at + GROUP] for at in range(0, len(values), GROUP)]
+        across = [x.place(at) * WIDTH / 100 for at in range(0, len(values), GROUP)]
+        style = "board" if kind == SLOW else "host"
+        high = [point(at, max(part), y) for at, part in zip(across, parts, strict=True)]
+        low = [point(at, min(part), y) for at, part in zip(across, parts, strict=True)]
+        mean = [point(at, sum(part) / len(part), y) for at, part in zip(across, parts, strict=True)]
+        lines.append(Line(f"band {style}", "", f"M{'L'.join([*high, *reversed(low)])}Z"))
+        lines.append(Line(f"truth {style} thin", WORDS[kind], f"M{'L'.join(mean)}"))
+    words = "; ".join(f"{WORDS[kind]}: up to {max(found)} us" for kind, found in times.items())
+    return Drawing("Time of the cycle", "ms", x.ticks, y.ticks, lines, words)
+
+
+def point(across: float, time_us: float, y: Axis) -> str:
+    return f"{across:.1f} {HEIGHT - y.place(time_us / 1000) * HEIGHT / 100:.1f}"
 
 
 def distribution(run: Runs) -> Drawing:

@@ -62,6 +62,13 @@ MARKERS = {name: f"#FA{number:02X}5C" for number, name in enumerate(VARIABLES)}
 COLOURS = {MARKERS[name]: variable for name, variable in VARIABLES.items()}
 COLOURS["#FFFFFF"] = "--paper"  # the inside of diamonds
 
+# Elements of the architecture, in the colours of its figure.
+COLOUR_OF = {
+    "controller": "role-concrete",
+    "process": "role-abstraction",
+    "sensor": "role-target",
+}
+
 UNSET = "#A80036"  # default colour of edges in PlantUML
 
 LOCATED = re.compile(r'class="(edge|says)" data-for="([^"]*)"')
@@ -317,7 +324,10 @@ def part(model: Model, name: str, links: Links) -> str:
         style = f"{MARKERS['plain']};line:{MARKERS['line'][1:]};line.dotted"
         return f'rectangle "{name}" as {node(name)} {style}'
     words = f"//{name}//" if module.abstract else f"**{name}**"
-    style = f"{MARKERS['role-concrete-fill']};line:{MARKERS['role-concrete'][1:]}"
+    kinds = (one.kind for one in model.architecture if name in one.modules)
+    colour = next((COLOUR_OF[kind] for kind in kinds if kind in COLOUR_OF), None)
+    fill, line = (f"{colour}-fill", colour) if colour else ("plain", "line")
+    style = f"{MARKERS[fill]};line:{MARKERS[line][1:]}"
     return f'rectangle "{words}" as {node(name)} [[{links.module(name)}]] {style}'
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from collections import defaultdict
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
@@ -24,8 +25,16 @@ from portal.search import entries
 from portal.source_pages import folders, source_page
 from traceability.model.not_shown import by_method, not_shown
 from traceability.model.orphan_methods import methods_without, tests_without
+from traceability.reading.bench_record import SCENARIOS
 from traceability.reading.products import PRODUCTS
-from traceability.schema import Method, PatternApplication, Place, Requirement, TreeNode
+from traceability.schema import (
+    Method,
+    Module,
+    PatternApplication,
+    Place,
+    Requirement,
+    TreeNode,
+)
 
 HIGH_LEVEL = "High-level diagram"
 ANY = "*"  # in an allowed use: every logic module
@@ -49,6 +58,9 @@ def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
     for question in portal.questions:
         values = {"question": question, "titles": page_titles(portal)}
         yield partial(portal.page, question.page, question.ask, "answers", "answer", **values)
+    for tour in portal.tours:
+        values = {"tour": tour, "titles": page_titles(portal)}
+        yield partial(portal.page, f"tours/{tour.id}", f"Tour: {tour.title}", "", "tour", **values)
     for change in model.changes.values():
         yield partial(change_page, portal, change)
     if model.safety.goals:
@@ -89,6 +101,9 @@ def home_page(portal: Portal) -> Page:
         by_method=by_method(portal.model, portal.report),
         limits=not_shown(portal.model, portal.report),
         method=method,
+        tours=[tour.id for tour in portal.tours],
+        paper_most=max(paper.maximum for paper in SCENARIOS),
+        shown_changes=sorted(portal.model.changes.values(), key=lambda one: not one.examples)[:6],
         rows=aligned(portal, example, first_run(example))[:14] if example else [],
     )
 
@@ -203,7 +218,12 @@ def groups(portal: Portal) -> dict[str, Any]:
 
 def structure(portal: Portal) -> dict[str, Any]:
     tops = [m for m in portal.model.logic_modules.values() if m.parent is None]
-    return {"tops": tops, "anchor": logic_anchor}
+    found: dict[str, list[Module]] = defaultdict(list)
+    for module in portal.designs:
+        parts = module.logic.split("/")
+        for count in range(1, len(parts) + 1):
+            found["/".join(parts[:count])].append(module)
+    return {"tops": tops, "anchor": logic_anchor, "below": found.__getitem__, "wide": True}
 
 
 # The pages of the navigation, each with the values that its template needs besides the model.

@@ -20,6 +20,7 @@ from portal.highlight import Highlighter
 from portal.links import Links, paper_anchor, slug
 from portal.navigation import Navigation, hand_written
 from portal.package_diagram import package_diagrams
+from portal.tours import tours_of
 from traceability.model.design_model import Model
 from traceability.model.execution import INTERRUPT, START
 from traceability.model.impact import Impacts
@@ -97,6 +98,7 @@ class Portal:
         self.glossary = GlossaryLinks(root)
         self.docs = hand_written(root / "docs")
         self.questions = questions_of(root)
+        self.tours = tours_of(root)
         self.navigation = Navigation(
             model, self.docs, len(self.checks), len(model.faults), len(self.questions)
         )

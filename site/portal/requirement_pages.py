@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -24,7 +25,29 @@ def requirements(portal: Portal) -> dict[str, Any]:
         "bars": verification_views.chart(sections(portal)),
         "lines_of": verification_views.lines_of,
         "host": HOST,
+        "dots": {one.id: dots(portal, one) for one in portal.model.requirements.values()},
+        "tops": [one for one in portal.model.logic_modules.values() if one.parent is None],
+        "marks": marks,
+        "wide": True,
     }
+
+
+def dots(portal: Portal, requirement: Requirement) -> Counter[str]:
+    """Logic module at the top -> how many of its methods satisfy the requirement."""
+    modules = (portal.model.modules.get(m.split("::")[0]) for m in requirement.satisfied_by)
+    return Counter(module.logic.partition("/")[0] for module in modules if module)
+
+
+def marks(portal: Portal, requirement: Requirement) -> list[tuple[str, bool]]:
+    """What is known of the tree: declared, possible, and executed on each target."""
+    nodes = portal.flat(requirement.tree) if requirement.tree else []
+    possible = all(node.reachable for _, node in nodes)
+    targets = portal.model.results_hashes
+    ran = [
+        (f"executed on the {one}", one in requirement.runs and not portal.model.stale_on(one))
+        for one in targets
+    ]
+    return [("declared", True), ("possible", possible), *ran] if nodes else []
 
 
 def requirement_page(portal: Portal, requirement: Requirement) -> Page:

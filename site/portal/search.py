@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import json
 from collections.abc import Iterator
+from dataclasses import asdict
 from pathlib import Path
 
 from portal.constant_texts import constant_links
@@ -42,7 +43,9 @@ LISTS = {
 def script(portal: Portal) -> str:
     """Returns the data of each page: a script, so that it can be read without a server."""
     modules = {m.name: card(portal, m) for m in portal.model.modules.values()}
-    return assigned("PORTAL", {"commit": portal.model.commit, "modules": modules})
+    tours = {tour.id: asdict(tour) for tour in portal.tours}
+    data = {"commit": portal.model.commit, "modules": modules, "tours": tours}
+    return assigned("PORTAL", data)
 
 
 def index_script(portal: Portal, bodies: Path) -> str:
@@ -127,6 +130,9 @@ def entries(portal: Portal) -> list[Entry]:
             add("Pages", entry.key, entry.title, group_.title, ROOT + entry.address)
     for question in portal.questions:
         add("Answers", "", question.ask, question.answer, question.address)
+    for tour in portal.tours:
+        address = f"{ROOT}tours/{tour.id}.html"
+        add("Pages", "", f"Tour: {tour.title}", "tutorial, getting started", address)
     others = (method_entries, change_entries, safety_entries, paper_entries, written_entries)
     return [*found, *(entry for make in others for entry in make(portal))]
 

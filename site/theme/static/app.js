@@ -351,6 +351,9 @@
         const own = rows.filter((row) => part.contains(row));
         part.hidden = own.length > 0 && own.every((row) => row.hidden);
       });
+      all(".mx tbody").forEach((part) => {
+        part.hidden = all("tr.row", part).every((row) => row.hidden);
+      });
       const left = rows.filter((row) => !row.hidden).length;
       count.textContent =
         (left === rows.length ? "" : left + " of ") + rows.length + " " + count.dataset.noun;
@@ -387,7 +390,7 @@
       .join("")
       .trim();
   const CONTENTS = 3; // sections of a page that has contents
-  if (heads.length >= CONTENTS && !one(".home, .vkbar, .rail")) {
+  if (heads.length >= CONTENTS && !one(".home, .vkbar, .rail, .main.wide")) {
     const list = document.createElement("nav");
     list.className = "contents";
     list.setAttribute("aria-label", "On this page");
@@ -431,6 +434,58 @@
       view = frame.getBoundingClientRect();
     frame.scrollLeft += (marked.left + marked.right - view.left - view.right) / 2;
   });
+
+  /* the tour that is under way: its stop, on a bar at the foot of the page */
+  const tours = data.tours || {};
+  function read() {
+    try {
+      return JSON.parse(localStorage.getItem("tour"));
+    } catch (error) {
+      return null; // no storage: no tour
+    }
+  }
+  function keep(state) {
+    try {
+      if (state) localStorage.setItem("tour", JSON.stringify(state));
+      else localStorage.removeItem("tour");
+    } catch (error) {
+      /* no storage: the tour ends with this page */
+    }
+  }
+  all("[data-tour]").forEach((link) =>
+    link.addEventListener("click", () =>
+      keep({ id: link.dataset.tour, at: Number(link.dataset.stop || 0) }),
+    ),
+  );
+  function showTour() {
+    const state = read(),
+      tour = state && tours[state.id],
+      stops = tour ? tour.stops : [];
+    const old = one(".touring");
+    if (old) old.remove();
+    if (!stops[state && state.at]) return;
+    const last = state.at === stops.length - 1;
+    const bar = document.createElement("nav");
+    bar.className = "touring";
+    bar.setAttribute("aria-label", "Tour: " + tour.title);
+    const go = (at, words) =>
+      stops[at]
+        ? `<a class="btn" data-at="${at}" href="${base + stops[at].address}">${words}</a>`
+        : "";
+    const end = last
+      ? `<a class="btn" data-end href="${base}tours/${state.id}.html#action">Then act</a>`
+      : "";
+    bar.innerHTML = `<b>${state.at + 1} of ${stops.length}</b><span>${escape(stops[state.at].look)}</span>${go(state.at - 1, "Back")}${go(state.at + 1, "Next")}${end}<button class="btn" type="button">End</button>`;
+    bar.addEventListener("click", (event) => {
+      const link = event.target.closest("a, button");
+      if (!link) return;
+      keep(link.dataset.at ? { id: state.id, at: Number(link.dataset.at) } : null);
+      if (!link.href) bar.remove();
+      else setTimeout(showTour); // the next stop may be on this page
+    });
+    document.body.append(bar);
+  }
+  showTour();
 
   /* an address with a hash opens what hides its target */
   function reveal() {

@@ -54,18 +54,24 @@ def served(site: Path) -> Iterator[Site]:
 
 
 def look(
-    server: Site, pages: list[str], probe: str, *, width: int = 1200, query: str = ""
+    server: Site,
+    pages: list[str],
+    probe: str,
+    *,
+    width: int = 1200,
+    query: str = "",
+    name: str = "probe",
 ) -> tuple[dict[str, Any], list[str]]:
     """Returns the result of the probe for each page, and the errors on the console."""
     address, site = server
     values = {"PAGES": json.dumps(pages), "WIDTH": str(width), "QUERY": query, "PROBE": probe}
     page = HARNESS
-    for name, value in values.items():
-        page = page.replace(f"%{name}%", value)
-    (site / "probe.html").write_text(page, encoding="utf-8")
+    for key, value in values.items():
+        page = page.replace(f"%{key}%", value)
+    (site / f"{name}.html").write_text(page, encoding="utf-8")
     options = ["--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr"]
     timing = ["--virtual-time-budget=60000", "--dump-dom"]
-    command = [BROWSER, *options, *timing, f"{address}/probe.html"]
+    command = [BROWSER, *options, *timing, f"{address}/{name}.html"]
     run = subprocess.run(command, capture_output=True, text=True, timeout=240, check=True)
     match = re.search(r'<pre id="out">(.*?)</pre>', run.stdout, re.DOTALL)
     assert match and match[1], f"the probe did not end: {run.stderr[-2000:]}"

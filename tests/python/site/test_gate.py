@@ -1,10 +1,11 @@
-"""The gate of the built pages: accessible, no sideways scroll, none stretched when narrow."""
+"""The gate of the built pages: accessible, no sideways scroll, no page of twice the height."""
 
 from __future__ import annotations
 
 import json
 import shutil
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -34,8 +35,9 @@ LOOKED_AT = [
 WIDTHS = (320, 390, 600, 768, 821, 900, 1024, 1280, 1920)
 AXE_WIDTHS = (390, 768, 1024, 1440)
 TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
-# Rules whose result depends on width or theme; all others run once.
-BY_LAYOUT = ["color-contrast", "target-size", "scrollable-region-focusable", "link-in-text-block"]
+# A width changes the layout, a theme the colours; everything else is looked at once.
+BY_WIDTH = ["target-size", "scrollable-region-focusable"]
+BY_THEME = ["color-contrast", "link-in-text-block"]
 AXE = "axe.min.js"
 
 MEASURE = """
@@ -51,16 +53,33 @@ const script = doc.createElement("script");
 script.src = "/probe_axe.js";
 await new Promise((done) => { script.onload = done; doc.head.append(script); });
 const found = [];
-for (const width of %WIDTHS%) for (const theme of ["light", "dark"]) {
+async function run(width, theme, runOnly) {
   frame.style.width = `${width}px`;
   doc.documentElement.dataset.theme = theme;
-  const whole = width === 1440 && theme === "light";
-  const runOnly = whole ? { type: "tag", values: %TAGS% } : { type: "rule", values: %RULES% };
   const result = await view.axe.run(doc, { runOnly, resultTypes: ["violations"] });
-  for (const one of result.violations)
-    const [first] = one.nodes;
-    found.push(`${width} ${theme} ${one.id}: ${one.nodes.length} x ${first.target.join(" ")}`);
+  for (const { id, nodes } of result.violations)
+    found.push(`${width} ${theme} ${id}: ${nodes.length} x ${nodes[0].target.join(" ")}`);
 }
+for (const width of %WIDTHS%) await run(width, "light", { type: "rule", values: %BY_WIDTH% });
+await run(1440, "light", { type: "tag", values: %TAGS% });
+await run(1440, "dark", { type: "rule", values: %BY_THEME% });
+return found;
+"""
+
+KEYBOARD = """
+const name = doc.querySelector("a.mod[data-m=RC]"), found = [];
+name.matches = () => true;
+name.focus();
+name.dispatchEvent(new view.FocusEvent("focusin", { bubbles: true }));
+const key = doc.querySelector(".card a");
+found.push(Boolean(key));
+key.focus();
+found.push(doc.activeElement === key);
+key.dispatchEvent(new view.KeyboardEvent("keydown", { key: "Escape", bubbles: true }));
+found.push(doc.activeElement === name, !doc.querySelector(".card"));
+doc.querySelector(".skip").click();
+await new Promise((done) => setTimeout(done, 50));
+found.push(doc.activeElement.id);
 return found;
 """
 
@@ -106,11 +125,31 @@ def test_no_page_is_twice_as_tall_in_a_narrower_window(
     assert tall == {}
 
 
-@pytest.mark.parametrize("half", [0, 1])
-def test_pages_are_accessible(site: Site, half: int) -> None:
-    shutil.copyfile(Path(__file__).with_name(AXE), SITE / "probe_axe.js")
-    probe = RUN_AXE.replace("%WIDTHS%", json.dumps(AXE_WIDTHS))
-    probe = probe.replace("%TAGS%", json.dumps(TAGS)).replace("%RULES%", json.dumps(BY_LAYOUT))
-    seen, _ = look(site, LOOKED_AT[half::2], probe)
-    (SITE / "probe_axe.js").unlink()
-    assert {page: found for page, found in seen.items() if found} == {}
+@pytest.fixture(scope="module")
+def violations(site: Site) -> Iterator[dict[str, list[str]]]:
+    """Page -> what axe finds on it."""
+    script = SITE / "probe_axe.js"
+    shutil.copyfile(Path(__file__).with_name(AXE), script)
+    values = {"WIDTHS": AXE_WIDTHS, "TAGS": TAGS, "BY_WIDTH": BY_WIDTH, "BY_THEME": BY_THEME}
+    probe = RUN_AXE
+    for name, value in values.items():
+        probe = probe.replace(f"%{name}%", json.dumps(value))
+    with ThreadPoolExecutor() as browsers:
+        parts = [
+            browsers.submit(look, site, LOOKED_AT[half::2], probe, name=name)
+            for half, name in enumerate(("probe", "probe_2"))
+        ]
+    yield {page: found for part in parts for page, found in part.result()[0].items()}
+    script.unlink()
+    (SITE / "probe_2.html").unlink()
+
+
+def test_pages_are_accessible(violations: dict[str, list[str]]) -> None:
+    assert {page: found for page, found in violations.items() if found} == {}
+
+
+def test_escape_gives_the_focus_back_and_every_stop_is_seen(site: Site) -> None:
+    """From the name of a module into its card and back; the skip link leads into the content."""
+    seen, errors = look(site, ["patterns/reading-modes"], KEYBOARD)
+    assert seen["patterns/reading-modes"] == [True, True, True, True, "main"]
+    assert errors == []

@@ -37,3 +37,18 @@ def test_links_of_the_content_lead_to_the_answer(question: dict[str, Any]) -> No
 def test_no_answer_stands_on_the_first_page_by_chance(question: dict[str, Any]) -> None:
     assert not all(words in section(FIRST) for words in question["holds"])
     assert clicks()[question["clicks"][-1].partition("#")[0]] <= NEAR
+
+
+TOURS = tomllib.loads(FILE.with_name("tours.toml").read_text(encoding="utf-8"))["tour"]
+
+
+@pytest.mark.parametrize("tour", TOURS, ids=[one["id"] for one in TOURS])
+def test_each_stop_of_a_tour_is_a_place_and_the_tour_ends_with_a_command(
+    tour: dict[str, Any],
+) -> None:
+    for stop in tour["stops"]:
+        page, _, part = stop["address"].partition("#")
+        assert not part or part in content(page).ids
+        assert content(page).text
+    assert tour["action"]["command"].startswith("./wr ")
+    assert f"tours/{tour['id']}.html" in content(FIRST).links
