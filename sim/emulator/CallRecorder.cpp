@@ -21,6 +21,9 @@ CallRecorder::CallRecorder(const std::filesystem::path& elf, std::size_t most) :
 }
 
 void CallRecorder::note(std::uint64_t event) {
+  if (call_) {
+    call_(static_cast<std::uint32_t>(event), (event & kLeft) != 0);
+  }
   if (events_.size() == most_) {
     truncated_ = true;
   } else {
