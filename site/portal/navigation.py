@@ -116,6 +116,7 @@ def understand(model: Model) -> list[Entry]:
         Entry("concordance", "Concordance with the paper", "concordance.html"),
         Entry("usual_design", "Baseline design", "usual_design.html"),
         Entry("execution", "Execution", "execution.html", "", len(model.contexts)),
+        Entry("cycle", "One cycle", "cycle.html"),
     ]
 
 

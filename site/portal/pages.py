@@ -9,6 +9,7 @@ from itertools import islice
 from typing import Any
 
 from portal.bench_page import bench
+from portal.cycle_page import cycle
 from portal.diagrams import DIAGRAMS
 from portal.links import logic_anchor
 from portal.measured_pages import closed_loop, mutation, usual_design, virtual_k64
@@ -21,7 +22,14 @@ from portal.source_pages import folders, source_page
 from traceability.model.not_shown import by_method, not_shown
 from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.reading.products import PRODUCTS
-from traceability.schema import Method, PatternApplication, Place, Requirement, TreeNode
+from traceability.schema import (
+    Method,
+    Module,
+    PatternApplication,
+    Place,
+    Requirement,
+    TreeNode,
+)
 
 HIGH_LEVEL = "High-level diagram"
 ANY = "*"  # in an allowed use: every logic module
@@ -190,7 +198,12 @@ def groups(portal: Portal) -> dict[str, Any]:
 
 def structure(portal: Portal) -> dict[str, Any]:
     tops = [m for m in portal.model.logic_modules.values() if m.parent is None]
-    return {"tops": tops, "anchor": logic_anchor}
+    found: dict[str, list[Module]] = defaultdict(list)
+    for module in portal.designs:
+        parts = module.logic.split("/")
+        for count in range(1, len(parts) + 1):
+            found["/".join(parts[:count])].append(module)
+    return {"tops": tops, "anchor": logic_anchor, "below": found.__getitem__, "wide": True}
 
 
 # The pages of the navigation, each with the values that its template needs besides the model.
@@ -220,6 +233,7 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
     "concordance": concordance,
     "usual_design": usual_design,
     "execution": execution,
+    "cycle": cycle,
     "safety": safety,
     "safety_cost": cost,
     "requirements": requirements,
