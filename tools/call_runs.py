@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 from typing import TextIO
 
+from portal.chains import declared_chains, first_missing, follow
 from tools.cmake_build import BOARD_PROGRAM
 from tools.steps import FailureError, run
 from traceability.reading.call_record import (
@@ -38,6 +39,14 @@ def record_all(root: Path, log: TextIO) -> str:
         lines.unlink()
         if not found[window.name].spans:
             raise FailureError(f"{window.name} has no call: {window.place.file}:{window.place.line}")
+    for chain in declared_chains(root):
+        recording = found[chain.recording]
+        if follow(chain, recording) is None:
+            place = f"{chain.place.file}:{chain.place.line}"
+            raise FailureError(
+                f"{place}: the recording {chain.recording} has no step "
+                f"{first_missing(chain, recording)!r} after the steps before it"
+            )
     content = {"recordings": {name: packed(one) for name, one in found.items()}}
     (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
     (root / RECORD).write_text(json.dumps(content, separators=(",", ":")), encoding="utf-8")

@@ -208,7 +208,7 @@ def measurements(root: Path) -> list[Task]:
         Task(
             task_record.CALLS,
             partial(record_all, root),
-            (*DESIGN, str(DECLARED_RECORDINGS), str(ALL_SCENARIOS)),
+            (*DESIGN, str(DECLARED_RECORDINGS), str(ALL_SCENARIOS), "design/frames.toml"),
             (str(CALL_RECORD),),
             inputs_from=on_board,
         ),

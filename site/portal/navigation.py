@@ -117,6 +117,7 @@ def understand(model: Model) -> list[Entry]:
         Entry("usual_design", "Baseline design", "usual_design.html"),
         Entry("execution", "Execution", "execution.html", "", len(model.contexts)),
         Entry("cycle", "One cycle", "cycle.html"),
+        Entry("bytes", "Follow a byte", "bytes.html"),
     ]
 
 

@@ -9,6 +9,7 @@ from itertools import islice
 from typing import Any
 
 from portal.bench_page import bench
+from portal.bytes_page import follow_bytes
 from portal.cycle_page import cycle
 from portal.diagrams import DIAGRAMS
 from portal.links import logic_anchor
@@ -234,6 +235,7 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
     "usual_design": usual_design,
     "execution": execution,
     "cycle": cycle,
+    "bytes": follow_bytes,
     "safety": safety,
     "safety_cost": cost,
     "requirements": requirements,
