@@ -118,6 +118,7 @@ def understand(model: Model) -> list[Entry]:
         Entry("execution", "Execution", "execution.html", "", len(model.contexts)),
         Entry("cycle", "One cycle", "cycle.html"),
         Entry("bytes", "Follow a byte", "bytes.html"),
+        Entry("sequences", "Sequences", "sequences.html"),
     ]
 
 

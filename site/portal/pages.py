@@ -19,18 +19,12 @@ from portal.paper_views import change_page, concordance, families, hidden_names
 from portal.portal import Page, Portal
 from portal.requirement_pages import aligned, first_run, requirement_page, requirements
 from portal.safety_pages import cost, goal_page, hazards_page, safety
+from portal.sequences import sequences
 from portal.source_pages import folders, source_page
 from traceability.model.not_shown import by_method, not_shown
 from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.reading.products import PRODUCTS
-from traceability.schema import (
-    Method,
-    Module,
-    PatternApplication,
-    Place,
-    Requirement,
-    TreeNode,
-)
+from traceability.schema import Method, PatternApplication, Place, Requirement, TreeNode
 
 HIGH_LEVEL = "High-level diagram"
 ANY = "*"  # in an allowed use: every logic module
@@ -199,12 +193,7 @@ def groups(portal: Portal) -> dict[str, Any]:
 
 def structure(portal: Portal) -> dict[str, Any]:
     tops = [m for m in portal.model.logic_modules.values() if m.parent is None]
-    found: dict[str, list[Module]] = defaultdict(list)
-    for module in portal.designs:
-        parts = module.logic.split("/")
-        for count in range(1, len(parts) + 1):
-            found["/".join(parts[:count])].append(module)
-    return {"tops": tops, "anchor": logic_anchor, "below": found.__getitem__, "wide": True}
+    return {"tops": tops, "anchor": logic_anchor}
 
 
 # The pages of the navigation, each with the values that its template needs besides the model.
@@ -236,6 +225,7 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
     "execution": execution,
     "cycle": cycle,
     "bytes": follow_bytes,
+    "sequences": sequences,
     "safety": safety,
     "safety_cost": cost,
     "requirements": requirements,
