@@ -33,6 +33,7 @@ LOGIC = "logic modules"
 SEQUENCE: Keys = {"name": str, "title": str, "says": str, "recordings": list, "requirements": list}
 PC, LINE = "PC", "serial line"
 LONGEST = 12  # messages of a group that may repeat
+CLASSES_ONLY = ("hide ", "set ")  # begins of lines that are for class diagrams
 ROUND = 2  # digits of an instant [ms]
 
 
@@ -212,7 +213,8 @@ def sequence_diagram(sequence: Sequence_, cycles: list[CycleMessages], links: Li
     )
     ends = [name for name in (PC, LINE) if name in names]
     ordered = [*ends, *(name for name in names if name not in ends)]
-    lines = [*preamble(), *_look()]
+    common = [line for line in preamble() if not line.startswith(CLASSES_ONLY)]
+    lines = [*common, *_look()]
     lines += [_participant(name, links) for name in ordered]
     for cycle in cycles:
         alike = f": {cycle.times} cycles alike" if cycle.times > 1 else ""
@@ -247,7 +249,7 @@ def _look() -> list[str]:
         f"skinparam sequenceGroupBackgroundColor {MARKERS['plain']}",
         f"skinparam sequenceGroupFontColor {MARKERS['soft']}",
         f"skinparam sequenceGroupHeaderFontColor {MARKERS['soft']}",
-        "skinparam sequenceGroupBodyBackgroundColor transparent",
+        f"skinparam hyperlinkColor {MARKERS['text']}",
         "hide footbox",
     ]
 
