@@ -131,6 +131,7 @@ def verify(model: Model, checks: int, faults: int) -> list[Entry]:
     ]
     return [
         Entry("requirements", "Requirements", "requirements/index.html", "R", len(requirements)),
+        Entry("dossier", "Dossier", "dossier/index.html", "", len(requirements)),
         *(safety if case.goals else []),
         Entry("trees", "Invocation trees", "trees.html", "", trees),
         Entry("tests", "Tests", "tests.html", "T", len(model.tests)),

@@ -12,6 +12,7 @@ from portal.bench_page import bench
 from portal.bytes_page import follow_bytes
 from portal.cycle_page import cycle
 from portal.diagrams import DIAGRAMS
+from portal.dossier import dossier, dossier_page
 from portal.links import logic_anchor
 from portal.measured_pages import closed_loop, mutation, usual_design, virtual_k64
 from portal.module_page import module_page
@@ -57,6 +58,7 @@ def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
         yield partial(pattern_page, portal, application)
     for requirement in model.requirements.values():
         yield partial(requirement_page, portal, requirement)
+        yield partial(dossier_page, portal, requirement)
     for check in portal.checks.values():
         yield partial(portal.page, f"checks/{check.id}", check.id, "checks", "check", check=check)
 
@@ -229,6 +231,7 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
     "safety": safety,
     "safety_cost": cost,
     "requirements": requirements,
+    "dossier": dossier,
     "tests": lambda portal: {"suites": suites(portal)},
     "mutation": mutation,
     "reverse": lambda portal: {"rows": reverse_rows(portal)},
