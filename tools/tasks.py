@@ -16,6 +16,7 @@ from tools.baseline import TESTS as BASELINE_TESTS
 from tools.baseline import compare, image_name
 from tools.bench_runs import measure_all
 from tools.browser import find_browser, works
+from tools.call_runs import record_all
 from tools.closed_loop_runs import HOST_PROGRAM, play_all
 from tools.cmake_build import (
     BOARD,
@@ -41,6 +42,9 @@ from traceability.reading import task_record
 from traceability.reading.baseline_record import DESIGNS, FOLDER, RESULT
 from traceability.reading.bench_record import BENCH, PAPER_BENCH
 from traceability.reading.bench_record import FOLDER as BENCH_SCENARIOS
+from traceability.reading.call_record import DECLARED as DECLARED_RECORDINGS
+from traceability.reading.call_record import RECORD as CALL_RECORD
+from traceability.reading.call_record import SCENARIOS as ALL_SCENARIOS
 from traceability.reading.closed_loop_record import DECLARED, EXAMPLES, OUTCOMES
 from traceability.reading.live_record import RECORD as LIVE_RECORD
 from traceability.reading.products import DEFAULT, PRODUCTS
@@ -69,6 +73,7 @@ RESULT_TASKS = (
     task_record.BASELINE,
     LIVE_MODULE,
     task_record.LIVE,
+    task_record.CALLS,
 )
 
 # ---- declared inputs ---------------------------------------------------------
@@ -87,6 +92,7 @@ SHOWN = (*SEEDED, "site", "setup", "wr")
 SHOWN_RESULTS = (
     *("trace.json", "board.json", "coverage.json", "coverage_lines.json", "closed_loop.json"),
     *("bench.json", "bench_paper.json", "usual_design.json", "products.json", "size_k64.json"),
+    "calls.json",
     *("image_k64.json", "driver_faults.json", "mutation.json", "drift.json"),
     *("trace.cost.json", "plain.cost.json", "live.json"),
 )
@@ -213,6 +219,13 @@ def measurements(root: Path) -> list[Task]:
             partial(measure_all, root),
             (*DESIGN, str(BENCH_SCENARIOS)),
             (str(BENCH), str(PAPER_BENCH)),
+            inputs_from=on_board,
+        ),
+        Task(
+            task_record.CALLS,
+            partial(record_all, root),
+            (*DESIGN, str(DECLARED_RECORDINGS), str(ALL_SCENARIOS), "design/frames.toml"),
+            (str(CALL_RECORD),),
             inputs_from=on_board,
         ),
         Task(

@@ -17,6 +17,9 @@ CallRecorder::CallRecorder(std::vector<std::uint32_t> functions, std::size_t mos
 }
 
 void CallRecorder::note(std::uint64_t event) {
+  if (call_) {
+    call_(static_cast<std::uint32_t>(event), (event & kLeft) != 0);
+  }
   if (events_.size() == most_) {
     truncated_ = true;
   } else {

@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace wr::emulator {
@@ -40,6 +42,12 @@ class CallRecorder {
   /// @brief Clears the events; open calls stay open.
   void clear();
 
+  /// @brief Sets the callback of each function that is entered or left; it is also called for
+  /// events that are not recorded.
+  void onCall(std::function<void(std::uint32_t function, bool left)> call) {
+    call_ = std::move(call);
+  }
+
   /// @brief The events, oldest first.
   [[nodiscard]] const std::vector<std::uint64_t>& events() const { return events_; }
 
@@ -62,6 +70,7 @@ class CallRecorder {
   void forgetRepeated(std::size_t begin);
   void note(std::uint64_t event);
 
+  std::function<void(std::uint32_t, bool)> call_;
   std::vector<std::uint32_t> functions_;  ///< sorted
   std::vector<Call> calls_;
   std::vector<std::uint64_t> events_;

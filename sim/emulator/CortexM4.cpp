@@ -154,6 +154,7 @@ void CortexM4::reset() {
   core_.exclusive = false;
   core_.next = word(4) & ~1U;
   core_.beginBlock();
+  blockWaits_.clear();
   sleeping_ = false;
   raised_ = 0;
   refused_.reset();
@@ -500,6 +501,7 @@ void CortexM4::enter(unsigned exception, std::uint32_t returnsTo) {
   core_.spend(kEntryCycles);
   sleeping_ = false;
   std::uint32_t link = 0;
+  const bool beginsBlock = core_.beginsBlock();
   if (!stack(returnsTo, link)) {
     const std::string what = "no memory for the frame of exception " + std::to_string(exception) +
                              " at " + hex(core_.registers.r[Registers::kStack]);
@@ -524,6 +526,7 @@ void CortexM4::enter(unsigned exception, std::uint32_t returnsTo) {
     vector(bus ? kBusFault : kHardFault, link);
     return;
   }
+  blockWaits_.push_back(beginsBlock);
   vector(exception, link);
 }
 
@@ -634,6 +637,12 @@ void CortexM4::unstack(std::uint32_t link) {
   core_.next = words[6] & ~1U;
   core_.exclusive = false;
   core_.continueBlock();
+  if (!blockWaits_.empty()) {
+    if (blockWaits_.back()) {
+      core_.beginBlock();
+    }
+    blockWaits_.pop_back();
+  }
   sleeping_ = toThread && system_.sleepsOnExit();
 }
 

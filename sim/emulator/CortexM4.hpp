@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "sim/emulator/Nvic.hpp"
 #include "sim/emulator/SystemControl.hpp"
@@ -203,6 +204,7 @@ class CortexM4 {
   std::uint64_t limit_ = 0;
   bool running_ = false;  ///< inside the core
   bool sleeping_ = false;
+  std::vector<bool> blockWaits_;  ///< of each entered exception: whether it came before a block
   bool exit_ = false;
   bool faultsAreProblems_ = false;
   unsigned raised_ = 0;

@@ -17,7 +17,8 @@ struct Event {
     PinChanged,        ///< number: 32 * port + pin; value: level that the program puts out
     ByteSent,          ///< number: of the UART; value: the byte, at the end of its stop bit
     PwmChanged,        ///< number: 8 * FTM + channel; value: millionths of the period at high level
-    LineRaised         ///< number: of the exception whose interrupt line a device raises
+    LineRaised,        ///< number: of the exception whose interrupt line a device raises
+    ByteReceived       ///< number: of the UART; value: the byte, at the end of its stop bit
   };
   Kind kind;
   std::chrono::nanoseconds at;

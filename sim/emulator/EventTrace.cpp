@@ -7,11 +7,15 @@ namespace wr::emulator {
 
 namespace {
 
-constexpr std::array<const char*, 7> kKinds{"exception_entered", "exception_left", "reset",
+constexpr std::array<const char*, 8> kKinds{"exception_entered", "exception_left", "reset",
                                             "pin_changed",       "byte_sent",      "pwm_changed",
-                                            "line_raised"};
+                                            "line_raised",       "byte_received"};
 
 }  // namespace
+
+const char* nameOf(Event::Kind kind) {
+  return kKinds.at(static_cast<std::size_t>(kind));
+}
 
 EventTrace::EventTrace(std::ostream* lines) : lines_(lines) {
   if (lines_ != nullptr) {
@@ -27,7 +31,7 @@ void EventTrace::add(const emulator::Event& event) {
   mix(event.number);
   mix(event.value);
   if (lines_ != nullptr) {
-    *lines_ << event.at.count() << ',' << kKinds.at(kind) << ',' << event.number << ','
+    *lines_ << event.at.count() << ',' << nameOf(event.kind) << ',' << event.number << ','
             << event.value << '\n';
   }
 }

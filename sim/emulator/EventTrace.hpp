@@ -7,6 +7,9 @@
 
 namespace wr::emulator {
 
+/// @brief Returns the name of a kind of event in the files.
+[[nodiscard]] const char* nameOf(Event::Kind kind);
+
 /// @brief What happened on a virtual board: a number for the whole of it, and a line for each event.
 class EventTrace {
  public:

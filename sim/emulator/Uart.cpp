@@ -151,6 +151,7 @@ void Uart::received(const Arriving& arriving) {
     board_.report("uart-overrun", name_ + " received a byte before the last one was read");
   } else {
     receivedBytes_.push_back(arriving.byte);
+    board_.tell(Event::Kind::ByteReceived, kind_.number, arriving.byte);
     errors_ |= arriving.stopBit ? 0 : kFraming;
     dataReady_ = dataReady_ || receivedBytes_.size() >= (receiveDepth() == 1 ? 1 : receiveMark_);
   }

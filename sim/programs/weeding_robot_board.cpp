@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "sim/board_robot/BoardSession.hpp"
+#include "sim/board_robot/CallTimeline.hpp"
 #include "sim/board_robot/CycleMeter.hpp"
 #include "sim/emulator/EventTrace.hpp"
 #include "sim/emulator/Image.hpp"
@@ -55,6 +56,8 @@ struct Settings {
   std::string reports;
   std::string trace;
   std::string bench;
+  std::string calls;
+  std::vector<double> window;
   std::uint32_t baud = 115'200;
   bool fast = false;
   bool resets = false;
@@ -178,7 +181,17 @@ void addRobotOptions(CLI::App& app, Settings& settings) {
       app.add_option("--bench", settings.bench,
                      "measure the last 1000 control cycles of the scenario, and write them to this "
                      "file as JSON [none]");
-  for (CLI::Option* const option : {scenario, reports, bench}) {
+  CLI::Option* const calls = app.add_option(
+      "--calls", settings.calls,
+      "write the calls, interrupts, bytes and outputs of a part of the scenario to this file, with "
+      "times in ns; needs --elf and --between [none]");
+  CLI::Option* const window =
+      app.add_option("--between", settings.window,
+                     "with --calls: begin and end of the part, in ms since the power came")
+          ->expected(2)
+          ->type_name("MS")
+          ->group(group);
+  for (CLI::Option* const option : {scenario, reports, bench, calls}) {
     option->type_name("PATH")->group(group);
   }
   for (const char* name : {"--control", "--cycles", "--seconds", "--fast", "--link", "--uart0"}) {
@@ -186,6 +199,9 @@ void addRobotOptions(CLI::App& app, Settings& settings) {
   }
   reports->needs(scenario);
   bench->needs(scenario)->excludes(app.get_option("--trace"));
+  window->needs(calls);
+  calls->needs(scenario)->needs(window)->needs(app.get_option("--elf"));
+  calls->excludes(bench)->excludes(app.get_option("--trace"));
   app.add_flag("--profile", settings.profile, "with --bench: count how often each instruction runs")
       ->needs(bench)
       ->group(group);
@@ -333,9 +349,27 @@ Exit runBench(board_robot::BoardSession& robot, const Settings& settings) {
   return exit;
 }
 
+Exit runRecorded(board_robot::BoardSession& robot, const Settings& settings) {
+  std::ofstream output;
+  output.exceptions(std::ios::failbit | std::ios::badbit);
+  output.open(settings.calls);
+  const auto instant = [](double ms) {
+    return std::chrono::duration_cast<nanoseconds>(std::chrono::duration<double, std::milli>(ms));
+  };
+  const board_robot::CallTimeline timeline(
+      robot, settings.elf,
+      {.from = instant(settings.window.front()), .to = instant(settings.window.back())}, output);
+  const Exit exit = playScenario(settings.scenario, settings.reports, robot);
+  output.flush();
+  return exit;
+}
+
 Exit runAsAsked(Machine& machine, const Settings& settings) {
   if (!settings.bench.empty()) {
     return runBench(*machine.robot(), settings);
+  }
+  if (!settings.calls.empty()) {
+    return runRecorded(*machine.robot(), settings);
   }
   if (!settings.scenario.empty()) {
     const Exit exit = playScenario(settings.scenario, settings.reports, *machine.robot());

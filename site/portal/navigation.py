@@ -123,6 +123,9 @@ def understand(model: Model) -> list[Entry]:
         Entry("concordance", "Concordance with the paper", "concordance.html"),
         Entry("usual_design", "Baseline design", "usual_design.html"),
         Entry("execution", "Execution", "execution.html", "", len(model.contexts)),
+        Entry("cycle", "One cycle", "cycle.html"),
+        Entry("bytes", "Follow a byte", "bytes.html"),
+        Entry("sequences", "Sequences", "sequences.html"),
     ]
 
 
@@ -135,6 +138,7 @@ def verify(model: Model, checks: int, faults: int) -> list[Entry]:
     ]
     return [
         Entry("requirements", "Requirements", "requirements/index.html", "R", len(requirements)),
+        Entry("dossier", "Dossier", "dossier/index.html", "", len(requirements)),
         *(safety if case.goals else []),
         Entry("trees", "Invocation trees", "trees.html", "", trees),
         Entry("tests", "Tests", "tests.html", "T", len(model.tests)),

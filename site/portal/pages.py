@@ -12,7 +12,10 @@ from typing import Any
 
 from portal.answers import by_topic
 from portal.bench_page import bench
+from portal.bytes_page import follow_bytes
+from portal.cycle_page import cycle
 from portal.diagrams import DIAGRAMS
+from portal.dossier import dossier, dossier_page
 from portal.links import logic_anchor
 from portal.live_view import run
 from portal.measured_pages import closed_loop, mutation, usual_design, virtual_k64
@@ -22,6 +25,7 @@ from portal.portal import Page, Portal
 from portal.requirement_pages import aligned, first_run, requirement_page, requirements
 from portal.safety_pages import cost, goal_page, hazards_page, safety
 from portal.search import entries
+from portal.sequences import sequences
 from portal.source_pages import folders, source_page
 from traceability.model.not_shown import by_method, not_shown
 from traceability.model.orphan_methods import methods_without, tests_without
@@ -73,6 +77,7 @@ def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
         yield partial(pattern_page, portal, application)
     for requirement in model.requirements.values():
         yield partial(requirement_page, portal, requirement)
+        yield partial(dossier_page, portal, requirement)
     for check in portal.checks.values():
         yield partial(portal.page, f"checks/{check.id}", check.id, "checks", "check", check=check)
 
@@ -254,9 +259,13 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
     "concordance": concordance,
     "usual_design": usual_design,
     "execution": execution,
+    "cycle": cycle,
+    "bytes": follow_bytes,
+    "sequences": sequences,
     "safety": safety,
     "safety_cost": cost,
     "requirements": requirements,
+    "dossier": dossier,
     "tests": lambda portal: {"suites": suites(portal)},
     "mutation": mutation,
     "reverse": lambda portal: {"rows": reverse_rows(portal)},

@@ -158,7 +158,7 @@ def read_traces(root: Path, cache: Path) -> dict[str, Traces]:
         if tests and done and (root / source.executable).exists():
             known = cache / f"symbols-{source.names}.json"
             traces.state = _state(traces.folder, root / source.executable)
-            traces.symbols = _symbols(root / source.executable, source.names, known)
+            traces.symbols = read_symbols(root / source.executable, source.names, known)
             traces.tests = tests
         found[binding] = traces
     return found
@@ -173,7 +173,7 @@ def _state(folder: Path, executable: Path) -> str:
     return total.hexdigest()
 
 
-def _symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
+def read_symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
     """Address -> method. On the K64 without the bit that marks the instruction set."""
     state = executable.stat()
     key = f"{state.st_mtime_ns} {state.st_size} {file_hash(Path(__file__))}"

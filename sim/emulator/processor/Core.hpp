@@ -177,6 +177,7 @@ class Core {
   /// @brief The next instruction begins no block, as after the entry to an exception.
   void continueBlock() { branched_ = false; }
   void beginBlock() { branched_ = true; }
+  [[nodiscard]] bool beginsBlock() const { return branched_; }
 
   void noteExecuted(ExecutedCode& code) { executed_ = &code; }
   void noteStack(std::uint32_t& lowest) { lowestStack_ = &lowest; }

@@ -175,6 +175,28 @@ TEST(ProcessorOfBoard, CallsAreRecorded) {
                           handler, handler | kLeft, inner, inner | kLeft));
 }
 
+/// @brief An interrupt that comes before any instruction of the program hides no call from the record.
+TEST(ProcessorOfBoard, AnInterruptHidesNoCall) {
+  Guest guest("callsFunctions");
+  guest.handleLine(1, "handlerThatAcknowledgesNothing");
+  const std::uint64_t handler = guest.addressOf("handlerThatAcknowledgesNothing");
+  const auto calls = [&](std::chrono::nanoseconds interruptAt) {
+    VirtualBoard board(guest.image());
+    emulator::CallRecorder recorder(Guest::elf());
+    board.record(recorder);
+    EXPECT_TRUE(board.runUntil(interruptAt));
+    board.raise(16 + 1);
+    EXPECT_TRUE(board.runUntil(1ms));
+    std::vector<std::uint64_t> found = recorder.events();
+    std::erase_if(found, [&](std::uint64_t event) { return (event & ~(1ULL << 63U)) == handler; });
+    return found;
+  };
+  const std::vector<std::uint64_t> expected = calls(500us);
+  for (auto at = 0ns; at < 6us; at += 40ns) {
+    EXPECT_EQ(calls(at), expected) << "interrupt at " << at.count() << " ns";
+  }
+}
+
 /// @brief An interrupt that calls the same as before is recorded once, until the record is cleared.
 TEST(ProcessorOfBoard, CallsOfAnInterruptThatRepeatsAreRecordedOnce) {
   Guest guest("callsFunctions");

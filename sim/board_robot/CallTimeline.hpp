@@ -1,0 +1,45 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <ostream>
+
+#include "sim/board_robot/BoardSession.hpp"
+#include "sim/emulator/CallRecorder.hpp"
+
+namespace wr::board_robot {
+
+/// @brief Writes the calls and the events of a part of a run, with their instants.
+///
+/// A line has the time in ns, the name of the event, its number and its value. A call has the address of the
+/// function as its number; an exception has its priority as its value.
+class CallTimeline {
+ public:
+  /// @brief A part of a run, in time of the board.
+  struct Window {
+    std::chrono::nanoseconds from;
+    std::chrono::nanoseconds to;
+  };
+
+  /// @brief Replaces the observer of the line. Construct it before the first run.
+  /// @param robot the image in its robot; it lives as long as the timeline
+  /// @param elf file of the image with its symbols
+  /// @param window the recorded part of the run
+  /// @param output gets the lines; it lives as long as the timeline
+  CallTimeline(BoardSession& robot, const std::filesystem::path& elf, Window window,
+               std::ostream& output);
+  CallTimeline(const CallTimeline&) = delete;
+  CallTimeline& operator=(const CallTimeline&) = delete;
+
+ private:
+  void take(const emulator::Event& event);
+  void write(const char* event, std::uint32_t number, std::uint32_t value);
+
+  BoardSession& robot_;
+  emulator::CallRecorder recorder_;
+  Window window_;
+  std::ostream& output_;
+};
+
+}  // namespace wr::board_robot

@@ -1,0 +1,100 @@
+"""The page that follows a byte: from the PC to a motor, and from a Hall edge to the report."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from portal.chains import Chain, Step, declared_chains, first_missing, follow
+from portal.portal import Portal
+from portal.recorded_calls import (
+    COMMAND,
+    MethodLinks,
+    links_of,
+    name_of,
+    recordings_of,
+    requirements_by_method,
+    shown_time,
+    windows_of,
+)
+from traceability.reading.call_record import Recording, Span
+
+SHOWN = 4  # requirements of a step
+
+
+@dataclass
+class Row:
+    """A step of a chain as the page shows it."""
+
+    step: Step
+    since: int  # the first step [ns]
+    context: str = "hardware"
+    priority: int | None = None
+    links: MethodLinks | None = None
+    brief: str = ""
+    requirements: tuple[str, ...] = ()
+    others: int = 0  # requirements that are not shown
+
+
+@dataclass
+class Followed:
+    """A chain with its rows; without rows the recording lacks the step ``missing``."""
+
+    chain: Chain
+    rows: list[Row]
+    missing: str = ""
+
+
+def follow_bytes(portal: Portal) -> dict[str, Any]:
+    recordings = recordings_of(portal) or {}
+    found = [
+        _followed(portal, chain, recordings[chain.recording])
+        for chain in declared_chains(portal.root)
+        if chain.recording in recordings
+    ]
+    return {
+        "found": found,
+        "windows": windows_of(portal),
+        "command": COMMAND,
+        "time": shown_time,
+        "wide": True,
+    }
+
+
+def _followed(portal: Portal, chain: Chain, recording: Recording) -> Followed:
+    steps = follow(chain, recording)
+    if steps is None:
+        return Followed(chain, [], first_missing(chain, recording))
+    trees = requirements_by_method(portal)
+    rows = [Row(step, step.at - steps[0].at, brief=step.text) for step in steps]
+    for row in rows:
+        if row.step.span is not None:
+            _describe(portal, row, recording.spans[row.step.span], recording, trees)
+    _choose_requirements(rows)
+    return Followed(chain, rows)
+
+
+def _describe(
+    portal: Portal, row: Row, span: Span, recording: Recording, trees: dict[str, list[str]]
+) -> None:
+    activation = recording.activations[span.activation]
+    method = portal.links.find_method(span.method)
+    row.context, row.priority = name_of(portal, activation), activation.priority
+    row.links = links_of(portal, span.method, trees)
+    row.brief = method.brief if method else ""
+
+
+def _choose_requirements(rows: list[Row]) -> None:
+    """Of the requirements of a step first those whose tree has the step before or after it too."""
+    for number, row in enumerate(rows):
+        if row.links is None:
+            continue
+        near = {
+            one
+            for other in (*rows[max(0, number - 1) : number], *rows[number + 1 : number + 2])
+            if other.links
+            for one in other.links.requirements
+        }
+        wanted = sorted(row.links.requirements, key=lambda one: one not in near)
+        row.requirements = tuple(wanted[:SHOWN])
+        row.others = len(wanted) - len(row.requirements)

@@ -1,0 +1,171 @@
+"""Follows a value through a recording: the calls and events of a chain that the design declares."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from traceability.reading.call_record import DECLARED, BoardEvent, Recording
+from traceability.reading.toml_reader import Entries, Keys
+from traceability.schema import Place
+from weeding_robot_client.frames import FrameError, decode
+from weeding_robot_client.layout import BY_QUANTITY, LAYOUTS, Field, value_name
+
+CHAIN: Keys = {"name": str, "title": str, "says": str, "recording": str, "steps": list}
+OPTIONAL: Keys = {"last": bool}
+WITHIN = (
+    "> "  # a step that lies within the call of the last step without this mark, or of one below it
+)
+HEAD = 4  # bytes before the payload: of the byte stuffing, version, type, sequence number
+CHANNELS = 8  # of an FTM
+BYTES = ("byte_received", "byte_sent")
+
+
+@dataclass(frozen=True)
+class Chain:
+    name: str
+    title: str
+    says: str
+    recording: str
+    steps: Sequence[str]
+    last: bool  # begins with the last place that fits, not with the first one
+    place: Place
+
+
+@dataclass(frozen=True)
+class Step:
+    """A step that the recording has: a call, or an event with its text."""
+
+    wanted: str
+    at: int
+    depth: int  # below the step that contains it
+    span: int | None = None
+    text: str = ""
+
+
+@dataclass
+class FrameBytes:
+    """A frame on the line: its bytes with their instants, and its values."""
+
+    kind: str
+    events: list[BoardEvent] = field(default_factory=list)
+    values: dict[str, object] = field(default_factory=dict)
+
+
+def declared_chains(root: Path, entries: Entries | None = None) -> list[Chain]:
+    entries = entries or Entries(root)
+    return [
+        Chain(*(item[key] for key in CHAIN), item.get("last", False), place)
+        for item, place in entries.tables(root / DECLARED, "chain", CHAIN, OPTIONAL, own="name")
+    ]
+
+
+def frames_in(recording: Recording, direction: str) -> Iterator[FrameBytes]:
+    """The whole frames that a line carried, in their order."""
+    pending: list[BoardEvent] = []
+    for event in recording.events:
+        if event.kind != direction or event.number != 0:
+            continue
+        if event.value:
+            pending.append(event)
+            continue
+        events, pending = pending, []
+        try:
+            frame = decode(bytes(one.value for one in events))
+        except FrameError:
+            continue  # its first bytes came before the recording
+        layout = next((one for one in LAYOUTS.values() if one.kind == frame.kind), None)
+        if layout and len(frame.payload) >= layout.size:
+            yield FrameBytes(layout.name, [*events, event], layout.decode(frame.payload))
+
+
+def follow(chain: Chain, recording: Recording) -> list[Step] | None:
+    """The steps of a chain; None when the recording does not have them in this order."""
+    places = list(_places(chain.steps[0], recording, 0, None))
+    for first in reversed(places) if chain.last else places:
+        if steps := _from(first, chain, recording):
+            return steps
+    return None
+
+
+def first_missing(chain: Chain, recording: Recording) -> str:
+    """The first step after which a chain does not go on, from its first place."""
+    for number in range(1, len(chain.steps) + 1):
+        part = Chain(chain.name, "", "", "", chain.steps[:number], chain.last, chain.place)
+        if follow(part, recording) is None:
+            return chain.steps[number - 1]
+    return ""
+
+
+def _from(first: Step, chain: Chain, recording: Recording) -> list[Step] | None:
+    steps, around = [first], [first]
+    for wanted in chain.steps[1:]:
+        inside = wanted.startswith(WITHIN)
+        while around and inside and not _contains(recording, around[-1], wanted, steps[-1].at):
+            around.pop()
+        if inside and not around:
+            return None
+        outer = around[-1] if inside else None
+        name = wanted.removeprefix(WITHIN)
+        found = next(_places(name, recording, steps[-1].at, outer), None)
+        if found is None:
+            return None
+        step = Step(name, found.at, len(around) if inside else 0, found.span, found.text)
+        around = [*around, step] if inside else [step]
+        steps.append(step)
+    return steps
+
+
+def _contains(recording: Recording, outer: Step, wanted: str, after: int) -> bool:
+    return next(_places(wanted.removeprefix(WITHIN), recording, after, outer), None) is not None
+
+
+def _places(wanted: str, recording: Recording, after: int, outer: Step | None) -> Iterator[Step]:
+    """The calls or events of a step that begin after an instant, within a call if one is given."""
+    kind, _, rest = wanted.partition(" ")
+    if kind in BYTES:
+        yield from _field_places(wanted, recording, kind, rest, after)
+    elif kind == "pwm_changed":
+        for event in recording.events:
+            if event.kind == kind and event.number == int(rest) and event.at >= after:
+                timer, channel = divmod(event.number, CHANNELS)
+                share = event.value / 1e4
+                text = f"The duty cycle of channel {channel} of FTM{timer} becomes {share:.2f} %."
+                yield Step(wanted, event.at, 0, None, text)
+    else:
+        span = recording.spans[outer.span] if outer and outer.span is not None else None
+        for number, one in enumerate(recording.spans):
+            if one.method != wanted or one.begin < after:
+                continue
+            if span and not (one.begin < span.end and one.activation == span.activation):
+                continue
+            yield Step(wanted, one.begin, 0, number)
+
+
+def _field_places(
+    wanted: str, recording: Recording, direction: str, named: str, after: int
+) -> Iterator[Step]:
+    """The first byte of a field in each frame of its type."""
+    kind, _, name = named.partition(".")
+    field_ = LAYOUTS[kind].of(name)
+    number = HEAD + field_.offset
+    for frame in frames_in(recording, direction):
+        if frame.kind != kind or frame.events[number].at < after:
+            continue
+        event, shown = frame.events[number], value_name(field_)
+        unit = f" {_unit_of_quantity(kind, field_, frame)}" if field_.unit == BY_QUANTITY else ""
+        verb = "has received" if direction == "byte_received" else "has sent"
+        text = (
+            f"The serial port {verb} the byte 0x{event.value:02X}, number {number + 1} of "
+            f"{len(frame.events)} of the frame {kind}: {shown} is {frame.values[shown]}{unit}."
+        )
+        yield Step(wanted, event.at, 0, None, text)
+
+
+def _unit_of_quantity(kind: str, field_: Field, frame: FrameBytes) -> str:
+    """The unit of a set-point: that of the quantity in the same frame."""
+    quantity = LAYOUTS[kind].of(f"{BY_QUANTITY}{field_.wheel}")
+    shown = frame.values[quantity.name]
+    entries = quantity.values.entries if quantity.values else ()
+    return next((one.unit for one in entries if one.shown == shown), "")

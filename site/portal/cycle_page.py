@@ -1,0 +1,242 @@
+"""The page of one control cycle as a time line: a lane for each priority, and in it the calls."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import Any
+
+from markupsafe import Markup
+
+from portal.portal import Portal
+from portal.recorded_calls import (
+    COMMAND,
+    NOT_ENTERED,
+    PULSE,
+    links_of,
+    name_of,
+    recordings_of,
+    requirements_by_method,
+    shown_time,
+    windows_of,
+)
+from traceability.reading.call_record import Activation, Recording, Span
+
+RECORDING = "drive"
+WIDTH = 1000  # of the drawings, in units of the drawing
+LANE, ROW = 26, 12
+LEAST = 0.6  # width of the thinnest bar
+SHOWN = 2.0  # a call that is narrower has no bar of its own in the drawing of the main thread
+MAIN_THREAD = "mainThreadInterrupt"
+
+
+@dataclass
+class Lane:
+    """A priority: the contexts that run with it, and the instants at which one of them does."""
+
+    priority: int | None
+    names: list[str] = field(default_factory=list)
+    entries: int = 0
+    busy: int = 0  # [ns], without the time of interrupts
+    path: str = ""
+
+    @property
+    def title(self) -> str:
+        return NOT_ENTERED if self.priority is None else f"priority {self.priority}"
+
+
+@dataclass
+class Bar:
+    """A call in the static drawing of the main thread."""
+
+    x: float
+    y: int
+    width: float
+    method: str
+    href: str | None
+    lane: int
+
+
+@dataclass
+class Cycle:
+    """A recorded cycle, from one clock pulse to the next [ns]."""
+
+    recording: Recording
+    begin: int
+    end: int
+
+    def spans(self) -> list[int]:
+        spans = self.recording.spans
+        first = self.recording.activations
+        return [
+            number
+            for number, span in enumerate(spans)
+            if span.begin < self.end
+            and span.end > self.begin
+            and (first[span.activation].line < 0 or span.begin >= self.begin)
+        ]
+
+
+def find_cycle(recording: Recording) -> Cycle | None:
+    """The first whole cycle: it begins when the timer raises its line."""
+    entered = [span.activation for span in recording.spans if span.method == PULSE]
+    pulses = [recording.activations[number].raised for number in entered]
+    return next((Cycle(recording, begin, end) for begin, end in pairwise(pulses)), None)
+
+
+def cycle(portal: Portal) -> dict[str, Any]:
+    recordings = recordings_of(portal)
+    found = find_cycle(recordings[RECORDING]) if recordings and RECORDING in recordings else None
+    window = windows_of(portal).get(RECORDING)
+    values = {"window": window, "command": COMMAND, "time": shown_time, "wide": True}
+    if found is None:
+        return {**values, "cycle": None}
+    lanes = lanes_of(portal, found)
+    first, last = report_time(found)
+    bars = bars_of(portal, found, lanes, first, last)
+    return {
+        **values,
+        "cycle": found,
+        "lanes": lanes,
+        "lane_height": LANE,
+        "row_height": ROW,
+        "width": WIDTH,
+        "bars": bars,
+        "bars_height": max((bar.y for bar in bars), default=0) + ROW,
+        "bars_from": first,
+        "bars_to": last,
+        "data": Markup(json.dumps(data_of(portal, found), separators=(",", ":"))),
+    }
+
+
+def lanes_of(portal: Portal, found: Cycle) -> list[Lane]:
+    """The lanes, the highest priority first, and the main program last."""
+    lanes: dict[int | None, Lane] = {}
+    inside = [a for a in found.recording.activations if a.begin < found.end and a.end > found.begin]
+    for activation in inside:
+        lane = lanes.setdefault(activation.priority, Lane(activation.priority))
+        name = name_of(portal, activation)
+        if name not in lane.names:
+            lane.names.append(name)
+        lane.entries += 1
+    busy = busy_times(inside, found)
+    for priority, lane in lanes.items():
+        lane.busy = busy[priority]
+        lane.path = path_of((a for a in inside if a.priority == priority), found)
+    return sorted(lanes.values(), key=lambda one: (one.priority is None, one.priority or 0))
+
+
+def busy_times(activations: Iterable[Activation], found: Cycle) -> dict[int | None, int]:
+    """The time of each priority without that of the interrupts of its activations."""
+    times: dict[int | None, int] = {}
+    for one in activations:
+        length = min(one.end, found.end) - max(one.begin, found.begin)
+        times[one.priority] = times.get(one.priority, 0) + length
+        if one.below >= 0:
+            below = found.recording.activations[one.below].priority
+            times[below] = times.get(below, 0) - length
+    return times
+
+
+def path_of(activations: Iterable[Activation], found: Cycle) -> str:
+    """Bars as one path; those that touch are joined."""
+    scale = WIDTH / (found.end - found.begin)
+    bars: list[tuple[float, float]] = []
+    for one in activations:
+        x = max(0.0, (one.begin - found.begin) * scale)
+        end = min(float(WIDTH), max(x + LEAST, (one.end - found.begin) * scale))
+        if bars and x <= bars[-1][1]:
+            bars[-1] = bars[-1][0], max(end, bars[-1][1])
+        else:
+            bars.append((x, end))
+    return "".join(f"M{x:.1f} 4h{end - x:.1f}v{LANE - 8}h{x - end:.1f}z" for x, end in bars)
+
+
+def report_time(found: Cycle) -> tuple[int, int]:
+    """From the clock pulse to the end of the main thread."""
+    activations = found.recording.activations
+    end = next(
+        (
+            activations[span.activation].end
+            for span in found.recording.spans
+            if span.method == MAIN_THREAD and found.begin <= span.begin < found.end
+        ),
+        found.end,
+    )
+    return found.begin, end
+
+
+def bars_of(portal: Portal, found: Cycle, lanes: list[Lane], first: int, last: int) -> list[Bar]:
+    """The calls from the clock pulse to the end of the main thread, one row for each depth."""
+    scale = WIDTH / (last - first)
+    activations = found.recording.activations
+    chosen = [
+        span
+        for span in (found.recording.spans[number] for number in found.spans())
+        if first <= span.begin < last
+        and (span.end - span.begin) * scale >= SHOWN
+        and activations[span.activation].priority is not None
+    ]
+    order = [lane.priority for lane in lanes]
+    rows: dict[int, int] = {}
+    for span in chosen:
+        lane = order.index(activations[span.activation].priority)
+        rows[lane] = max(rows.get(lane, 0), span.depth + 1)
+    tops, top = {}, 0
+    for lane in sorted(rows):
+        tops[lane] = top
+        top += rows[lane] * ROW + ROW
+    return [_bar(portal, span, order, activations, tops, first, scale) for span in chosen]
+
+
+def _bar(
+    portal: Portal,
+    span: Span,
+    order: list[int | None],
+    activations: list[Activation],
+    tops: dict[int, int],
+    first: int,
+    scale: float,
+) -> Bar:
+    lane = order.index(activations[span.activation].priority)
+    method = portal.links.find_method(span.method)
+    href = portal.links.source(method.body or method.place) if method else None
+    x, width = (span.begin - first) * scale, (span.end - span.begin) * scale
+    return Bar(x, tops[lane] + span.depth * ROW, width, span.method, href, lane)
+
+
+def data_of(portal: Portal, found: Cycle) -> dict[str, Any]:
+    """The calls of the cycle in columns, for the script of the page. Instants from the pulse [ns]."""
+    recording = found.recording
+    numbers = found.spans()
+    spans = [recording.spans[number] for number in numbers]
+    place = {number: index for index, number in enumerate(numbers)}
+    trees = requirements_by_method(portal)
+    names = list(dict.fromkeys(span.method for span in spans))
+    index = {name: number for number, name in enumerate(names)}
+    used = list(dict.fromkeys(span.activation for span in spans))
+    active = {number: index for index, number in enumerate(used)}
+    begins = [0, *(max(0, span.begin - found.begin) for span in spans)]
+    links = [links_of(portal, name, trees) for name in names]
+    return {
+        "length": found.end - found.begin,
+        "methods": [[one.name, one.page, one.source, one.requirements] for one in links],
+        "activations": [
+            [
+                name_of(portal, one),
+                one.priority,
+                one.raised - found.begin,
+                one.begin - found.begin,
+                one.end - found.begin,
+            ]
+            for one in (recording.activations[number] for number in used)
+        ],
+        "begins": [after - before for before, after in pairwise(begins)],
+        "lengths": [min(span.end, found.end) - max(span.begin, found.begin) for span in spans],
+        "of": [index[span.method] for span in spans],
+        "depths": [span.depth for span in spans],
+        "in": [active[span.activation] for span in spans],
+        "parents": [place.get(span.parent, -1) for span in spans],
+    }

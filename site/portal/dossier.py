@@ -1,0 +1,65 @@
+"""The dossier: a sheet of each requirement that fits paper, and all sheets with a cover."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from typing import Any
+
+from portal.names import VERDICTS
+from portal.portal import Page, Portal
+from traceability.model.report import Verdict
+from traceability.model.reviews import NAMES_OF_TEXTS, QUESTIONS
+from traceability.schema import Requirement, Test, TreeNode
+
+
+@dataclass
+class Sheet:
+    """The content of the sheet of one requirement."""
+
+    requirement: Requirement
+    verdict: Verdict
+    nodes: list[tuple[int, TreeNode]]
+    tests: list[Test]
+    changes: list[str]  # texts that are not as in the baseline
+
+
+def sheet_of(portal: Portal, requirement: Requirement) -> Sheet:
+    return Sheet(
+        requirement,
+        portal.report.requirements[requirement.id],
+        portal.flat(requirement.tree) if requirement.tree else [],
+        [
+            portal.model.tests[name]
+            for name in requirement.verified_by
+            if name in portal.model.tests
+        ],
+        [
+            f"{NAMES_OF_TEXTS[one.kind].format(one.name)} {one.text}"
+            for one in requirement.suspicions
+        ],
+    )
+
+
+def dossier_page(portal: Portal, requirement: Requirement) -> Page:
+    return portal.page(
+        f"dossier/{requirement.id}",
+        f"{requirement.id}: sheet",
+        "dossier",
+        "dossier_sheet",
+        sheet=sheet_of(portal, requirement),
+        questions=QUESTIONS,
+    )
+
+
+def dossier(portal: Portal) -> dict[str, Any]:
+    """All sheets, in the order of the sections of requirements, behind a cover."""
+    sheets = [sheet_of(portal, one) for one in portal.model.requirements.values()]
+    states = Counter(sheet.verdict.state for sheet in sheets)
+    return {
+        "sheets": sheets,
+        "states": [(state, states[state]) for state in VERDICTS if states[state]],
+        "sections": list(dict.fromkeys(sheet.requirement.section for sheet in sheets)),
+        "questions": QUESTIONS,
+        "wide": True,
+    }

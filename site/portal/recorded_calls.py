@@ -1,0 +1,95 @@
+"""The recorded calls for pages: contexts, methods and requirements of each call."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from portal.portal import Portal
+from traceability.reading.call_record import (
+    RECORD,
+    Activation,
+    Recording,
+    Window,
+    declared_recordings,
+    read_recordings,
+)
+from traceability.schema import ExecutionContext
+
+PULSE = "cycleTimerInterrupt"  # the handler of the clock pulse
+COMMAND = "./wr portal"  # makes the records
+NOT_ENTERED = "main program"
+
+
+@dataclass(frozen=True)
+class MethodLinks:
+    """Where the pages show a method: its own place, its source, its requirements."""
+
+    name: str
+    page: str | None
+    source: str | None
+    requirements: list[str]
+
+
+def recordings_of(portal: Portal) -> dict[str, Recording] | None:
+    path = portal.root / RECORD
+    return _read(portal.root, path.stat().st_mtime_ns) if path.exists() else None
+
+
+@functools.cache
+def _read(root: Path, _time: int) -> dict[str, Recording] | None:
+    return read_recordings(root)
+
+
+def windows_of(portal: Portal) -> Mapping[str, Window]:
+    return {window.name: window for window in declared_recordings(portal.root)}
+
+
+def context_of(portal: Portal, activation: Activation) -> ExecutionContext | None:
+    """The context of the design whose interrupt line was entered."""
+    contexts = portal.model.contexts.values()
+    return next((one for one in contexts if activation.line in one.lines), None)
+
+
+def name_of(portal: Portal, activation: Activation) -> str:
+    context = context_of(portal, activation)
+    if context is not None:
+        return context.name
+    return NOT_ENTERED if activation.line < 0 else f"interrupt {activation.line}"
+
+
+def requirements_by_method(portal: Portal) -> dict[str, list[str]]:
+    """The requirements whose trees contain a method."""
+    found: dict[str, list[str]] = {}
+    for requirement in portal.model.requirements.values():
+        nodes = portal.flat(requirement.tree) if requirement.tree else []
+        for method in dict.fromkeys(node.resolved or node.label for _, node in nodes):
+            found.setdefault(method, []).append(requirement.id)
+    return found
+
+
+def links_of(portal: Portal, name: str, trees: Mapping[str, list[str]]) -> MethodLinks:
+    """The links of a recorded method; an inherited one has those of the method that has the body."""
+    method = portal.links.find_method(name)
+    if method is None:
+        known = portal.model.functions.get(name)
+        source = portal.links.source(known.place) if known else None
+        page = portal.links.module(name.partition("::")[0]) if "::" in name else None
+        return MethodLinks(name, page, source, trees.get(name, []))
+    return MethodLinks(
+        name,
+        portal.links.method(method.id),
+        portal.links.source(method.body or method.place),
+        trees.get(method.id, []),
+    )
+
+
+def shown_time(nanoseconds: float) -> str:
+    """A duration in the unit that suits it."""
+    if abs(nanoseconds) < 1e3:
+        return f"{nanoseconds:.0f} ns"
+    if abs(nanoseconds) < 1e6:
+        return f"{nanoseconds / 1e3:.1f} µs"
+    return f"{nanoseconds / 1e6:.3f} ms"

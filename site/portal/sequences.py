@@ -1,0 +1,330 @@
+"""Sequence diagrams of recorded calls: those calls between modules that trees of requirements name."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+from pathlib import Path
+from typing import Any
+
+from markupsafe import Markup
+
+from portal.chains import frames_in
+from portal.diagrams import MARKERS, Diagram, draw, preamble
+from portal.links import Links
+from portal.portal import Portal
+from portal.recorded_calls import (
+    COMMAND,
+    PULSE,
+    name_of,
+    recordings_of,
+    requirements_by_method,
+    windows_of,
+)
+from traceability.reading.call_record import DECLARED, Recording, Window
+from traceability.reading.toml_reader import Entries, Keys
+from traceability.schema import Place
+
+OPTIONAL: Keys = {"participants": str}
+LOGIC = "logic modules"
+SEQUENCE: Keys = {"name": str, "title": str, "says": str, "recordings": list, "requirements": list}
+PC, LINE = "PC", "serial line"
+LONGEST = 12  # messages of a group that may repeat
+CLASSES_ONLY = ("hide ", "set ")  # begins of lines that are for class diagrams
+ROUND = 2  # digits of an instant [ms]
+
+
+@dataclass(frozen=True)
+class Sequence_:
+    """A sequence that the design declares."""
+
+    name: str
+    title: str
+    says: str
+    recordings: Sequence[str]
+    requirements: Sequence[str]
+    by_logic: bool  # the participants are logic modules
+    place: Place
+
+
+@dataclass(frozen=True)
+class Message:
+    """A call from one participant to another, or a frame on the line."""
+
+    source: str
+    target: str
+    text: str
+    method: str = ""  # that is called; empty for a frame
+
+
+@dataclass(frozen=True)
+class Loop:
+    """Messages that repeat at once."""
+
+    times: int
+    messages: tuple[Message, ...]
+
+
+@dataclass
+class CycleMessages:
+    """The messages from one clock pulse to the next; alike cycles are counted."""
+
+    begin: int  # [ns]
+    parts: tuple[Message | Loop, ...]
+    times: int = 1
+
+
+@dataclass
+class Drawn:
+    """A sequence of this build for the page."""
+
+    declared: Sequence_
+    windows: list[Window]
+    cycles: list[CycleMessages]
+    diagram: Diagram | None
+    methods: list[
+        tuple[str, list[str]]
+    ]  # each called method, with the requirements of the sequence
+
+
+def declared_sequences(root: Path, entries: Entries | None = None) -> list[Sequence_]:
+    entries = entries or Entries(root)
+    return [
+        Sequence_(*(item[key] for key in SEQUENCE), item.get("participants") == LOGIC, place)
+        for item, place in entries.tables(
+            root / DECLARED, "sequence", SEQUENCE, OPTIONAL, own="name"
+        )
+    ]
+
+
+# ---- messages ----------------------------------------------------------------
+
+
+def messages_of(
+    portal: Portal, recording: Recording, methods: frozenset[str], by_logic: bool
+) -> Iterator[tuple[int, Message]]:
+    """The messages of a recording with their instants, in their order."""
+    found = [*_calls(portal, recording, methods, by_logic), *_frames(recording)]
+    yield from sorted(found, key=lambda pair: pair[0])
+
+
+def _calls(
+    portal: Portal, recording: Recording, methods: frozenset[str], by_logic: bool
+) -> Iterator[tuple[int, Message]]:
+    def participant(method: str) -> str:
+        module = portal.model.modules.get(method.partition("::")[0])
+        if module is None or not by_logic:
+            return method.partition("::")[0]
+        return module.logic
+
+    chosen = [span.method in methods for span in recording.spans]
+    for number, span in enumerate(recording.spans):
+        if not chosen[number]:
+            continue
+        above = span.parent
+        while above >= 0 and not chosen[above]:
+            above = recording.spans[above].parent
+        target = participant(span.method)
+        if above >= 0:
+            source = participant(recording.spans[above].method)
+        else:
+            source = name_of(portal, recording.activations[span.activation])
+        if source != target:
+            text = span.method if by_logic else span.method.partition("::")[2]
+            yield span.begin, Message(source, target, f"{text}()", span.method)
+
+
+def _frames(recording: Recording) -> Iterator[tuple[int, Message]]:
+    """A frame is a message when its last byte is through."""
+    for frame in frames_in(recording, "byte_received"):
+        yield frame.events[-1].at, Message(PC, LINE, frame.kind)
+    for frame in frames_in(recording, "byte_sent"):
+        yield frame.events[-1].at, Message(LINE, PC, frame.kind)
+
+
+def cycles_of(recording: Recording, messages: Iterator[tuple[int, Message]]) -> list[CycleMessages]:
+    """The messages of each cycle, with repeated groups and alike cycles joined."""
+    pulses = [
+        recording.activations[span.activation].raised
+        for span in recording.spans
+        if span.method == PULSE
+    ]
+    begins = [recording.spans[0].begin, *pulses]
+    found: list[CycleMessages] = []
+    for begin, group in groupby(messages, lambda pair: max(b for b in begins if b <= pair[0])):
+        parts = folded([message for _, message in group])
+        if found and found[-1].parts == parts:
+            found[-1].times += 1
+        else:
+            found.append(CycleMessages(begin, parts))
+    return found
+
+
+def folded(messages: list[Message]) -> tuple[Message | Loop, ...]:
+    """Groups of messages that repeat at once become loops, the longest repetition first."""
+    found: list[Message | Loop] = []
+    at = 0
+    while at < len(messages):
+        best, times = _repetition(messages, at)
+        later = max(math.prod(_repetition(messages, at + step)) for step in range(1, LONGEST))
+        if times > 1 and best * times >= later:
+            found.append(Loop(times, tuple(messages[at : at + best])))
+            at += best * times
+        else:
+            found.append(messages[at])
+            at += 1
+    return tuple(found)
+
+
+def _repetition(messages: list[Message], at: int) -> tuple[int, int]:
+    """The group at a place that repeats over most messages: its length, and how often it is there."""
+    best, times = 1, 1
+    for length in range(1, LONGEST + 1):
+        group = messages[at : at + length]
+        count = 1
+        while group and messages[at + count * length : at + (count + 1) * length] == group:
+            count += 1
+        if count > 1 and count * length > best * times:
+            best, times = length, count
+    return best, times
+
+
+# ---- diagram -----------------------------------------------------------------
+
+
+def flat(parts: Sequence[Message | Loop]) -> Iterator[Message]:
+    for part in parts:
+        yield from part.messages if isinstance(part, Loop) else (part,)
+
+
+def alias(name: str) -> str:
+    return re.sub(r"\W", "_", name)
+
+
+def sequence_diagram(sequence: Sequence_, cycles: list[CycleMessages], links: Links) -> Diagram:
+    names = list(
+        dict.fromkeys(
+            name
+            for cycle in cycles
+            for message in flat(cycle.parts)
+            for name in (message.source, message.target)
+        )
+    )
+    ends = [name for name in (PC, LINE) if name in names]
+    ordered = [*ends, *(name for name in names if name not in ends)]
+    common = [line for line in preamble() if not line.startswith(CLASSES_ONLY)]
+    lines = [*common, *_look()]
+    lines += [_participant(name, links) for name in ordered]
+    for cycle in cycles:
+        alike = f": {cycle.times} cycles alike" if cycle.times > 1 else ""
+        lines.append(f"== {round(cycle.begin / 1e6, ROUND)} ms{alike} ==")
+        for part in cycle.parts:
+            if isinstance(part, Loop):
+                lines.append(f"loop {part.times} times")
+                lines += [_arrow(message, links) for message in part.messages]
+                lines.append("end")
+            else:
+                lines.append(_arrow(part, links))
+    lines.append("@enduml")
+    words = f"Sequence diagram: {sequence.title}. The table below lists the called methods."
+    return Diagram(f"sequence-{sequence.name}", words, "\n".join(lines))
+
+
+def _look() -> list[str]:
+    """Colours of the parts that only sequence diagrams have."""
+    return [
+        f"skinparam sequenceLifeLineBorderColor {MARKERS['edge']}",
+        f"skinparam participantBackgroundColor {MARKERS['plain']}",
+        f"skinparam participantBorderColor {MARKERS['edge']}",
+        f"skinparam participantFontColor {MARKERS['text']}",
+        "skinparam participantFontSize 12",
+        f"skinparam sequenceArrowColor {MARKERS['line']}",
+        f"skinparam sequenceDividerBackgroundColor {MARKERS['plain']}",
+        f"skinparam sequenceDividerBorderColor {MARKERS['edge']}",
+        f"skinparam sequenceDividerFontColor {MARKERS['soft']}",
+        "skinparam sequenceDividerFontSize 12",
+        "skinparam sequenceDividerBorderThickness 1",
+        f"skinparam sequenceGroupBorderColor {MARKERS['edge']}",
+        f"skinparam sequenceGroupBackgroundColor {MARKERS['plain']}",
+        f"skinparam sequenceGroupFontColor {MARKERS['soft']}",
+        f"skinparam sequenceGroupHeaderFontColor {MARKERS['soft']}",
+        f"skinparam hyperlinkColor {MARKERS['text']}",
+        "hide footbox",
+    ]
+
+
+def _participant(name: str, links: Links) -> str:
+    address = links.logic(name) or links.module(name)
+    if name == PC or address is None:
+        return f'participant "{name}" as {alias(name)}'
+    logic = links.model.logic_modules.get(name)
+    name, known = (logic.name if logic else name), name
+    fill = MARKERS["role-concrete-fill"]
+    return f'participant "{name}" as {alias(known)} [[{address}]] {fill}'
+
+
+def _arrow(message: Message, links: Links) -> str:
+    address = links.method(message.method) if message.method else None
+    text = f"[[{address} {message.text}]]" if address else message.text
+    arrow = "->" if message.method else "->>"
+    return f"{alias(message.source)} {arrow} {alias(message.target)} : {text}"
+
+
+# ---- the page ----------------------------------------------------------------
+
+
+def drawn_sequences(portal: Portal) -> list[Drawn]:
+    """The declared sequences whose recordings this build has."""
+    recordings = recordings_of(portal)
+    if recordings is None:
+        return []
+    windows = windows_of(portal)
+    trees = requirements_by_method(portal)
+    return [
+        _drawn(portal, one, recordings, windows, trees)
+        for one in declared_sequences(portal.root)
+        if all(name in recordings for name in one.recordings)
+    ]
+
+
+def _drawn(
+    portal: Portal,
+    sequence: Sequence_,
+    recordings: Mapping[str, Recording],
+    windows: Mapping[str, Window],
+    trees: Mapping[str, list[str]],
+) -> Drawn:
+    wanted = {
+        method: [one for one in ids if one in sequence.requirements]
+        for method, ids in trees.items()
+    }
+    methods = frozenset(method for method, ids in wanted.items() if ids)
+    cycles: list[CycleMessages] = []
+    for name in sequence.recordings:
+        recording = recordings[name]
+        cycles += cycles_of(recording, messages_of(portal, recording, methods, sequence.by_logic))
+    called = dict.fromkeys(
+        message.method for cycle in cycles for message in flat(cycle.parts) if message.method
+    )
+    return Drawn(
+        sequence,
+        [windows[name] for name in sequence.recordings],
+        cycles,
+        sequence_diagram(sequence, cycles, portal.links) if cycles else None,
+        [(method, wanted[method]) for method in called],
+    )
+
+
+def sequences(portal: Portal) -> dict[str, Any]:
+    found = drawn_sequences(portal)
+    diagrams = [one.diagram for one in found if one.diagram]
+    svgs = draw(diagrams, portal.root / "build" / "diagrams")
+    return {
+        "sequences": found,
+        "svgs": {name: Markup(svg) for name, svg in svgs.items()},
+        "command": COMMAND,
+        "wide": True,
+    }

@@ -1,0 +1,68 @@
+"""Plays parts of scenarios on the virtual board, and records each call with its instant."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TextIO
+
+from portal.chains import declared_chains, first_missing, follow
+from tools.cmake_build import BOARD_PROGRAM
+from tools.steps import FailureError, run
+from traceability.reading.call_record import (
+    ELF,
+    IMAGE,
+    RECORD,
+    Recording,
+    Window,
+    declared_recordings,
+    packed,
+    recording_of,
+    reduced,
+)
+from traceability.reading.traces import read_symbols
+
+SECONDS = 300  # for one scenario
+NAMES = "arm-none-eabi-nm"
+
+
+def record_all(root: Path, log: TextIO) -> str:
+    """Records the calls of each part of a scenario that the design declares."""
+    folder = root / "build" / "calls"
+    folder.mkdir(parents=True, exist_ok=True)
+    symbols = read_symbols(root / ELF, NAMES, folder / "symbols.json")
+    found: dict[str, Recording] = {}
+    for window in declared_recordings(root):
+        lines = play(root, window, folder / f"{window.name}.csv", log)
+        with lines.open(encoding="utf-8") as file:
+            found[window.name] = reduced(recording_of(file, symbols), window.without)
+        lines.unlink()
+        if not found[window.name].spans:
+            raise FailureError(
+                f"{window.name} has no call: {window.place.file}:{window.place.line}"
+            )
+    for chain in declared_chains(root):
+        recording = found[chain.recording]
+        if follow(chain, recording) is None:
+            place = f"{chain.place.file}:{chain.place.line}"
+            raise FailureError(
+                f"{place}: the recording {chain.recording} has no step "
+                f"{first_missing(chain, recording)!r} after the steps before it"
+            )
+    content = {"recordings": {name: packed(one) for name, one in found.items()}}
+    (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
+    (root / RECORD).write_text(json.dumps(content, separators=(",", ":")), encoding="utf-8")
+    calls = sum(len(one.spans) for one in found.values())
+    return f"{len(found)} parts of scenarios, {calls} calls"
+
+
+def play(root: Path, window: Window, output: Path, log: TextIO) -> Path:
+    """Plays the scenario of a window; returns the file with its lines."""
+    output.unlink(missing_ok=True)
+    words = [
+        *(str(root / "build" / "host" / "sim" / BOARD_PROGRAM), "--image", str(root / IMAGE)),
+        *("--elf", str(root / ELF), "--scenario", str(root / window.file)),
+        *("--calls", str(output), "--between", str(window.begin), str(window.end)),
+    ]
+    run(log, ["timeout", str(SECONDS), *words])
+    return output
