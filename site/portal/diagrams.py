@@ -62,7 +62,7 @@ MARKERS = {name: f"#FA{number:02X}5C" for number, name in enumerate(VARIABLES)}
 COLOURS = {MARKERS[name]: variable for name, variable in VARIABLES.items()}
 COLOURS["#FFFFFF"] = "--paper"  # the inside of diamonds
 
-# Elements of the architecture, in the colours of its figure.
+# Elements of the architecture, in the colours of the first page.
 COLOUR_OF = {
     "controller": "role-concrete",
     "process": "role-abstraction",

@@ -39,7 +39,7 @@ def dots(portal: Portal, requirement: Requirement) -> Counter[str]:
 
 
 def marks(portal: Portal, requirement: Requirement) -> list[tuple[str, bool]]:
-    """What is known of the tree: declared, possible, and executed on each target."""
+    """The results of the tree: declared, possible, and executed on each target."""
     nodes = portal.flat(requirement.tree) if requirement.tree else []
     possible = all(node.reachable for _, node in nodes)
     targets = portal.model.results_hashes

@@ -11,7 +11,7 @@ TOURS = Path("design/tours.toml")
 
 @dataclass
 class Tour:
-    """A tour; each stop has an address and what to look at there."""
+    """A tour; each stop has an address and a task."""
 
     id: str
     title: str

@@ -127,7 +127,7 @@ def test_no_page_is_twice_as_tall_in_a_narrower_window(
 
 @pytest.fixture(scope="module")
 def violations(site: Site) -> Iterator[dict[str, list[str]]]:
-    """Page -> what axe finds on it."""
+    """Returns the findings of axe for each page."""
     script = SITE / "probe_axe.js"
     shutil.copyfile(Path(__file__).with_name(AXE), script)
     values = {"WIDTHS": AXE_WIDTHS, "TAGS": TAGS, "BY_WIDTH": BY_WIDTH, "BY_THEME": BY_THEME}
