@@ -12,7 +12,7 @@ from typing import Any
 
 from portal.answers import by_topic
 from portal.bench_page import bench
-from portal.diagrams import DIAGRAMS
+from portal.diagrams import DIAGRAMS, role_family
 from portal.links import logic_anchor
 from portal.measured_pages import closed_loop, mutation, usual_design, virtual_k64
 from portal.module_page import module_page
@@ -37,6 +37,7 @@ from traceability.schema import (
 
 HIGH_LEVEL = "High-level diagram"
 ANY = "*"  # in an allowed use: every logic module
+FAMILY_ORDER = ("abstraction", "decorator", "concrete", "context", "target")  # of the roles
 EXAMPLE = "FR-15"  # the requirement that the first page follows
 
 
@@ -152,6 +153,7 @@ def pattern_page(portal: Portal, application: PatternApplication) -> Page:
         "patterns",
         "pattern",
         application=application,
+        roles=sorted(application.roles, key=lambda one: FAMILY_ORDER.index(role_family(one.role))),
         machines=machines,
         modules=[portal.model.modules[name] for name in modules],
         kin=[a for a in portal.model.patterns.values() if a.pattern == application.pattern],

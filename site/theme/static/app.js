@@ -89,6 +89,15 @@
       event.preventDefault();
       return;
     }
+    /* from a name down into its card, and along its views */
+    if (card && (target === owner || inCard) && /^Arrow(Down|Up|Left|Right)$/.test(event.key)) {
+      const views = all("a", card),
+        step = /Down|Right/.test(event.key) ? 1 : -1,
+        next = views[inCard ? views.indexOf(target) + step : 0];
+      if (next) next.focus();
+      event.preventDefault();
+      return;
+    }
     /* a letter acts only while a module's name, its keys or its card have the focus */
     const name = target.dataset.m || (group && group.dataset.vk) || (inCard && inCard.dataset.m);
     const view =
@@ -150,7 +159,7 @@
       `<div class="words">${VIEWS.filter((v) => module.views.includes(v[0]))
         .map(
           (v) =>
-            `<a href="${viewOf(name, v[2])}"><span class="key" aria-hidden="true">${v[0]}</span>${v[1]}</a>`,
+            `<a tabindex="-1" href="${viewOf(name, v[2])}"><span class="key" aria-hidden="true">${v[0]}</span>${v[1]}</a>`,
         )
         .join("")}</div>`;
     link.setAttribute("aria-details", "card");
