@@ -399,7 +399,7 @@
       .join("")
       .trim();
   const CONTENTS = 3; // sections of a page that has contents
-  if (heads.length >= CONTENTS && !one(".home, .vkbar, .rail, .main.wide")) {
+  if (heads.length >= CONTENTS && !one(".home, .vkbar, .rail")) {
     const list = document.createElement("nav");
     list.className = "contents";
     list.setAttribute("aria-label", "On this page");
@@ -410,7 +410,9 @@
       })
       .join("")}</details>`;
     one(".shell").append(list);
-    one("details", list).open = matchMedia("(min-width: 1241px)").matches;
+    const beside = !one(".main.wide, .pa, .embed"); // these need the width
+    one(".shell").classList.toggle("beside", beside);
+    one("details", list).open = beside && matchMedia("(min-width: 1241px)").matches;
   }
   all(".prose .highlight, .code").forEach((block) => {
     const button = document.createElement("button");
