@@ -26,7 +26,7 @@ NOT = re.compile(r"^      Not: (.*)\.$")
 PLAIN = re.compile(r"^\* ((?:``[^`]+``(?:,\s+)?)+): (.*(?:\n  .*)*)", re.MULTILINE)
 RIGHT = re.compile(r"\.\s+Right\s+in\s(.*)$", re.DOTALL)
 IN_BACKQUOTES = re.compile(r"``([^`]+)``")
-QUESTION = re.compile(r"\b(?:what|who)\b(?=[^.?!:;]*\?)", re.IGNORECASE)
+QUESTION = re.compile(r"\b(?:what|who)\b(?=[^.?!;]*\?)", re.IGNORECASE)
 QUOTED = Path("design/paper.toml")  # has the words of the paper
 LEAST_WORDS = 2  # of a text in quotes: shorter ones are names
 

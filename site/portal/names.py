@@ -167,8 +167,8 @@ class Names:
         letter, section, word = view
         if not present:
             return Markup('<span class="off"></span>')
-        return Markup('<a href="@/modules/{}.html#{}" aria-label="{}: {}">{}</a>').format(
-            name, section, name, word.lower(), letter
+        return Markup('<a href="@/modules/{}.html#{}" aria-label="{}, {} of {}">{}</a>').format(
+            name, section, letter, word.lower(), name, letter
         )
 
     def verdict(self, state: str) -> Markup:

@@ -14,7 +14,7 @@ from portal.answers import by_topic
 from portal.bench_page import bench
 from portal.bytes_page import follow_bytes
 from portal.cycle_page import cycle
-from portal.diagrams import DIAGRAMS
+from portal.diagrams import DIAGRAMS, role_family
 from portal.dossier import dossier, dossier_page
 from portal.links import logic_anchor
 from portal.live_view import run
@@ -42,6 +42,7 @@ from traceability.schema import (
 
 HIGH_LEVEL = "High-level diagram"
 ANY = "*"  # in an allowed use: every logic module
+FAMILY_ORDER = ("abstraction", "decorator", "concrete", "context", "target")  # of the roles
 EXAMPLE = "FR-15"  # the requirement that the first page follows
 
 
@@ -158,6 +159,7 @@ def pattern_page(portal: Portal, application: PatternApplication) -> Page:
         "patterns",
         "pattern",
         application=application,
+        roles=sorted(application.roles, key=lambda one: FAMILY_ORDER.index(role_family(one.role))),
         machines=machines,
         modules=[portal.model.modules[name] for name in modules],
         kin=[a for a in portal.model.patterns.values() if a.pattern == application.pattern],

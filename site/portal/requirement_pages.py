@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from itertools import groupby
 from typing import Any
 
 from portal import verification_views
@@ -11,6 +12,8 @@ from portal.module_page import line_kind
 from portal.portal import Page, Portal
 from traceability.model.reviews import NAMES_OF_TEXTS, QUESTIONS
 from traceability.schema import HOST, MethodCoverage, Requirement, StateMachine, TreeNode, TreeRun
+
+MOST_BETWEEN = 4  # calls that are shown between two nodes of a tree
 
 
 def requirements(portal: Portal) -> dict[str, Any]:
@@ -62,7 +65,7 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
         verdict=portal.report.requirements[requirement.id],
         nodes=nodes,
         runs=[
-            (binding, run, aligned(portal, requirement, run))
+            (binding, run, shortened(aligned(portal, requirement, run)))
             for binding, run in requirement.runs.items()
         ],
         rows=aligned(portal, requirement, None),
@@ -133,6 +136,17 @@ def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> li
         rows.insert(at, row)
     add_trunks(rows)
     return rows
+
+
+def shortened(rows: list[Row]) -> list[Row]:
+    """The rows, with one row in place of many calls between two nodes."""
+    found: list[Row] = []
+    for is_call, group in groupby(rows, lambda row: row.node is None):
+        between = list(group)
+        if is_call and len(between) > MOST_BETWEEN:
+            between = [replace(between[0], call=f"{len(between)} calls")]
+        found += between
+    return found
 
 
 def add_trunks(rows: list[Row]) -> None:

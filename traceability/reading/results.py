@@ -24,7 +24,10 @@ PLAIN = "plain"  # the run without records
 # The counts of gcovr: the totals, and the lines of each file.
 COVERAGE = RESULTS / "coverage.json"
 COVERAGE_LINES = RESULTS / "coverage_lines.json"
-BOARD_ONLY = ("tests/sim/emulator/", "tests/torture/", "tests/k64/", "tests/system/board/")
+BOARD_ONLY = (
+    *("tests/sim/emulator/", "tests/sim/web/", "tests/torture/", "tests/k64/"),
+    "tests/system/board/",
+)
 HOST_ONLY = "tests/system/host/"
 BOTH = "tests/system/"
 COMPARED = "tests/usual_design/"  # run by the comparison of the designs, and only there

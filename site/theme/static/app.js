@@ -89,6 +89,15 @@
       event.preventDefault();
       return;
     }
+    /* from a name down into its card, and along its views */
+    if (card && (target === owner || inCard) && /^Arrow(Down|Up|Left|Right)$/.test(event.key)) {
+      const views = all("a", card),
+        step = /Down|Right/.test(event.key) ? 1 : -1,
+        next = views[inCard ? views.indexOf(target) + step : 0];
+      if (next) next.focus();
+      event.preventDefault();
+      return;
+    }
     /* a letter acts only while a module's name, its keys or its card have the focus */
     const name = target.dataset.m || (group && group.dataset.vk) || (inCard && inCard.dataset.m);
     const view =
@@ -150,7 +159,7 @@
       `<div class="words">${VIEWS.filter((v) => module.views.includes(v[0]))
         .map(
           (v) =>
-            `<a href="${viewOf(name, v[2])}"><span class="key" aria-hidden="true">${v[0]}</span>${v[1]}</a>`,
+            `<a tabindex="-1" href="${viewOf(name, v[2])}"><span class="key" aria-hidden="true">${v[0]}</span>${v[1]}</a>`,
         )
         .join("")}</div>`;
     link.setAttribute("aria-details", "card");
@@ -390,7 +399,7 @@
       .join("")
       .trim();
   const CONTENTS = 3; // sections of a page that has contents
-  if (heads.length >= CONTENTS && !one(".home, .vkbar, .rail, .main.wide")) {
+  if (heads.length >= CONTENTS && !one(".home, .vkbar, .rail")) {
     const list = document.createElement("nav");
     list.className = "contents";
     list.setAttribute("aria-label", "On this page");
@@ -401,7 +410,9 @@
       })
       .join("")}</details>`;
     one(".shell").append(list);
-    one("details", list).open = matchMedia("(min-width: 1241px)").matches;
+    const beside = !one(".main.wide, .pa, .embed"); // these need the width
+    one(".shell").classList.toggle("beside", beside);
+    one("details", list).open = beside && matchMedia("(min-width: 1241px)").matches;
   }
   all(".prose .highlight, .code").forEach((block) => {
     const button = document.createElement("button");

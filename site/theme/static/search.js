@@ -28,7 +28,7 @@
     "Tests",
     "Source",
   ];
-  const NAMES = new Set([...GROUPS.slice(0, 4), "Methods", "Data types", "Safety case", "Checks"]);
+  const NAMES = new Set([...GROUPS.slice(0, 5), "Methods", "Data types", "Safety case", "Checks"]);
   const WEIGHTS = {
     Modules: 1.6,
     Pages: 1.5,

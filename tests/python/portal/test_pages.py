@@ -14,11 +14,11 @@ from portal.measured_pages import driver_coverage
 from portal.pages import all_pages
 from portal.paper_views import families, hidden_names
 from portal.portal import CheckText, Portal
-from portal.requirement_pages import aligned
+from portal.requirement_pages import Row, aligned, shortened
 from tests.python.portal.fixture import MODES, REPORT, make_model, make_project
 from tests.python.portal.page_reader import Shown, read_page
 from traceability.model.design_model import Model
-from traceability.schema import HOST, VIRTUAL_K64, BindingResult, Place
+from traceability.schema import HOST, VIRTUAL_K64, BindingResult, Place, TreeNode
 
 CHECKS = [
     CheckText("tree-static", "Possible", "It shows.", "Each edge is one.", "runs.", "call it."),
@@ -206,3 +206,10 @@ def test_explanations_have_a_group_of_their_own(tmp_path: Path) -> None:
     assert groups["explain"] == ["Glossary"]
     assert "Quick start" in groups["build"]
     assert "Tour" in groups["understand"]
+
+
+def test_many_calls_between_two_nodes_are_one_row() -> None:
+    node = TreeNode("RC::read", "RC", "read", None, "root", Place("a.tree", 1))
+    rows = [Row(node=node), *(Row(call=f"RC::step{n}") for n in range(9)), Row(node=node)]
+    assert [row.call for row in shortened(rows)] == ["", "9 calls", ""]
+    assert len(shortened(rows[:5])) == 5

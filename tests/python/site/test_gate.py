@@ -56,6 +56,7 @@ const found = [];
 async function run(width, theme, runOnly) {
   frame.style.width = `${width}px`;
   doc.documentElement.dataset.theme = theme;
+  view.dispatchEvent(new view.Event("resize")); // without a window no frame is drawn that sends it
   const result = await view.axe.run(doc, { runOnly, resultTypes: ["violations"] });
   for (const { id, nodes } of result.violations)
     found.push(`${width} ${theme} ${id}: ${nodes.length} x ${nodes[0].target.join(" ")}`);
@@ -153,3 +154,17 @@ def test_escape_gives_the_focus_back_and_every_stop_is_seen(site: Site) -> None:
     seen, errors = look(site, ["patterns/reading-modes"], KEYBOARD)
     assert seen["patterns/reading-modes"] == [True, True, True, True, "main"]
     assert errors == []
+
+
+def test_a_tour_is_kept_from_page_to_page(site: Site) -> None:
+    probe = (
+        "const start = doc.querySelector('[data-tour]');"
+        "if (start) { start.addEventListener('click', (event) => event.preventDefault());"
+        " start.click(); return view.localStorage.tour; }"
+        "const found = doc.querySelector('.touring').textContent;"
+        "doc.querySelector('.touring button').click();"
+        "return [found.includes('1 of 7'), 'tour' in view.localStorage];"
+    )
+    seen, errors = look(site, ["tours/understand", "architecture"], probe)
+    assert seen["tours/understand"] == '{"id":"understand","at":0}'
+    assert (seen["architecture"], errors) == ([True, False], [])

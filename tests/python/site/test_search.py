@@ -48,7 +48,7 @@ def test_each_entry_leads_to_a_place() -> None:
 def test_each_page_is_found() -> None:
     found = {entry[4].partition("#")[0] for entry in searched()}
     pages = {str(path.relative_to(SITE)) for path in SITE.rglob("*.html")}
-    assert pages - found - {"probe.html"} == set()
+    assert {page for page in pages - found if not page.startswith("probe")} == set()
 
 
 def test_words_of_hand_written_pages_and_of_the_paper_are_found() -> None:
