@@ -14,9 +14,7 @@ from weeding_robot_client.layout import BY_QUANTITY, LAYOUTS, Field, value_name
 
 CHAIN: Keys = {"name": str, "title": str, "says": str, "recording": str, "steps": list}
 OPTIONAL: Keys = {"last": bool}
-WITHIN = (
-    "> "  # a step that lies within the call of the last step without this mark, or of one below it
-)
+WITHIN = "> "  # a step within the call of the last step without this mark, or below it
 HEAD = 4  # bytes before the payload: of the byte stuffing, version, type, sequence number
 CHANNELS = 8  # of an FTM
 BYTES = ("byte_received", "byte_sent")
@@ -56,7 +54,7 @@ class FrameBytes:
 def declared_chains(root: Path, entries: Entries | None = None) -> list[Chain]:
     entries = entries or Entries(root)
     return [
-        Chain(*(item[key] for key in CHAIN), item.get("last", False), place)
+        Chain(**{"last": False, **item}, place=place)
         for item, place in entries.tables(root / DECLARED, "chain", CHAIN, OPTIONAL, own="name")
     ]
 

@@ -188,12 +188,18 @@ def bars_of(portal: Portal, found: Cycle, lanes: list[Lane], first: int, last: i
     for lane in sorted(rows):
         tops[lane] = top
         top += rows[lane] * ROW + ROW
-    return [_bar(portal, span, order, activations, tops, first, scale) for span in chosen]
+    return [
+        _bar(
+            portal, span, order=order, activations=activations, tops=tops, first=first, scale=scale
+        )
+        for span in chosen
+    ]
 
 
 def _bar(
     portal: Portal,
     span: Span,
+    *,
     order: list[int | None],
     activations: list[Activation],
     tops: dict[int, int],
@@ -208,7 +214,7 @@ def _bar(
 
 
 def data_of(portal: Portal, found: Cycle) -> dict[str, Any]:
-    """The calls of the cycle in columns, for the script of the page. Instants from the pulse [ns]."""
+    """Returns the calls of the cycle in columns, for the script. Instants from the pulse [ns]."""
     recording = found.recording
     numbers = found.spans()
     spans = [recording.spans[number] for number in numbers]

@@ -71,7 +71,7 @@ def requirements_by_method(portal: Portal) -> dict[str, list[str]]:
 
 
 def links_of(portal: Portal, name: str, trees: Mapping[str, list[str]]) -> MethodLinks:
-    """The links of a recorded method; an inherited one has those of the method that has the body."""
+    """Returns the links of a recorded method; an inherited one has those of its body's method."""
     method = portal.links.find_method(name)
     if method is None:
         known = portal.model.functions.get(name)

@@ -1,4 +1,4 @@
-"""Sequence diagrams of recorded calls: those calls between modules that trees of requirements name."""
+"""Sequence diagrams of recorded calls: calls between modules that are in trees of requirements."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ ROUND = 2  # digits of an instant [ms]
 
 
 @dataclass(frozen=True)
-class Sequence_:
+class DeclaredSequence:
     """A sequence that the design declares."""
 
     name: str
@@ -81,7 +81,7 @@ class CycleMessages:
 class Drawn:
     """A sequence of this build for the page."""
 
-    declared: Sequence_
+    declared: DeclaredSequence
     windows: list[Window]
     cycles: list[CycleMessages]
     diagram: Diagram | None
@@ -90,10 +90,15 @@ class Drawn:
     ]  # each called method, with the requirements of the sequence
 
 
-def declared_sequences(root: Path, entries: Entries | None = None) -> list[Sequence_]:
+def declared_sequences(root: Path, entries: Entries | None = None) -> list[DeclaredSequence]:
     entries = entries or Entries(root)
     return [
-        Sequence_(*(item[key] for key in SEQUENCE), item.get("participants") == LOGIC, place)
+        DeclaredSequence(
+            *(item["name"], item["title"], item["says"]),
+            *(item["recordings"], item["requirements"]),
+            by_logic=item.get("participants") == LOGIC,
+            place=place,
+        )
         for item, place in entries.tables(
             root / DECLARED, "sequence", SEQUENCE, OPTIONAL, own="name"
         )
@@ -180,7 +185,7 @@ def folded(messages: list[Message]) -> tuple[Message | Loop, ...]:
 
 
 def _repetition(messages: list[Message], at: int) -> tuple[int, int]:
-    """The group at a place that repeats over most messages: its length, and how often it is there."""
+    """Returns the length of the group that repeats over most messages here, and its count."""
     best, times = 1, 1
     for length in range(1, LONGEST + 1):
         group = messages[at : at + length]
@@ -204,7 +209,9 @@ def alias(name: str) -> str:
     return re.sub(r"\W", "_", name)
 
 
-def sequence_diagram(sequence: Sequence_, cycles: list[CycleMessages], links: Links) -> Diagram:
+def sequence_diagram(
+    sequence: DeclaredSequence, cycles: list[CycleMessages], links: Links
+) -> Diagram:
     names = list(
         dict.fromkeys(
             name
@@ -292,7 +299,7 @@ def drawn_sequences(portal: Portal) -> list[Drawn]:
 
 def _drawn(
     portal: Portal,
-    sequence: Sequence_,
+    sequence: DeclaredSequence,
     recordings: Mapping[str, Recording],
     windows: Mapping[str, Window],
     trees: Mapping[str, list[str]],

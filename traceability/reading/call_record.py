@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -98,7 +99,11 @@ class Recording:
 def declared_recordings(root: Path, entries: Entries | None = None) -> list[Window]:
     entries = entries or Entries(root)
     return [
-        Window(*(item[key] for key in RECORDING), item.get("without", []), place)
+        Window(
+            *(item["name"], item["scenario"], item["from"], item["to"]),
+            item.get("without", []),
+            place,
+        )
         for item, place in entries.tables(
             root / DECLARED, "recording", RECORDING, OPTIONAL, own="name"
         )
@@ -243,7 +248,7 @@ def packed(recording: Recording) -> dict[str, Any]:
     return {
         "names": names,
         "activations": [list(asdict(one).values()) for one in recording.activations],
-        "begins": [after - before for before, after in zip(begins, begins[1:], strict=False)],
+        "begins": [after - before for before, after in pairwise(begins)],
         "lengths": [span.end - span.begin for span in recording.spans],
         "methods": [numbers[span.method] for span in recording.spans],
         "depths": [span.depth for span in recording.spans],
