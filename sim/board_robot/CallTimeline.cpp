@@ -14,9 +14,8 @@ CallTimeline::CallTimeline(BoardSession& robot, const std::filesystem::path& elf
                            std::ostream& output)
     : robot_(robot), recorder_(elf, 0), window_(window), output_(output) {
   output_ << "time_ns,event,number,value\n";
-  recorder_.onCall([this](std::uint32_t function, bool left) {
-    write(left ? "return" : "call", function, 0);
-  });
+  recorder_.onCall(
+      [this](std::uint32_t function, bool left) { write(left ? "return" : "call", function, 0); });
   robot_.board.record(recorder_);
   robot_.onEvent([this](const emulator::Event& event) { take(event); });
 }

@@ -12,8 +12,8 @@ namespace wr::board_robot {
 
 /// @brief Writes the calls and the events of a part of a run, with their instants.
 ///
-/// A line has the time in ns, the name of the event, its number and its value. A call has the address of the
-/// function as its number; an exception has its priority as its value.
+/// A line has the time in ns, the name of the event, its number and its value. A call has the
+/// address of the function as its number; an exception has its priority as its value.
 class CallTimeline {
  public:
   /// @brief A part of a run, in time of the board.

@@ -95,7 +95,8 @@ std::string Symbols::placeOf(std::uint32_t address) const {
   // The command is that of the toolchain, with a path of the project and a number.
   // NOLINTNEXTLINE(bugprone-command-processor,cert-env33-c)
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
-  // The last line has the place in the function itself, the lines before it those in inlined functions.
+  // The last line has the place in the function itself, the lines before it those in inlined
+  // functions.
   std::array<char, 1024> line{};
   while (pipe && std::fgets(line.data(), line.size(), pipe.get()) != nullptr) {
   }

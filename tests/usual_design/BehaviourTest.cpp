@@ -1,5 +1,5 @@
-// Behaviour of Main Control and one wheel, in the baseline design and in that of the robot: the same
-// tests.
+// Behaviour of Main Control and one wheel, in the baseline design and in that of the robot: the
+// same tests.
 
 #include <array>
 #include <cstdlib>
