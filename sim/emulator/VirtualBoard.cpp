@@ -251,8 +251,8 @@ void VirtualBoard::Parts::build() {
   std::vector<std::uint8_t> flash(kFlashSize, 0xFF);
   std::ranges::copy(image_, flash.begin());
   cpu_.mapMemory(0, kFlashSize, CortexM4::Access::ReadExecute);
-  cpu_.mapMemory(kRamLower, kRamLowerSize, CortexM4::Access::ReadWrite);
-  cpu_.mapMemory(kRamUpper, kRamUpperSize, CortexM4::Access::ReadWrite);
+  cpu_.mapMemory(kRamLower, kRamLowerSize, CortexM4::Access::ReadWriteExecute);
+  cpu_.mapMemory(kRamUpper, kRamUpperSize, CortexM4::Access::ReadWriteExecute);
   cpu_.load(0, flash);
   cpu_.mapWindow(
       kPeripherals, kPeripheralsSize,
