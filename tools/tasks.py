@@ -56,12 +56,13 @@ from traceability.reading.task_record import is_fresh
 # ---- names -------------------------------------------------------------------
 
 HOST_FIRMWARE, K64_FIRMWARE = "firmware (this machine)", "firmware (K64)"
+RECORDED_IMAGES = "build (K64, to record calls)"
 VIRTUAL_BOARD, BASELINE_BUILD = "virtual K64", "build (baseline design)"
 TESTS_SANITIZE = "tests (sanitize)"
 LIVE_MODULE = "live module"
 DOCUMENTS, PAGES = "documents", "tests (pages)"
 PAGES_RECORD = Path("build/pages.json")
-FIRMWARE = (HOST_FIRMWARE, K64_FIRMWARE, task_record.IMAGES)
+FIRMWARE = (HOST_FIRMWARE, K64_FIRMWARE, RECORDED_IMAGES, task_record.IMAGES)
 # Results that the pages show besides the sources. A reader waits most for the first ones.
 RESULT_TASKS = (
     *FIRMWARE,
@@ -155,6 +156,7 @@ def builds(root: Path) -> list[Task]:
     return [
         made(HOST_FIRMWARE, ("host", (HOST_PROGRAM,))),
         made(K64_FIRMWARE, ("k64", images)),
+        made(RECORDED_IMAGES, ("k64_calls", images)),
         made(VIRTUAL_BOARD, (BOARD_PRESET, (BOARD_PROGRAM,))),
         *(made(f"build ({name})", (name, (TESTS,))) for name in ("trace", "sanitize", "plain")),
         made("build (virtual K64)", (BOARD_PRESET, (BOARD_TESTS,))),
@@ -185,7 +187,7 @@ def measurements(root: Path) -> list[Task]:
             sizes,
             (*DESIGN, *BUILD_FILES, str(PRODUCT_LIST)),
             tuple(f"{RESULTS}/{name}.json" for name in ("size_k64", "image_k64", "products")),
-            inputs_from=(K64_FIRMWARE,),
+            inputs_from=(K64_FIRMWARE, RECORDED_IMAGES),
         ),
         Task(
             task_record.TESTS_TRACE,
@@ -199,7 +201,7 @@ def measurements(root: Path) -> list[Task]:
             tests(BOARD),
             (*DESIGN, *SCENARIOS),
             (f"{RESULTS}/board.json",),
-            inputs_from=("build (virtual K64)", K64_FIRMWARE),
+            inputs_from=("build (virtual K64)", K64_FIRMWARE, RECORDED_IMAGES),
         ),
         Task(
             task_record.COVERAGE,
@@ -226,7 +228,7 @@ def measurements(root: Path) -> list[Task]:
             partial(record_all, root),
             (*DESIGN, str(DECLARED_RECORDINGS), str(ALL_SCENARIOS), "design/frames.toml"),
             (str(CALL_RECORD),),
-            inputs_from=on_board,
+            inputs_from=(VIRTUAL_BOARD, RECORDED_IMAGES),
         ),
         Task(
             task_record.BASELINE,
@@ -261,7 +263,7 @@ def measurements(root: Path) -> list[Task]:
 
 def checks_of_tools(root: Path) -> list[Task]:
     """The tests of the tools, and the faults that are seeded to test the checks."""
-    built = (HOST_FIRMWARE, VIRTUAL_BOARD, K64_FIRMWARE, LIVE_MODULE)
+    built = (HOST_FIRMWARE, VIRTUAL_BOARD, K64_FIRMWARE, RECORDED_IMAGES, LIVE_MODULE)
 
     def tests(folder: str, others: tuple[str, ...]) -> Task:
         return Task(

@@ -1,7 +1,7 @@
 """The functions of an image with their frames and calls, as the compiler reports them.
 
-The compiler writes a graph for each unit (``-fcallgraph-info=su``): frames, direct calls, and the
-places of indirect ones. A function of the toolchain's libraries has none; its frame and calls are
+The compiler writes a graph for each unit, and for the units that are linked as a whole one beside the
+image (``-fcallgraph-info=su``): frames, direct calls, and the places of indirect ones. A function of the toolchain's libraries has none; its frame and calls are
 read from its instructions.
 """
 
@@ -51,7 +51,8 @@ def read_graph(root: Path, elf: Path) -> dict[str, Function]:
     ``root`` is the tree that the image was built from, below the folder of the image.
     """
     told: dict[str, Function] = {}
-    for file in sorted(elf.parent.rglob("*.ci")):
+    own = [*elf.parent.glob(f"{elf.stem}.*.ci"), *elf.parent.glob("*/**/*.ci")]
+    for file in sorted(own):
         _read_unit(root, elf.parent, file.read_text(encoding="utf-8"), told)
     listing = _run("arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(elf))
     held = _read_listing(listing)
@@ -108,9 +109,9 @@ def _note_frame(told: dict[str, Function], symbol: str, frame: re.Match[str]) ->
 
 
 def _place(root: Path, folder: Path, label: str) -> Place:
-    """Compilers name files in full, or from the folder of the build that they run in."""
+    """The compiler names files in full or from the folder of the build, the linker from the root."""
     file, line, _column = label.rsplit(":", 2)
-    path = (folder / file).resolve()
+    path = root / file if (root / file).exists() else (folder / file).resolve()
     return Place(str(path.relative_to(root)) if path.is_relative_to(root) else file, int(line))
 
 

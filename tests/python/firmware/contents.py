@@ -17,6 +17,7 @@ SRAM_LOWER = 0x1FFF0000
 BORDER = 0x20000000  # SRAM_L ends, SRAM_U begins
 VECTORS = 16 + 86
 CODE = 0x410
+FLASH_END = 0x100000
 
 
 @dataclass(frozen=True)
