@@ -80,7 +80,7 @@ def print_products(wholes: dict[str, Size]) -> None:
 def identity(elf: Path, image: Path) -> tuple[str, str]:
     """Version and build id, read from the bytes of the image."""
     for line in output("arm-none-eabi-nm", "--demangle", elf).splitlines():
-        address, _, symbol = line.split(maxsplit=2) if line.count(" ") > 1 else ("", "", "")
+        address, _, symbol = (*line.split(maxsplit=2), "", "")[:3]
         if symbol == "wr::firmwareIdentity":
             start = place_in_binary(elf, int(address, 16))
             found = image.read_bytes()[start : start + 11]

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -99,7 +100,8 @@ TEST(CyclesOfTheImage, EachInstructionIsCountedOnce) {
     charged.cycles += exception.whole.cycles;
   }
   std::uint64_t profiled = 0;
-  for (std::uint32_t address = 0; address < emulator::ExecutedCode::kEnd; address += 2) {
+  for (std::size_t half = 0; half < emulator::ExecutedCode::kHalves; ++half) {
+    const std::uint32_t address = emulator::ExecutedCode::addressOf(half);
     profiled += drive.meter->timesOf(address, false) + drive.meter->timesOf(address, true);
   }
   EXPECT_GE(charged.instructions, whole.instructions);

@@ -9,17 +9,21 @@
 
 // The linker script defines where things begin and end.
 extern "C" {
-extern std::uint32_t codeBegin[];
-extern std::uint32_t codeEnd[];
-extern const std::uint32_t codeInitial[];
-extern std::uint32_t ramVectors[];
-extern std::uint32_t ramVectorsEnd[];
-extern const std::uint32_t vectors[];
-extern std::uint32_t dataBegin[];
-extern std::uint32_t dataEnd[];
-extern const std::uint32_t dataInitial[];
-extern std::uint32_t bssBegin[];
-extern std::uint32_t bssEnd[];
+// Four words: the core loads and stores them with two instructions.
+struct Words {
+  std::uint32_t first, second, third, fourth;
+};
+extern Words codeBegin[];
+extern Words codeEnd[];
+extern const Words codeInitial[];
+extern Words ramVectors[];
+extern Words ramVectorsEnd[];
+extern const Words vectors[];
+extern Words dataBegin[];
+extern Words dataEnd[];
+extern const Words dataInitial[];
+extern Words bssBegin[];
+extern Words bssEnd[];
 using Constructor = void (*)();
 extern const Constructor constructorsBegin[];
 extern const Constructor constructorsEnd[];
@@ -29,22 +33,24 @@ namespace wr {
 
 namespace {
 
-// No function of a library may help: those are among what is copied. CMakeLists.txt sees to it that the
-// compiler makes no call of one.
-void copy(const std::uint32_t* from, std::uint32_t* to, const std::uint32_t* end) {
+[[gnu::always_inline]] inline void copy(const Words* from, Words* to, const Words* end) {
   while (to != end) {
     *to++ = *from++;
   }
 }
 
-void initialiseMemory() {
+// No function may help that is copied itself, as those of the library. The linker script refuses such a
+// call from its section.
+[[gnu::section(".start_up"), gnu::noinline]] void initialiseMemory() {
   copy(codeInitial, codeBegin, codeEnd);
   copy(vectors, ramVectors, ramVectorsEnd);
   copy(dataInitial, dataBegin, dataEnd);
-  for (std::uint32_t* word = bssBegin; word != bssEnd; ++word) {
-    *word = 0;
+  for (Words* words = bssBegin; words != bssEnd; ++words) {
+    words->first = 0;
+    words->second = 0;
+    words->third = 0;
+    words->fourth = 0;
   }
-  finishStores();
   finishInstructions();
 }
 
@@ -64,7 +70,7 @@ void resetHandler() {
   wr::K64Board::enableFloatingPoint();
   wr::K64Board::enableGuards();
   wr::initialiseMemory();
-  wr::K64Board::moveVectors(ramVectors);
+  wr::K64Board::moveVectors(&ramVectors->first);
   wr::constructObjects();
   wr::platform::calibrateConverters();
   if (const std::uint16_t failedStep = wr::K64Board::startClock(); failedStep != 0) {

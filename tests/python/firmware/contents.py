@@ -17,7 +17,6 @@ SRAM_LOWER = 0x1FFF0000
 BORDER = 0x20000000  # SRAM_L ends, SRAM_U begins
 VECTORS = 16 + 86
 CODE = 0x410
-FLASH_END = 0x100000
 
 
 @dataclass(frozen=True)
@@ -70,6 +69,6 @@ def vector_problems(image: bytes) -> list[str]:
     for number, handler in enumerate(handlers, 1):
         if handler % 2 == 0:
             problems.append(f"vector {number} is 0x{handler:X}, not an address of Thumb code")
-        elif not CODE < handler < len(image):
+        elif not (CODE < handler < len(image) or SRAM_LOWER < handler < BORDER):
             problems.append(f"vector {number} is 0x{handler:X}, outside the code")
     return problems
