@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 import subprocess
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from traceability.schema import Place
@@ -56,8 +56,11 @@ def read_graph(root: Path, elf: Path) -> dict[str, Function]:
         _read_unit(root, elf.parent, file.read_text(encoding="utf-8"), told)
     listing = _run("arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(elf))
     held = _read_listing(listing)
+    for names in _names_of_addresses(elf):
+        one = next((name for name in names if name in held), None)
+        held |= {name: held[one] for name in names if one is not None and name not in held}
     found = {
-        symbol: told.get(symbol) or told.get(_alias(symbol, told), function)
+        symbol: replace(told.get(symbol) or told.get(_alias(symbol, told), function))
         for symbol, function in held.items()
     }
     for function, name in zip(found.values(), _readable(list(found)), strict=True):
@@ -128,6 +131,16 @@ def _read_listing(listing: str) -> dict[str, Function]:
             function.blind |= INDIRECT_CALL.search(line) is not None
             function.frame += _pushed(line)
     return found
+
+
+def _names_of_addresses(elf: Path) -> list[list[str]]:
+    """The names of each function: the compiler gives equal functions one address."""
+    found: dict[str, list[str]] = {}
+    for line in _run("arm-none-eabi-nm", str(elf)).splitlines():
+        address, kind, name = (*line.split(), "", "")[:3]
+        if kind in ("t", "T", "W"):
+            found.setdefault(address, []).append(name)
+    return [names for names in found.values() if len(names) > 1]
 
 
 def _pushed(line: str) -> int:

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include "k64/K64Board.hpp"
@@ -10,9 +11,7 @@
 // The linker script defines where things begin and end.
 extern "C" {
 // Four words: the core loads and stores them with two instructions.
-struct Words {
-  std::uint32_t first, second, third, fourth;
-};
+using Words = std::array<std::uint32_t, 4>;
 extern Words codeBegin[];
 extern Words codeEnd[];
 extern const Words codeInitial[];
@@ -34,8 +33,9 @@ namespace wr {
 namespace {
 
 [[gnu::always_inline]] inline void copy(const Words* from, Words* to, const Words* end) {
-  while (to != end) {
-    *to++ = *from++;
+  for (; to != end; ++to) {
+    *to = *from;
+    ++from;
   }
 }
 
@@ -46,10 +46,9 @@ namespace {
   copy(vectors, ramVectors, ramVectorsEnd);
   copy(dataInitial, dataBegin, dataEnd);
   for (Words* words = bssBegin; words != bssEnd; ++words) {
-    words->first = 0;
-    words->second = 0;
-    words->third = 0;
-    words->fourth = 0;
+    for (std::uint32_t& word : *words) {
+      word = 0;
+    }
   }
   finishInstructions();
 }
@@ -70,7 +69,7 @@ void resetHandler() {
   wr::K64Board::enableFloatingPoint();
   wr::K64Board::enableGuards();
   wr::initialiseMemory();
-  wr::K64Board::moveVectors(&ramVectors->first);
+  wr::K64Board::moveVectors(ramVectors->data());
   wr::constructObjects();
   wr::platform::calibrateConverters();
   if (const std::uint16_t failedStep = wr::K64Board::startClock(); failedStep != 0) {
