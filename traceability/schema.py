@@ -779,6 +779,33 @@ class StackContext:
 
 
 @dataclass(frozen=True)
+class TimeBound:
+    """The most processor time that an interrupt, or a thread with all its handlers, needs."""
+
+    context: str
+    name: str
+    cycles: int
+    entries: int | None  # of an interrupt in so many ticks of 1 ms; none: once in a control cycle
+    ticks: int
+    why: str
+
+
+@dataclass(frozen=True)
+class TimeProof:
+    """The bounds of the times of the image of the robot."""
+
+    contexts: Sequence[TimeBound]
+    cycle_ms: float  # from the clock pulse to the end of the main thread, with all interrupts
+    seen_ms: float | None  # the longest to the report in a run of the bench
+    unbound: Sequence[tuple[str, Place]]  # loops and copies: function, place
+    unresolved: Sequence[tuple[str, Place]]  # calls: function, place
+
+    @property
+    def proven(self) -> bool:
+        return not (self.unbound or self.unresolved)
+
+
+@dataclass(frozen=True)
 class StackProof:
     """The stack that the image of the robot needs at most, in bytes."""
 

@@ -51,6 +51,8 @@ WHY = {
     "only once in a thousand cycles.",
     "stack": "The threads and interrupts share one stack: it must be large enough for the worst "
     "moment, which may occur in no test.",
+    "time": "A cycle that comes too late is a fault of a control system; the longest one may occur "
+    "in no test.",
     "req": "A requirement counts as fulfilled only when code, tests and results show it.",
     "suspect": "A verdict holds for the texts that it was given for: the baseline shows which of "
     "them changed.",
@@ -398,6 +400,22 @@ _FIXED = [
         "each frame has a bound; and no run in closed loop used more than that.",
         "the words that the hardware stores for a fault inside of a fault.",
         "raise stackSize in the linker script, or shorten the deepest chain.",
+    ),
+    Check(
+        "time-bound",
+        "Each loop of the image has a bound",
+        "Each loop and each copy of unknown size that a handler of the image reaches has a bound: the "
+        "constant in its head, or one that is declared beside it. Each indirect call is known.",
+        "whether a declared bound is right; loops that run only before the first interrupt.",
+        "write the bound above the loop.",
+    ),
+    Check(
+        "time-seen",
+        "No run needs more time than the bound",
+        "The longest time to the report in the runs of the bench is at most the bound of the control "
+        "cycle.",
+        "arrivals of interrupts that are more frequent than design/times.toml says.",
+        "correct the bound that is too small.",
     ),
     Check(
         "fsm-declared",

@@ -48,6 +48,7 @@ from traceability.schema import (
     SharedMember,
     SharedPipe,
     StackProof,
+    TimeProof,
     StateMachine,
     Test,
     Tuned,
@@ -73,6 +74,7 @@ class Model:
     mutation: Mutation | None = None  # of these sources
     machines: Mapping[str, StateMachine] = field(default_factory=dict)
     contexts: Mapping[str, ExecutionContext] = field(default_factory=dict)
+    times: TimeProof | None = None  # of the image, when it was built from the present sources
     stack: StackProof | None = None  # of the image, when it was built from the present sources
     pipes: Sequence[SharedPipe] = field(default_factory=list)
     shared: Sequence[SharedMember] = field(default_factory=list)

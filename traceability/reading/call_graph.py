@@ -56,7 +56,7 @@ def read_graph(root: Path, elf: Path) -> dict[str, Function]:
         _read_unit(root, elf.parent, file.read_text(encoding="utf-8"), told)
     listing = _run("arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(elf))
     held = _read_listing(listing)
-    for names in _names_of_addresses(elf):
+    for names in names_of_addresses(elf):
         one = next((name for name in names if name in held), None)
         held |= {name: held[one] for name in names if one is not None and name not in held}
     found = {
@@ -133,7 +133,7 @@ def _read_listing(listing: str) -> dict[str, Function]:
     return found
 
 
-def _names_of_addresses(elf: Path) -> list[list[str]]:
+def names_of_addresses(elf: Path) -> list[list[str]]:
     """The names of each function: the compiler gives equal functions one address."""
     found: dict[str, list[str]] = {}
     for line in _run("arm-none-eabi-nm", str(elf)).splitlines():

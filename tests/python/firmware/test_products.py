@@ -94,7 +94,9 @@ def test_the_sizes_of_the_products_are_those_of_their_images(
         assert 0.9 * text < copied < text
         assert 0 < record["stack"] < record["ram"]
         assert set(record["modules"]) == held(product)
-        assert re.search(rf"^{product} +{text + data} +{record['ram']}  the PC", table, re.MULTILINE)
+        assert re.search(
+            rf"^{product} +{text + data} +{record['ram']}  the PC", table, re.MULTILINE
+        )
 
 
 def test_the_modules_of_symbols() -> None:
