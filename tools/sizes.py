@@ -70,9 +70,9 @@ class Section:
 def image_sizes(elf: Path, recorded: Path | None = None) -> dict[str, Size]:
     """Part -> size. The flash is what arm-none-eabi-size reports for the whole image.
 
-    An instruction belongs to the module that its line of source is in, wherever it was inlined. An
-    object belongs to the module that defines it, by the ``recorded`` image: an image that was linked
-    as a whole has lost that.
+    An instruction belongs to the module that its line of source is in, wherever it was inlined.
+    An object belongs to the module that defines it, by the ``recorded`` image: an image that was
+    linked as a whole has lost that.
     """
     sizes: dict[str, Size] = defaultdict(Size)
     known = list(objects(elf, homes(recorded or elf)))

@@ -166,9 +166,9 @@ def functions(root: Path, name: str, numbers: dict[str, int]) -> list[list[int]]
     found = {}
     for line in listed.splitlines():
         match = SYMBOL.match(line)
-        name = match and (method_of(match[2]) or function_of(match[2]))
-        if match and name in numbers:
-            found[int(match[1], 16) & ~1] = numbers[name]
+        method = match and (method_of(match[2]) or function_of(match[2]))
+        if match and method in numbers:
+            found[int(match[1], 16) & ~1] = numbers[method]
     return [list(pair) for pair in sorted(found.items())]
 
 

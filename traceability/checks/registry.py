@@ -404,16 +404,16 @@ _FIXED = [
     Check(
         "time-bound",
         "Each loop of the image has a bound",
-        "Each loop and each copy of unknown size that a handler of the image reaches has a bound: the "
-        "constant in its head, or one that is declared beside it. Each indirect call is known.",
+        "Each loop and each copy of unknown size that a handler of the image reaches has a bound: "
+        "the constant in its head, or one that is declared beside it. Each indirect call is known.",
         "whether a declared bound is right; loops that run only before the first interrupt.",
         "write the bound above the loop.",
     ),
     Check(
         "time-seen",
         "No run needs more time than the bound",
-        "The longest time to the report in the runs of the bench is at most the bound of the control "
-        "cycle.",
+        "The longest time to the report in the runs of the bench is at most the bound of the "
+        "control cycle.",
         "arrivals of interrupts that are more frequent than design/times.toml says.",
         "correct the bound that is too small.",
     ),

@@ -48,9 +48,9 @@ from traceability.schema import (
     SharedMember,
     SharedPipe,
     StackProof,
-    TimeProof,
     StateMachine,
     Test,
+    TimeProof,
     Tuned,
     Use,
 )

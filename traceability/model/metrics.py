@@ -37,7 +37,7 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
     tests = {"tests.recording_factor": read_recording_factor(root, model.sources_hash)}
     if not model.stale_on(HOST):
         tests |= coverage(root)
-    times = {"bench.scenarios": bench_metrics(model.bench)}
+    times: dict[str, Any] = {"bench.scenarios": bench_metrics(model.bench)}
     if model.bench is not None:
         times["bench.image_sha256"] = file_hash(root / IMAGE)
     prose = {"prose.findings": read_prose(root)}

@@ -1,8 +1,8 @@
 """Bounds of the times that the image needs: of each interrupt and thread, and of the control cycle.
 
-The bound of a function is the greatest sum of cycles over its paths: a linear program over the edges
-between its blocks, as in the implicit path enumeration of Li and Malik. A bound of a loop is declared beside
-the loop (``// bound:``), or is the constant in its head.
+The bound of a function is the greatest sum of cycles over its paths: a linear program over the
+edges between its blocks, as in the implicit path enumeration of Li and Malik. The bound of a loop
+is declared beside it (``// bound:``), or is the constant in its head.
 """
 
 from __future__ import annotations
@@ -11,8 +11,8 @@ import ast
 import operator
 import re
 import tomllib
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -118,7 +118,7 @@ class Problem:
 
     def solve(self) -> int:
         """The greatest cost of a path; -1 when there is none."""
-        solver = highspy.Highs()
+        solver = highspy.Highs()  # type: ignore[no-untyped-call]
         solver.silent()
         entry = next(iter(self.code.blocks))
         ways = {(-1, entry): solver.addVariable(lb=1, ub=1)}
@@ -126,10 +126,10 @@ class Problem:
         for block in self.code.blocks.values():
             for after in block.exits():
                 ways.setdefault((block.start, after), solver.addVariable(lb=0))
-            if not block.exits() or block.instructions[-1].ends and block.jump is None:
+            if not block.exits() or (block.instructions[-1].ends and block.jump is None):
                 ends[block.start] = solver.addVariable(lb=0, ub=1)
-        into: dict[int, list[object]] = {start: [] for start in self.code.blocks}
-        out: dict[int, list[object]] = {start: [] for start in self.code.blocks}
+        into: dict[int, list[highspy.highs.highs_var]] = {start: [] for start in self.code.blocks}
+        out: dict[int, list[highspy.highs.highs_var]] = {start: [] for start in self.code.blocks}
         for (begin, end), variable in ways.items():
             into[end].append(variable)
             if begin != -1:
@@ -182,25 +182,48 @@ class Limit:
     most: int
 
 
+@dataclass(frozen=True)
+class Program:
+    """The instructions of an image, with their places in the sources."""
+
+    codes: Mapping[str, Code]
+    places: Mapping[int, list[Place]]
+    shared: Mapping[str, str]  # each of several names of one function -> that of its code
+
+
+def read_program(elf: Path) -> Program:
+    codes = read_code(elf)
+    addresses = [
+        one.address
+        for code in codes.values()
+        for block in code.blocks.values()
+        for one in block.instructions
+    ]
+    shared = {
+        name: home
+        for names in names_of_addresses(elf)
+        for home in names
+        if home in codes
+        for name in names
+    }
+    return Program(codes, places(elf, addresses), shared)
+
+
 class Times:
     """The bound of each function, with all that it calls [cycle]."""
 
     def __init__(
         self,
-        codes: Mapping[str, Code],
-        places: Mapping[int, list[Place]],
+        program: Program,
         bounds: Bounds,
         prover: Prover,
-        equal: Iterable[Sequence[str]] = (),  # names of one function
         once: Iterable[str] = (),  # methods that a function calls once for each object
         limited: Iterable[Limit] = (),
     ) -> None:
-        self.codes, self.places, self.bounds, self.prover = codes, places, bounds, prover
+        self.codes, self.places, self.shared = program.codes, program.places, program.shared
+        self.bounds, self.prover = bounds, prover
         self.once = frozenset(once)
         self.limited = {one.method: one for one in limited}
-        self.shared = {
-            name: home for names in equal for home in names if home in codes for name in names
-        }
         self.known: dict[tuple[str, tuple[tuple[str, int], ...]], int] = {}
         self.unbound: set[tuple[str, Place]] = set()  # loops without a bound: function and place
         self.unresolved: set[tuple[str, Place]] = set()  # calls without a known target
@@ -389,13 +412,6 @@ def prove_times(root: Path, model: Model, facts: Facts) -> TimeProof | None:
         return None
     declared = tomllib.loads((root / DECLARED_IN).read_text(encoding="utf-8"))
     prover = Prover(read_graph(root, elf), facts, model, read_declared(root))
-    codes = read_code(elf)
-    addresses = [
-        one.address
-        for code in codes.values()
-        for block in code.blocks.values()
-        for one in block.instructions
-    ]
     values = {name: one.number for name, one in model.constants.items()} | declared["values"]
     once = [name for entry in declared["once"] for name in entry["methods"]]
     bounds = Bounds(root, values)
@@ -403,8 +419,7 @@ def prove_times(root: Path, model: Model, facts: Facts) -> TimeProof | None:
         Limit(one["method"], one["within"], bounds.value(one["most"]))
         for one in declared["limited"]
     ]
-    equal = names_of_addresses(elf)
-    times = Times(codes, places(elf, addresses), bounds, prover, equal, once, limits)
+    times = Times(read_program(elf), bounds, prover, once, limits)
     contexts = [
         one
         for context in model.contexts.values()

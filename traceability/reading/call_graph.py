@@ -1,8 +1,8 @@
 """The functions of an image with their frames and calls, as the compiler reports them.
 
-The compiler writes a graph for each unit, and for the units that are linked as a whole one beside the
-image (``-fcallgraph-info=su``): frames, direct calls, and the places of indirect ones. A function of the toolchain's libraries has none; its frame and calls are
-read from its instructions.
+The compiler writes a graph for each unit, and for the units that are linked as a whole one beside
+the image (``-fcallgraph-info=su``): frames, direct calls, and the places of indirect ones. A
+function of the toolchain's libraries has none; its frame and calls are read from its instructions.
 """
 
 from __future__ import annotations
@@ -112,7 +112,7 @@ def _note_frame(told: dict[str, Function], symbol: str, frame: re.Match[str]) ->
 
 
 def _place(root: Path, folder: Path, label: str) -> Place:
-    """The compiler names files in full or from the folder of the build, the linker from the root."""
+    """The compiler names a file in full or from the folder of the build, the linker from the root."""
     file, line, _column = label.rsplit(":", 2)
     path = root / file if (root / file).exists() else (folder / file).resolve()
     return Place(str(path.relative_to(root)) if path.is_relative_to(root) else file, int(line))

@@ -1,7 +1,7 @@
 """The instructions of an image: blocks, jumps, calls, loops, and what each instruction costs.
 
-The cycles are those of the virtual board (``sim/emulator/Timing.hpp``): the Cortex-M4 manual, tables 3-1
-and 7-1, where it gives a range the upper end, and a slow flash without a cache.
+The cycles are those of the virtual board (``sim/emulator/Timing.hpp``): the Cortex-M4 manual,
+tables 3-1 and 7-1, where it gives a range the upper end, and a slow flash without a cache.
 """
 
 from __future__ import annotations
@@ -83,9 +83,8 @@ def read_code(elf: Path) -> dict[str, Code]:
     for line in listed.splitlines():
         if start := FUNCTION.match(line):
             current = functions.setdefault(start[2], [])
-        elif found := LINE.match(line):
-            if not found[2].startswith("."):
-                current.append(_instruction(int(found[1], 16), found[2], found[3] or ""))
+        elif (found := LINE.match(line)) and not found[2].startswith("."):
+            current.append(_instruction(int(found[1], 16), found[2], found[3] or ""))
     codes = {}
     for symbol, instructions in functions.items():
         if instructions:
@@ -95,7 +94,7 @@ def read_code(elf: Path) -> dict[str, Code]:
 
 
 def places(elf: Path, addresses: Iterable[int]) -> dict[int, list[tuple[str, int]]]:
-    """File and line of each instruction, in the functions that it was inlined into, innermost first."""
+    """File and line of each instruction: its own, then those of the functions that inlined it."""
     words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-i"]
     asked = "\n".join(f"{address:#x}" for address in addresses)
     said = subprocess.run(words, input=asked, capture_output=True, text=True, check=True).stdout

@@ -21,7 +21,7 @@ def parts() -> dict[str, Size]:
 def test_the_table_ends_with_the_sizes_of_the_whole_image(
     parts: dict[str, Size], capsys: pytest.CaptureFixture[str]
 ) -> None:
-    text, data, bss = map(int, output("arm-none-eabi-size", ELF).splitlines()[1].split()[:3])
+    text, data, _bss = map(int, output("arm-none-eabi-size", ELF).splitlines()[1].split()[:3])
     whole = sizes.total(parts)
     assert whole.flash == text + data
     assert whole == sizes.whole_of(ELF)
