@@ -112,7 +112,7 @@ def _note_frame(told: dict[str, Function], symbol: str, frame: re.Match[str]) ->
 
 
 def _place(root: Path, folder: Path, label: str) -> Place:
-    """The compiler names a file in full or from the folder of the build, the linker from the root."""
+    """The compiler names files in full or from the build folder, the linker from the root."""
     file, line, _column = label.rsplit(":", 2)
     path = root / file if (root / file).exists() else (folder / file).resolve()
     return Place(str(path.relative_to(root)) if path.is_relative_to(root) else file, int(line))
