@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from traceability.exports import svd
+from traceability.exports import junit_tests, requirement_files, sarif, svd
 from traceability.model.design_model import Model
 from traceability.model.report import Report
 from traceability.reading.register_table import TABLE, read_registers
@@ -23,6 +23,31 @@ class ToolFile:
 
 
 FILES = (
+    ToolFile(
+        requirement_files.REQIF,
+        "Requirements, tests and methods with their links, in ReqIF 1.0.1, for requirements tools.",
+        lambda _root, model, report: requirement_files.reqif_text(model, report),
+    ),
+    ToolFile(
+        requirement_files.CSV,
+        "The requirements with their attributes, verdicts and links, as a table.",
+        lambda _root, model, report: requirement_files.csv_text(model, report),
+    ),
+    ToolFile(
+        requirement_files.NEEDS,
+        "The same items as needs of sphinx-needs.",
+        lambda _root, model, report: requirement_files.needs_text(model, report),
+    ),
+    ToolFile(
+        sarif.NAME,
+        "The checks and their findings, in SARIF 2.1.0, for editors and code hosts.",
+        lambda _root, model, report: sarif.sarif_text(model, report),
+    ),
+    ToolFile(
+        junit_tests.NAME,
+        "The results of the tests in the form of JUnit, with a property for each requirement.",
+        lambda _root, model, report: junit_tests.junit_text(model, report),
+    ),
     ToolFile(
         svd.NAME,
         "The registers that the firmware uses, in CMSIS-SVD, for a debugger.",
