@@ -18,6 +18,7 @@ from tools import (
     lint,
     make_portal,
     mutate,
+    plot,
     review,
     run_tests,
     serve,
@@ -51,6 +52,7 @@ def parser() -> argparse.ArgumentParser:
         flash,
         sim,
         client_commands,
+        plot,
         serve,
     ):
         module.add(commands)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from traceability.exports import junit_tests, requirement_files, sarif, svd
 from traceability.model.design_model import Model
 from traceability.model.report import Report
 from traceability.reading.register_table import TABLE, read_registers
+from weeding_robot_client.ros_messages import messages
 
 
 @dataclass(frozen=True)
@@ -20,6 +22,10 @@ class ToolFile:
     text: str  # for the page Exports
     make: Callable[[Path, Model, Report], str]
     source: Path = Path()  # a file of the project that it is made from, if it is made from one
+
+
+def _ready(text: str, _root: Path, _model: Model, _report: Report) -> str:
+    return text
 
 
 FILES = (
@@ -53,6 +59,14 @@ FILES = (
         "The registers that the firmware uses, in CMSIS-SVD, for a debugger.",
         lambda root, _model, _report: svd.svd_of(read_registers(root)),
         TABLE,
+    ),
+    *(
+        ToolFile(
+            f"ros/{name}",
+            "Message definition of ROS 2, made from the table of the frames.",
+            partial(_ready, text),
+        )
+        for name, text in messages().items()
     ),
 )
 

@@ -23,7 +23,7 @@ class TraceItem:
     file: str
     line: int
     values: dict[str, str] = field(default_factory=dict)  # further attributes
-    links: Sequence[str] = ()  # what a test verifies, or a method satisfies
+    links: Sequence[str] = ()  # requirements that a test verifies, or a method satisfies
 
     @property
     def place(self) -> str:
