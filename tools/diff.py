@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import dataclasses
 import json
+import signal
 import subprocess
 import tempfile
 from itertools import groupby
@@ -78,7 +79,10 @@ def read_sources(root: Path, commit: str) -> Revision:
     with tempfile.TemporaryDirectory(prefix="weeding-robot-") as folder:
         copy = Path(folder)
         unpack(root, commit, copy)
+        # The readers end their processes with SIGTERM, which is an interrupt of this command.
+        heeded = signal.signal(signal.SIGTERM, signal.SIG_DFL)
         built = build(copy)
+        signal.signal(signal.SIGTERM, heeded)
     if built.facts.declared.entries.unreadable:
         raise FailureError(f"this version cannot read the design of {commit[:10]}")
     return revision_of(built.model, commit, None, {})

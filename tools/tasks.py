@@ -103,7 +103,9 @@ PYTHON_TESTS: dict[str, tuple[str, ...]] = {
     "checks": ("design",),
     "exports": (*DESIGN, "sim", "docs"),
     "portal": ("site", "docs"),
-    "tools": ("site", "setup", "wr", ".vscode", "tests/drift", *DESIGN, "sim", "tests/usual_design"),
+    "tools": (
+        *("site", "setup", "wr", ".vscode", "tests/drift", *DESIGN, "sim", "tests/usual_design"),
+    ),
     "client": ("design", "docs", "sim/scenario", "site"),
     "firmware": (*DESIGN, "sim", "tests/k64"),
     "programs": ("sim/scenario", "design", "site", str(COVERAGE_LINES)),
