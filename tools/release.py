@@ -15,7 +15,7 @@ from pathlib import Path
 from tools.documents import read_findings
 from tools.firmware import SVD
 from tools.lock import only_one
-from tools.release_files import below, sums_text, write_archive
+from tools.release_files import below, different_members, sums_text, write_archive
 from tools.sbom import NAME as SBOM
 from tools.sbom import sbom_text
 from tools.steps import FailureError
@@ -37,9 +37,11 @@ SITE = Path("build/site")
 SUMS = "SHA256SUMS"
 CHANGELOG = Path("CHANGELOG.md")
 VERSION = re.compile(r"project\([^)]*VERSION\s+([\d.]+)")
+ARCHIVE = ".tar.gz"
+SHOWN = 20  # differences inside an archive
 SUFFIXES = (".elf", ".bin", ".hex")
 # Files of a build that no page needs: they have paths and times of their machine.
-NOT_SHIPPED = (".doctree", ".pickle", ".buildinfo", "status.json")
+NOT_SHIPPED = (".doctree", ".pickle", ".buildinfo", ".bak", "status.json")
 EXPORTS = ("model.json", "model.schema.json", JSON, JUNIT, *(file.name for file in FILES))
 
 
@@ -132,7 +134,7 @@ def write_release(root: Path, made: Release, folder: Path) -> None:
     exports = {name: root / SITE / name for name in EXPORTS if (root / SITE / name).exists()}
     for part, files in (("images", images), ("portal", site), ("exports", exports)):
         inside = {f"{made.name}/{part}/{name}": path for name, path in files.items()}
-        write_archive(folder / f"{made.name}-{part}.tar.gz", inside, made.when)
+        write_archive(folder / f"{made.name}-{part}{ARCHIVE}", inside, made.when)
     (folder / SUMS).write_text(sums_text(folder, below(folder)), encoding="utf-8")
 
 
@@ -171,8 +173,10 @@ def bring_results(root: Path, copy: Path) -> None:
 def differences(first: Path, second: Path) -> list[str]:
     here, there = below(first), below(second)
     found = [f"{name}: only in one of both" for name in sorted(here.keys() ^ there.keys())]
-    return found + [
-        f"{name}: the bytes differ"
-        for name in sorted(here.keys() & there.keys())
-        if file_hash(here[name]) != file_hash(there[name])
-    ]
+    for name in sorted(here.keys() & there.keys()):
+        if file_hash(here[name]) != file_hash(there[name]):
+            found.append(f"{name}: the bytes differ")
+            if name.endswith(ARCHIVE):
+                inside = different_members(here[name], there[name])
+                found += [f"  {member}" for member in inside[:SHOWN]]
+    return found

@@ -44,3 +44,18 @@ def below(folder: Path, *without: str) -> dict[str, Path]:
         for path in sorted(folder.rglob("*"))
         if path.is_file() and not path.name.endswith(without)
     }
+
+
+def different_members(first: Path, second: Path) -> list[str]:
+    """The names in two archives whose content differs, or that only one of both has."""
+    here, there = (_members(path) for path in (first, second))
+    return sorted(name for name in here.keys() | there.keys() if here.get(name) != there.get(name))
+
+
+def _members(path: Path) -> dict[str, bytes]:
+    with tarfile.open(path) as archive:
+        return {
+            entry.name: hashlib.sha256(content.read()).digest()
+            for entry in archive
+            if (content := archive.extractfile(entry))
+        }

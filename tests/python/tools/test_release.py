@@ -132,3 +132,13 @@ def test_different_releases_are_found(tmp_path: Path) -> None:
         "more: only in one of both",
         "file: the bytes differ",
     ]
+
+
+def test_different_files_in_an_archive_are_named(tmp_path: Path) -> None:
+    for folder, content in (("a", b"1"), ("b", b"2")):
+        files: dict[str, bytes | Path] = {"same": b"0", "other": content}
+        write_archive(tmp_path / folder / "x.tar.gz", files, WHEN)
+    assert release.differences(tmp_path / "a", tmp_path / "b") == [
+        "x.tar.gz: the bytes differ",
+        "  other",
+    ]
