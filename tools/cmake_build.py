@@ -93,6 +93,7 @@ def write_failures(results: Path, log: TextIO) -> None:
             seed = f", WR_SEED={test['seed']}" if "seed" in test else ""
             image = f" with the image {test['image']}" if "image" in test else ""
             log.write(f"\nFAILED {suite['name']}.{test['name']}{image}{seed}\n")
+            log.write(f"to debug it: ./wr debug {suite['name']}.{test['name']}\n")
             log.writelines(f"{one['failure']}\n" for one in test["failures"])
 
 

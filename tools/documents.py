@@ -13,11 +13,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
 from tools.steps import FailureError, Steps, stoppable
+from traceability.exports.revision import revision_of, write_revision
+from traceability.reading.build_evidence import git
 from traceability.reading.results import RESULTS, read_json
 from traceability.schema import Finding, Place
 
 if TYPE_CHECKING:
     from traceability.model.build import Built
+    from traceability.model.design_model import Model
     from traceability.model.report import Report
 
 FINDINGS = Path("build/model/findings.json")
@@ -131,7 +134,8 @@ def make(root: Path, steps: Steps) -> tuple[list[Finding], bool]:
         found = run_link_checks(*built, site)
         findings.extend(found)
         measured = site_figures(site, findings) | read_times(root)
-        write_metrics(root, built.model, report, measured)
+        metrics = write_metrics(root, built.model, report, measured)
+        record_revision(root, built.model, report, metrics)
         return counted(found)
 
     if not steps.run("model", make_model):
@@ -148,6 +152,13 @@ def make(root: Path, steps: Steps) -> tuple[list[Finding], bool]:
         steps.skip("links", "the site was not built")
         return findings, False
     return findings, steps.run("links", check_links)
+
+
+def record_revision(root: Path, model: Model, report: Report, metrics: Path) -> None:
+    """Keeps the verdicts and sizes for ./wr diff, if all files are those of the commit."""
+    commit = git(root, "rev-parse", "HEAD").strip()
+    if commit and not git(root, "status", "--porcelain"):
+        write_revision(root, revision_of(model, commit, report, read_json(metrics) or {}))
 
 
 def is_unreadable(built: Built | None) -> bool:

@@ -18,8 +18,10 @@ from tools.sizes import (
 )
 from tools.steps import FailureError
 from tools.tasks import FIRMWARE, graph
+from traceability.exports.svd import NAME, write_svd
 from traceability.reading.products import DEFAULT, PRODUCTS, image_of
 
+SVD = Path("build") / NAME
 BIN = image_of(DEFAULT, ".bin")
 FILES = {
     ".elf": "for a debugger",
@@ -45,10 +47,12 @@ def firmware(root: Path) -> int:
             return 1
         print_sizes(write_sizes(root))
         print_products(write_products(root))
+        write_svd(root, root / SVD)
     version, build_id = identity(root / ELF, root / BIN)
     print(f"\nversion {version}, build id {build_id}")
     for suffix, use in FILES.items():
         print(f"  {image_of('PRODUCT', suffix)}  {use}")
+    print(f"  {SVD}  names of the registers, for a debugger")
     print("For this machine: build/host/sim/weeding_robot_host (./wr sim)")
     return 0
 

@@ -10,11 +10,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tools.steps import FailureError
+from traceability.reading.build_evidence import git
 
 if TYPE_CHECKING:
     from traceability.model.impact import Impact, Reached
 
 WIDTH = 100
+RANGE = ".."  # between two commits
 SHOWN = 12  # tests that are listed without --json
 
 
@@ -25,7 +27,10 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "distance, and which requirements, patterns and tests to look at again. The portal shows "
         "the same on the page of each module and requirement.",
     )
-    parser.add_argument("subject", help="a file of the project, a module, or a requirement (FR-15)")
+    parser.add_argument(
+        "subject",
+        help="a file of the project, a module, a requirement (FR-15), or the commits REV1..REV2",
+    )
     parser.add_argument("--json", action="store_true", help="print it for a program")
     parser.set_defaults(run=impact)
 
@@ -39,7 +44,12 @@ def impact(root: Path, options: argparse.Namespace) -> int:
     if path.exists() and path.resolve().is_relative_to(root):
         subject = str(path.resolve().relative_to(root))
     try:
-        found = Impacts(build(root).model).of(subject)
+        impacts = Impacts(build(root).model)
+        found = (
+            impacts.of_files(subject, changed_files(root, subject))
+            if RANGE in subject
+            else impacts.of(subject)
+        )
     except UnknownSubjectError as error:
         raise FailureError(str(error)) from error
     if options.json:
@@ -47,6 +57,14 @@ def impact(root: Path, options: argparse.Namespace) -> int:
     else:
         print("\n".join(lines_of(found)))
     return 0
+
+
+def changed_files(root: Path, commits: str) -> list[str]:
+    """The files that differ between two commits."""
+    for name in commits.split(RANGE):
+        if name and not git(root, "rev-parse", "--verify", "--quiet", f"{name}^{{commit}}"):
+            raise FailureError(f"git has no commit {name}")
+    return git(root, "diff", "--name-only", commits).splitlines()
 
 
 def lines_of(found: Impact) -> list[str]:

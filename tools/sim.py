@@ -15,6 +15,7 @@ from traceability.reading.products import DEFAULT, PAPER, image_of
 from weeding_robot_client.options import positive
 
 PROGRAM = "weeding_robot_host"
+LAST_PORT = 65535
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -62,7 +63,20 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         action="store_true",
         help="with --board: go on after a reset that the program causes",
     )
+    parser.add_argument(
+        "--gdb",
+        type=port_number,
+        metavar="PORT",
+        help="with --board: wait for GDB at this TCP port, 0 for a free one",
+    )
     parser.set_defaults(run=lambda root, options: sim(root, options, parser))
+
+
+def port_number(text: str) -> int:
+    number = int(text)
+    if not 0 <= number <= LAST_PORT:
+        raise ValueError
+    return number
 
 
 def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
@@ -73,6 +87,10 @@ def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
         parser.error(f"--trace {options.trace} needs --board")
     if options.resets and not options.board:
         parser.error("--resets needs --board")
+    if options.gdb is not None and not options.board:
+        parser.error(f"--gdb {options.gdb} needs --board")
+    if options.gdb is not None and (options.trace or options.control):
+        parser.error("--gdb goes neither with --trace nor with --control")
     if options.fast and not (options.board and options.cycles):
         parser.error("--fast needs --board and --cycles")
     if options.reports and not options.scenario:
@@ -101,7 +119,8 @@ def command(root: Path, options: argparse.Namespace) -> list[str]:
     link, control = options.link, options.control
     if not stepped:
         link = link or root / "build" / "pc-link"
-        control = control or root / "build" / "sim-control"
+        if options.gdb is None:  # a run that begins again repeats the bytes of the PC only
+            control = control or root / "build" / "sim-control"
         (root / "build").mkdir(parents=True, exist_ok=True)
     for name, value in (
         ("--link", link),
@@ -110,6 +129,7 @@ def command(root: Path, options: argparse.Namespace) -> list[str]:
         ("--scenario", options.scenario),
         ("--reports", options.reports),
         ("--trace", options.trace),
+        ("--gdb", options.gdb),
     ):
         if value is not None:
             words += [name, str(value)]

@@ -54,7 +54,7 @@ def run(options: argparse.Namespace) -> int:
     except ScriptError as error:
         print(error, file=sys.stderr)
         return 2
-    recording = open_recording(options.csv)
+    recording = open_recording(options)
     capture = open_capture(options.capture)
     if recording is None or capture is None:
         return 2

@@ -34,7 +34,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    recording = open_recording(options.csv)
+    recording = open_recording(options)
     capture = open_capture(options.capture)
     if recording is None or capture is None:
         return 2

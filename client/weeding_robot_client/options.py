@@ -25,6 +25,9 @@ def add_link(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--csv", type=Path, metavar="FILE", help="write each report to this file")
     parser.add_argument(
+        "--mcap", type=Path, metavar="FILE", help="write each report to this file, in MCAP"
+    )
+    parser.add_argument(
         "--capture", type=Path, metavar="FILE", help="write each frame to this file, for Wireshark"
     )
 
@@ -57,12 +60,14 @@ def open_link(path: Path) -> Link | None:
         return None
 
 
-def open_recording(path: Path | None) -> Recording | None:
+def open_recording(options: argparse.Namespace) -> Recording | None:
     """Returns the recording, or None after a message with the reason."""
     try:
-        return Recording(path)
+        return Recording(options.csv, options.mcap)
     except OSError as error:
-        print(f"cannot write {path}: {error.strerror}. Name another file.", file=sys.stderr)
+        print(
+            f"cannot write {error.filename}: {error.strerror}. Name another file.", file=sys.stderr
+        )
         return None
 
 

@@ -37,7 +37,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def _run(options: argparse.Namespace, acknowledges: bool) -> int:
-    recording = open_recording(options.csv)
+    recording = open_recording(options)
     capture = open_capture(options.capture)
     if recording is None or capture is None:
         return 2

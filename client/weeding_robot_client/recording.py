@@ -1,13 +1,14 @@
-"""Reports as lines of a CSV file. An empty cell is a value that is missing."""
+"""Recordings of reports: a CSV file, where an empty cell is a missing value, or an MCAP file."""
 
 from __future__ import annotations
 
 import csv
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from contextlib import AbstractContextManager
 from pathlib import Path
 from types import TracebackType
+from typing import Protocol
 
 from weeding_robot_client.layout import LAYOUTS
 from weeding_robot_client.messages import Report
@@ -25,17 +26,45 @@ def _cell(value: object) -> object:
     return " ".join(value) if isinstance(value, tuple) else value
 
 
+class ReportFile(Protocol):
+    """A file that gets reports."""
+
+    def add(self, report: Report) -> None: ...
+
+    def close(self) -> None: ...
+
+
+class CsvFile:
+    """A table with a line for each report."""
+
+    def __init__(self, path: Path) -> None:
+        self._file = path.open("w", newline="")
+        self._write(COLUMNS)
+
+    def add(self, report: Report) -> None:
+        self._write(row(report))
+
+    def close(self) -> None:
+        self._file.close()
+
+    def _write(self, cells: Iterable[object]) -> None:
+        csv.writer(self._file).writerow(cells)
+
+
 class Recording(AbstractContextManager["Recording"]):
-    """Writes reports to a file as they come; without a path it writes nothing.
+    """Writes reports to files as they come; without a path it writes nothing.
 
     A full disk ends the recording, not the program: the robot is driven on.
     """
 
-    def __init__(self, path: Path | None) -> None:
-        self._path = path
-        self._file = path.open("w", newline="") if path else None
-        if self._file:
-            self._write(COLUMNS)
+    def __init__(self, table: Path | None, mcap: Path | None = None) -> None:
+        self._files: dict[Path, ReportFile] = {}
+        if table:
+            self._files[table] = CsvFile(table)
+        if mcap:
+            from weeding_robot_client.mcap_file import McapFile
+
+            self._files[mcap] = McapFile(mcap)
 
     def __exit__(
         self,
@@ -43,28 +72,15 @@ class Recording(AbstractContextManager["Recording"]):
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        self._close()
+        self._each(lambda file: file.close())
 
     def add(self, report: Report) -> None:
-        self._write(row(report))
+        self._each(lambda file: file.add(report))
 
-    def _write(self, cells: Iterable[object]) -> None:
-        if self._file is None:
-            return
-        try:
-            csv.writer(self._file).writerow(cells)
-        except OSError as error:
-            self._end(error)
-
-    def _close(self) -> None:
-        if self._file is None:
-            return
-        try:
-            self._file.close()
-        except OSError as error:
-            self._end(error)
-
-    def _end(self, error: OSError) -> None:
-        """States that the recording is not complete, and writes no more."""
-        self._file = None
-        print(f"\nthe recording {self._path} ends here: {error.strerror}", file=sys.stderr)
+    def _each(self, action: Callable[[ReportFile], None]) -> None:
+        for path, file in [*self._files.items()]:
+            try:
+                action(file)
+            except OSError as error:
+                del self._files[path]  # the recording is not complete, and gets no more
+                print(f"\nthe recording {path} ends here: {error.strerror}", file=sys.stderr)

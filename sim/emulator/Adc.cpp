@@ -220,6 +220,10 @@ void Adc::advance() {
   }
 }
 
+bool Adc::readHasEffect(std::uint32_t offset) const {
+  return offset == kRa;
+}
+
 std::uint32_t Adc::read(std::uint32_t offset, unsigned size) {
   if (!hasSize(name_, offset, size, 4)) {
     return 0;

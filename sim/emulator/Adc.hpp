@@ -39,6 +39,7 @@ class Adc final : public Peripheral {
 
   void reset(Reset cause) override;
   std::uint32_t read(std::uint32_t offset, unsigned size) override;
+  [[nodiscard]] bool readHasEffect(std::uint32_t offset) const override;
   void write(std::uint32_t offset, unsigned size, std::uint32_t value) override;
   [[nodiscard]] Time nextEvent() const override;
   void advance() override;

@@ -54,6 +54,11 @@ std::uint32_t CortexM4::readSystem(std::uint32_t address, unsigned size) {
   return size == 4 ? part : part & ((1U << 8 * size) - 1);
 }
 
+bool CortexM4::inspectSystem(std::uint32_t address, std::uint32_t& value) {
+  constexpr std::uint32_t kTickControl = 0xE000E010;  // reading clears COUNTFLAG
+  return address != kTickControl && system_.read(address, cycles(), exception(), value);
+}
+
 void CortexM4::writeSystem(std::uint32_t address, unsigned size, std::uint32_t value) {
   switch (system_.write(address, size, value, cycles())) {
     case SystemControl::Written::Done:
@@ -103,6 +108,7 @@ std::uint32_t CortexM4::core(unsigned number) const {
 void CortexM4::setCore(unsigned number, std::uint32_t value) {
   if (number == Registers::kPc) {
     core_.next = value & ~1U;
+    core_.registers.r[Registers::kPc] = core_.next + 4;
   } else {
     core_.registers.r.at(number) = value;
   }

@@ -155,6 +155,27 @@ class CortexM4 {
   /// @brief Sets the callback before the first instruction after a reset and after each branch.
   void onBlock(std::function<void(std::uint32_t address)> call);
 
+  /// @brief Sets the callback before each instruction. For a debugger: it may change the registers, and
+  /// memory with load().
+  void onInstruction(std::function<void()> call) { core_.onInstruction(std::move(call)); }
+
+  /// @brief Sets the callback after each load and store of the program; empty: none.
+  void onAccess(std::function<void(std::uint32_t address, std::uint32_t size, bool store)> call) {
+    core_.memory.observe(std::move(call));
+  }
+
+  /// @brief All registers, for a debugger. The address of the next instruction is core(15).
+  [[nodiscard]] Registers& registers() { return core_.registers; }
+
+  /// @brief The memory, for a debugger.
+  [[nodiscard]] const Memory& memory() const { return core_.memory; }
+
+  /// @brief Reads a register of system control without an effect.
+  /// @param address a multiple of 4
+  /// @param value gets the content
+  /// @return false where there is none, or where reading has an effect
+  [[nodiscard]] bool inspectSystem(std::uint32_t address, std::uint32_t& value);
+
   /// @brief Notes each instruction that is executed from now on.
   /// @param code where they are noted; must outlive the processor
   void noteExecuted(ExecutedCode& code) { core_.noteExecuted(code); }

@@ -176,6 +176,10 @@ std::uint32_t Ftm::readStatus() {
   return control_ | (flag ? kOverflow : 0);
 }
 
+bool Ftm::readHasEffect(std::uint32_t offset) const {
+  return offset == kSc || offset == kFms;
+}
+
 std::uint32_t Ftm::read(std::uint32_t offset, unsigned size) {
   if (!hasSize(name_, offset, size, 4)) {
     return 0;

@@ -60,6 +60,13 @@ class Peripheral {
   /// @param size 1, 2 or 4 bytes
   virtual std::uint32_t read(std::uint32_t offset, unsigned size) = 0;
 
+  /// @brief Returns whether reading a register changes the state, so that a debugger must not read it.
+  /// @param offset from the base address of the block
+  [[nodiscard]] virtual bool readHasEffect(std::uint32_t offset) const {
+    static_cast<void>(offset);
+    return false;
+  }
+
   /// @brief Writes a register.
   virtual void write(std::uint32_t offset, unsigned size, std::uint32_t value) = 0;
 

@@ -93,6 +93,10 @@ void Pit::advance() {
   }
 }
 
+bool Pit::readHasEffect(std::uint32_t offset) const {
+  return offset == kMcr;
+}
+
 std::uint32_t Pit::read(std::uint32_t offset, unsigned size) {
   if (!hasSize("PIT", offset, size, 4)) {
     return 0;

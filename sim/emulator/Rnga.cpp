@@ -40,6 +40,10 @@ bool Rnga::wordIsReady() const {
   return (control_ & kGo) != 0 && board_.busClock().count(board_.time()) - since_ >= kClocksOfAWord;
 }
 
+bool Rnga::readHasEffect(std::uint32_t offset) const {
+  return offset == kOutput;
+}
+
 std::uint32_t Rnga::read(std::uint32_t offset, unsigned size) {
   if (!hasSize("RNG", offset, size, 4)) {
     return 0;

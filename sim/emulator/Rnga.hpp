@@ -16,6 +16,7 @@ class Rnga final : public Peripheral {
 
   void reset(Reset cause) override;
   std::uint32_t read(std::uint32_t offset, unsigned size) override;
+  [[nodiscard]] bool readHasEffect(std::uint32_t offset) const override;
   void write(std::uint32_t offset, unsigned size, std::uint32_t value) override;
 
  private:

@@ -221,6 +221,10 @@ std::uint32_t Uart::readData() {
   return value;
 }
 
+bool Uart::readHasEffect(std::uint32_t offset) const {
+  return offset == kS1 || offset == kD;
+}
+
 std::uint32_t Uart::read(std::uint32_t offset, unsigned size) {
   if (!hasSize(name_, offset, size, 1)) {
     return 0;

@@ -13,6 +13,7 @@
 #include "sim/emulator/CallRecorder.hpp"
 #include "sim/emulator/Clock.hpp"
 #include "sim/emulator/CortexM4.hpp"
+#include "sim/emulator/DebugPort.hpp"
 #include "sim/emulator/Ftm.hpp"
 #include "sim/emulator/Mcg.hpp"
 #include "sim/emulator/Peripheral.hpp"
@@ -139,6 +140,10 @@ class VirtualBoard::Parts final : public Microcontroller {
   void clocksChanged() override;
   void report(std::string id, std::string what) override;
   void refuse(std::string id, std::string what) override {
+    if (debugs_) {
+      debugRefused_ = true;
+      return;
+    }
     cpu_.refuse(access_->address, std::move(id), std::move(what));
   }
   void requestReset(Reset cause, std::string id, std::string what) override;
@@ -157,6 +162,7 @@ class VirtualBoard::Parts final : public Microcontroller {
   void drive(char name, unsigned pin, bool level);
 
   CortexM4& cpu() { return cpu_; }
+  DebugPort& debugPort() { return debugPort_; }
   Mcg& mcg() { return mcg_; }
   Uart& uart(int number);
   Ftm& ftm(int number) { return ftms_.at(static_cast<std::size_t>(number)); }
@@ -184,6 +190,8 @@ class VirtualBoard::Parts final : public Microcontroller {
   void fillRam();
   std::uint32_t read(std::uint32_t address, unsigned size);
   void write(std::uint32_t address, unsigned size, std::uint32_t value);
+  bool debugRead(std::uint32_t address, unsigned size, std::uint32_t& value);
+  bool debugWrite(std::uint32_t address, unsigned size, std::uint32_t value);
   std::uint32_t load(std::uint32_t address, unsigned size);
   void store(std::uint32_t address, unsigned size, std::uint32_t value);
   Peripheral* peripheralAt(std::uint32_t address, std::uint32_t& offset, bool store);
@@ -245,6 +253,15 @@ class VirtualBoard::Parts final : public Microcontroller {
   std::uint64_t sleptCycles_ = 0;
   std::bitset<128> lines_;
   std::optional<Reset> wantedReset_;
+  bool debugs_ = false;        ///< the access that is served is a debugger's: it causes no finding
+  bool debugRefused_ = false;  ///< and was refused
+  DebugPort debugPort_{
+      cpu_,
+      {.read = [this](std::uint32_t address, unsigned size,
+                      std::uint32_t& value) { return debugRead(address, size, value); },
+       .write = [this](std::uint32_t address, unsigned size,
+                       std::uint32_t value) { return debugWrite(address, size, value); },
+       .now = [this] { return now(); }}};
 };
 
 void VirtualBoard::Parts::build() {
@@ -371,7 +388,9 @@ void VirtualBoard::Parts::resetNow(Reset cause) {
 }
 
 void VirtualBoard::Parts::requestReset(Reset cause, std::string id, std::string what) {
-  if (options_.resetsAreFindings) {
+  if (debugs_) {
+    debugRefused_ = true;
+  } else if (options_.resetsAreFindings) {
     report(std::move(id), std::move(what));
   } else {
     wantedReset_ = cause;
@@ -454,6 +473,28 @@ std::uint32_t VirtualBoard::Parts::read(std::uint32_t address, unsigned size) {
   const std::uint32_t value = load(address, size);
   access_.reset();
   return value;
+}
+
+// A debugger sees a register only where reading it changes nothing.
+bool VirtualBoard::Parts::debugRead(std::uint32_t address, unsigned size, std::uint32_t& value) {
+  debugs_ = true;
+  debugRefused_ = false;
+  std::uint32_t offset = 0;
+  Peripheral* peripheral = peripheralAt(address, offset, false);
+  const bool readable = peripheral != nullptr && !peripheral->readHasEffect(offset);
+  if (readable) {
+    value = peripheral->read(offset, size);
+  }
+  debugs_ = false;
+  return readable && !debugRefused_;
+}
+
+bool VirtualBoard::Parts::debugWrite(std::uint32_t address, unsigned size, std::uint32_t value) {
+  debugs_ = true;
+  debugRefused_ = false;
+  store(address, size, value);
+  debugs_ = false;
+  return !debugRefused_;
 }
 
 std::uint32_t VirtualBoard::Parts::load(std::uint32_t address, unsigned size) {
@@ -571,6 +612,10 @@ void VirtualBoard::Parts::setLine(unsigned line, bool high) {
 }
 
 void VirtualBoard::Parts::report(std::string id, std::string what) {
+  if (debugs_) {
+    debugRefused_ = true;
+    return;
+  }
   if (id != kUnmodelled) {
     cpu_.report(std::move(id), std::move(what));
     return;
@@ -813,6 +858,10 @@ void VirtualBoard::onEvent(std::function<void(const Event&)> call) {
 
 void VirtualBoard::onWrite(std::function<void(std::uint32_t, unsigned, std::uint32_t)> call) {
   parts_->written = std::move(call);
+}
+
+DebugPort& VirtualBoard::debugPort() {
+  return parts_->debugPort();
 }
 
 void VirtualBoard::record(CallRecorder& recorder) {

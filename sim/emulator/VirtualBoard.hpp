@@ -17,6 +17,7 @@
 namespace wr::emulator {
 
 class CallRecorder;
+class DebugPort;
 class ExecutedCode;
 
 /// @brief Options of a virtual board.
@@ -174,6 +175,9 @@ class VirtualBoard {
 
   /// @brief Sets the callback of each write to a peripheral, before it takes effect.
   void onWrite(std::function<void(std::uint32_t address, unsigned size, std::uint32_t value)> call);
+
+  /// @brief The access of a debugger to the board.
+  [[nodiscard]] DebugPort& debugPort();
 
   /// @brief Records calls from now on. Set before the first run.
   void record(CallRecorder& recorder);

@@ -19,6 +19,8 @@
 #include "sim/emulator/EventTrace.hpp"
 #include "sim/emulator/Image.hpp"
 #include "sim/emulator/VirtualBoard.hpp"
+#include "sim/gdb/Commands.hpp"
+#include "sim/gdb/RepeatedLine.hpp"
 #include "sim/programs/Pace.hpp"
 #include "sim/programs/Program.hpp"
 #include "sim/programs/SerialLine.hpp"
@@ -59,6 +61,8 @@ struct Settings {
   std::string calls;
   std::vector<double> window;
   std::uint32_t baud = 115'200;
+  std::uint32_t gdb = 0;
+  bool debugs = false;
   bool fast = false;
   bool resets = false;
   bool faults = false;
@@ -207,6 +211,20 @@ void addRobotOptions(CLI::App& app, Settings& settings) {
       ->group(group);
 }
 
+void addDebugOption(CLI::App& app, Settings& settings) {
+  CLI::Option* const gdb =
+      app.add_option("--gdb", settings.gdb,
+                     "wait for GDB at this TCP port of 127.0.0.1, before the first instruction; 0 "
+                     "for a free port [none]")
+          ->type_name("PORT")
+          ->check(CLI::Range(0, 65'535))
+          ->each([&settings](const std::string&) { settings.debugs = true; })
+          ->group("Debugger");
+  for (const char* name : {"--control", "--trace", "--bench", "--calls", "--stack"}) {
+    gdb->excludes(app.get_option(name));
+  }
+}
+
 void checkTogether(const Settings& settings) {
   if (settings.fast && settings.seconds == 0 && settings.cycles == 0) {
     throw CLI::ValidationError("--fast", "needs --seconds or --cycles");
@@ -292,24 +310,58 @@ std::FILE* messagesOf(const Settings& settings) {
   return settings.uart == "stdout" ? stderr : stdout;
 }
 
-Exit runBoard(Machine& machine, const Settings& settings) {
+/// @brief The line of UART0 and the pace of a run. With a debugger, a run that begins again keeps both.
+class Outside {
+ public:
+  explicit Outside(const Settings& settings) {
+    // A run as fast as possible has no line that a client could follow.
+    if (settings.scenario.empty() && !(settings.fast && settings.uart == "pty")) {
+      opened_ = openLine(settings.uart);
+    }
+    if (opened_ && settings.debugs) {
+      repeated_ = std::make_unique<gdb::RepeatedLine>(std::move(opened_));
+    }
+  }
+
+  [[nodiscard]] SerialLine* line() { return repeated_ ? repeated_.get() : opened_.get(); }
+
+  void beginAgain() {
+    if (repeated_) {
+      repeated_->beginAgain();
+    }
+  }
+
+  /// @brief Makes the link, and prints the name of the line; once.
+  void announce(const Settings& settings, bool robot) {
+    if (line() == nullptr || link_) {
+      return;
+    }
+    link_.emplace(settings.link, line()->name());
+    std::fprintf(messagesOf(settings), "%s: %s\n", robot ? "PC link" : "UART0",
+                 line()->name().c_str());
+    std::fflush(messagesOf(settings));
+  }
+
+  Pace pace;
+  gdb::Commands* debugs = nullptr;  ///< none without a debugger
+
+ private:
+  std::unique_ptr<SerialLine> opened_;
+  std::unique_ptr<gdb::RepeatedLine> repeated_;
+  std::optional<SymbolicLink> link_;
+};
+
+Exit runBoard(Machine& machine, const Settings& settings, Outside& outside) {
   catchEndRequests();
   emulator::VirtualBoard& board = machine.board();
-  // A run as fast as possible has no line that a client could follow.
-  const std::unique_ptr<SerialLine> line =
-      settings.fast && settings.uart == "pty" ? nullptr : openLine(settings.uart);
+  SerialLine* const line = outside.line();
   std::optional<scenario::ControlChannel> control;
   if (!settings.control.empty()) {
     control.emplace(settings.control, *machine.robot());
   }
-  std::optional<SymbolicLink> link;  // last: when it exists, all the rest does
-  if (line) {
-    link.emplace(settings.link, line->name());
-    std::fprintf(messagesOf(settings), "%s: %s\n", machine.robot() ? "PC link" : "UART0",
-                 line->name().c_str());
-    std::fflush(messagesOf(settings));
-  }
-  Pace pace;
+  outside.announce(settings,
+                   machine.robot() != nullptr);  // last: when the link exists, all the rest does
+  Pace& pace = outside.pace;
   bool runs = true;
   while (runs && !endRequested() && !hasRun(machine, settings)) {
     runs = board.runUntil(board.now() + kSlice);
@@ -319,12 +371,17 @@ Exit runBoard(Machine& machine, const Settings& settings) {
     if (control) {
       control->serve();
     }
+    if (outside.debugs != nullptr) {
+      outside.debugs->glance();
+    }
     printWarnings(board);
     if (!settings.fast) {
       pace.waitFor(board.now());
     }
   }
-  printLost(pace, messagesOf(settings));
+  if (!settings.debugs) {
+    printLost(pace, messagesOf(settings));
+  }
   if (board.finding()) {
     std::fprintf(messagesOf(settings), "finding: %s\n", emulator::textOf(*board.finding()).c_str());
     return Exit::Found;
@@ -364,7 +421,7 @@ Exit runRecorded(board_robot::BoardSession& robot, const Settings& settings) {
   return exit;
 }
 
-Exit runAsAsked(Machine& machine, const Settings& settings) {
+Exit runAsAsked(Machine& machine, const Settings& settings, Outside& outside) {
   if (!settings.bench.empty()) {
     return runBench(*machine.robot(), settings);
   }
@@ -376,11 +433,43 @@ Exit runAsAsked(Machine& machine, const Settings& settings) {
     printWarnings(machine.board());
     return exit;
   }
-  return runBoard(machine, settings);
+  return runBoard(machine, settings, outside);
+}
+
+// Runs under a debugger: each way back is another run, from the start.
+Exit runDebugged(const Settings& settings) {
+  catchEndRequests();
+  const std::unique_ptr<SerialLine> door = openLine("tcp:" + std::to_string(settings.gdb));
+  std::fprintf(messagesOf(settings), "GDB: %s\n", door->name().c_str());
+  std::fflush(messagesOf(settings));
+  gdb::Commands commands(*door, endRequested);
+  Outside outside(settings);
+  outside.debugs = &commands;
+  while (true) {
+    Machine machine(settings);
+    outside.beginAgain();
+    commands.debugger().begin(machine.board().debugPort());
+    try {
+      const Exit exit = runAsAsked(machine, settings, outside);
+      if (endRequested()) {
+        return exit;
+      }
+      constexpr const char* kFinding = "0b";  // as a segmentation fault
+      commands.debugger().end(exit == Exit::Found ? kFinding : "05replaylog:end;");
+      return exit;
+    } catch (const gdb::BeginsAgain&) {
+      continue;
+    } catch (const gdb::Killed&) {
+      return Exit::Done;
+    }
+  }
 }
 
 Exit run(const Settings& settings) {
   checkTogether(settings);
+  if (settings.debugs) {
+    return runDebugged(settings);
+  }
   std::ofstream file;
   std::optional<emulator::EventTrace> trace;
   if (!settings.trace.empty()) {
@@ -397,7 +486,8 @@ Exit run(const Settings& settings) {
   if (settings.stack) {
     machine.board().noteStack(lowest);
   }
-  const Exit exit = runAsAsked(machine, settings);
+  Outside outside(settings);
+  const Exit exit = runAsAsked(machine, settings, outside);
   if (settings.stack) {
     std::fprintf(messagesOf(settings), "stack: %u bytes\n", static_cast<unsigned>(top - lowest));
   }
@@ -423,6 +513,7 @@ int main(int count, char** arguments) try {
   wr::programs::addLineOptions(app, settings);
   wr::programs::addRunOptions(app, settings);
   wr::programs::addRobotOptions(app, settings);
+  wr::programs::addDebugOption(app, settings);
   return wr::programs::runProgram(app, count, arguments,
                                   [&settings] { return wr::programs::run(settings); });
 } catch (const std::exception& error) {

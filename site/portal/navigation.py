@@ -12,7 +12,15 @@ from traceability.reading.products import PRODUCTS
 # The hand-written pages of each group, in this order; a page that is not named is in "build".
 DOCS = {
     "understand": ("tour",),
-    "build": ("quick_start", "client", "emulator", "scenarios", "bring_up"),
+    "build": (
+        "quick_start",
+        "client",
+        "emulator",
+        "scenarios",
+        "debugging",
+        "bring_up",
+        "other_tools",
+    ),
     "verify": ("hazards",),
     "explain": (
         "execution_model",

@@ -27,6 +27,7 @@ from portal.safety_pages import cost, goal_page, hazards_page, safety
 from portal.search import entries
 from portal.sequences import sequences
 from portal.source_pages import folders, source_page
+from traceability.exports.tool_files import available
 from traceability.model.not_shown import by_method, not_shown
 from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.reading.bench_record import SCENARIOS
@@ -275,6 +276,9 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
     "bench": bench,
     "virtual_k64": virtual_k64,
     "source": lambda portal: {"folders": folders(portal)},
-    "exports": lambda portal: {"sources": diagram_sources(portal)},
+    "exports": lambda portal: {
+        "sources": diagram_sources(portal),
+        "files": available(portal.root),
+    },
     "run": run,
 }

@@ -17,6 +17,7 @@ from portal.portal import CheckText, Page, Portal
 from portal.sphinx_pages import BODIES, body_file, run_sphinx, write_sources
 from portal.writing import remove_others, write_changed
 from traceability.exports import model_json, verification_table
+from traceability.exports.tool_files import available
 from traceability.model.design_model import Model
 from traceability.model.report import Report
 from traceability.schema import Finding, Place
@@ -93,5 +94,7 @@ def write_exports(portal: Portal, site: Path) -> None:
     remove_others(site / DIAGRAMS, "*.puml", kept)
     files[model_json.MODEL] = model_json.model_text(portal.model, portal.report)
     files[model_json.SCHEMA] = model_json.schema_text()
+    for file in available(portal.root):
+        files[file.name] = file.make(portal.root, portal.model, portal.report)
     for name, text in files.items():
         write_changed(site / name, text)

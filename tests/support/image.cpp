@@ -1,4 +1,7 @@
-// Boards with the image under test. With the image that is built to record calls, those of the
+// Boards with the image under test. With WR_GDB=PORT the firmware waits for GDB at this TCP port,
+// each time a test switches a board on.
+//
+// With the image that is built to record calls, those of the
 // firmware are recorded as on the host: one file for each test in the folder WR_TRACE_DIR, see
 // trace.cpp. Which instructions it executed is in the file <suite>.<test>.bits there: the bits of
 // ExecutedCode, up to the last one set.
@@ -16,8 +19,11 @@
 #include <utility>
 
 #include "sim/emulator/CallRecorder.hpp"
+#include "sim/emulator/DebugPort.hpp"
 #include "sim/emulator/ExecutedCode.hpp"
 #include "sim/emulator/Image.hpp"
+#include "sim/gdb/Commands.hpp"
+#include "sim/programs/SerialLine.hpp"
 #include "support/onlyWith.hpp"
 
 namespace wr::test {
@@ -32,6 +38,25 @@ emulator::CallRecorder& recorder() {
 emulator::ExecutedCode& executed() {
   static emulator::ExecutedCode instance;
   return instance;
+}
+
+/// The debugger of the firmware. A test cannot be begun again in its midst: time goes forwards
+/// only.
+class Debug {
+ public:
+  explicit Debug(const std::string& port) : line_(programs::openLine("tcp:" + port)) {}
+  void begin(emulator::VirtualBoard& board) { commands_.debugger().begin(board.debugPort()); }
+
+ private:
+  std::unique_ptr<programs::SerialLine> line_;
+  gdb::Commands commands_{*line_, [] { return false; }, false};
+};
+
+void debugIfAsked(emulator::VirtualBoard& board) {
+  if (const char* const port = std::getenv("WR_GDB"); port != nullptr) {
+    static Debug debug(port);
+    debug.begin(board);
+  }
 }
 
 // Recordings hold addresses: all are those of one image.
@@ -108,6 +133,7 @@ std::unique_ptr<board_robot::BoardSession> switchBoardOn(std::vector<std::uint8_
   const bool asLinked = image.size() == emulator::readImage(imageFile()).size();
   auto robot = std::make_unique<board_robot::BoardSession>(std::move(image), std::move(options));
   nameInResults(imageFile());
+  debugIfAsked(robot->board);
   if (!isRecorded()) {
     return robot;
   }

@@ -138,6 +138,18 @@ class Impacts:
         impact.requirements = list(requirements.values())
         return self._from(impact, start)
 
+    def of_files(self, subject: str, paths: Sequence[str]) -> Impact:
+        """The effects of a change of several files; files that are not in the model have none."""
+        joined = Impact(subject, "commits", "")
+        parts = [self._of_file(path) for path in paths if path in self.model.files]
+        for name in ("modules", "requirements", "patterns", "tests", "goals"):
+            found: dict[str, Reached] = {}
+            reached = [one for part in parts for one in getattr(part, name)]
+            for one in sorted(reached, key=lambda one: one.distance):
+                note(found, one.id, one.distance, one.because)
+            setattr(joined, name, list(found.values()))
+        return joined
+
     def _from(self, impact: Impact, start: dict[str, str]) -> Impact:
         known = set(start) & set(self.model.modules)
         impact.modules = [Reached(name, 0, why) for name, why in start.items() if name in known]

@@ -16,6 +16,7 @@ from traceability.reading.live_record import KEYS as LIVE
 from traceability.reading.live_record import live_metrics
 from traceability.reading.products import HAS, intruders
 from traceability.reading.prose_record import read_prose
+from traceability.reading.release_record import release_metrics
 from traceability.reading.results import read_recording_factor, read_totals
 from traceability.reading.traces import nodes_of
 from traceability.schema import HOST, Clause, Requirement, SafetyCase
@@ -27,7 +28,7 @@ OF_OTHER_STEPS = (  # metrics that are null until a step measures them
     *("firmware.ram_bytes", "firmware.forbidden_parts", "firmware.needless_modules"),
     *("bench.scenarios", "drift.seeded", "drift.caught"),
     *("site.pages", "site.dead_links", "build.first_page_s"),
-    *("build.cold_s", "build.edit_s"),
+    *("build.cold_s", "build.edit_s", "release.reproducible"),
     *(f"live.{key}" for key in LIVE),
 )
 
@@ -42,7 +43,8 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
         times["bench.image_sha256"] = file_hash(root / IMAGE)
     prose = {"prose.findings": read_prose(root)}
     live = live_metrics(root)
-    return drift(model) | image(root) | times | forbidden(model) | tests | prose | live
+    release = release_metrics(root, model.commit)
+    return drift(model) | image(root) | times | forbidden(model) | tests | prose | live | release
 
 
 def coverage(root: Path) -> dict[str, Any]:

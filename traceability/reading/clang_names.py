@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
 from clang.cindex import Cursor, CursorKind
 
 NAMESPACE = "wr"
+# Clang names a lambda by its file, with the folders of this machine.
+FOLDERS_OF_LAMBDA = re.compile(r"(?<=\(lambda at )\S*/")
 CLASSES = {
     CursorKind.CLASS_DECL,
     CursorKind.STRUCT_DECL,
@@ -32,7 +36,7 @@ def class_name(cursor: Cursor | None) -> str:
     kinds = {*CLASSES, CursorKind.CLASS_TEMPLATE_PARTIAL_SPECIALIZATION, CursorKind.ENUM_DECL}
     kinds |= {CursorKind.TYPE_ALIAS_DECL}
     while cursor is not None and cursor.kind in kinds:
-        parts.insert(0, cursor.spelling)
+        parts.insert(0, FOLDERS_OF_LAMBDA.sub("", cursor.spelling))
         cursor = cursor.semantic_parent
     return "::".join(parts)
 

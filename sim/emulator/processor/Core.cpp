@@ -50,7 +50,8 @@ bool Core::beginFp() {
 }
 
 Trap Core::run() {
-  const bool looks = executed_ != nullptr || blockCall_ != nullptr || lowestStack_ != nullptr;
+  const bool looks = executed_ != nullptr || blockCall_ != nullptr || lowestStack_ != nullptr ||
+                     instructionCall_ != nullptr;
   if (slowFlash_) {
     looks ? runInstructions<true, true>() : runInstructions<true, false>();
   } else {
@@ -69,6 +70,14 @@ void Core::runInstructions() {
   std::uint64_t begun = instructions_;
   while (begun + otherCycles_ < stopAt_) {
     registers.r[Registers::kPc] = address + 4;
+    if constexpr (kLooks) {
+      if (instructionCall_) {
+        next = address;
+        instructionCall_();
+        address = next;
+        place = placeOf(address);
+      }
+    }
     if (!place->isDecoded(registers.it != 0)) [[unlikely]] {
       place = decodeAt(address);
       if (place == nullptr) {
@@ -264,6 +273,7 @@ bool Core::loadElsewhere(std::uint32_t address, std::uint32_t size, std::uint32_
   }
   if (area->bytes == nullptr) {
     value = area->read(address, size);
+    memory.accessed(address, size, false);
     return trap_ == Trap::None;
   }
   if (!area->holds(address, size)) {
@@ -272,6 +282,7 @@ bool Core::loadElsewhere(std::uint32_t address, std::uint32_t size, std::uint32_
   }
   value = 0;
   std::memcpy(&value, area->at(address), size);
+  memory.accessed(address, size, false);
   spendForRead(address);
   if (((address ^ (address + (size - 1))) & ~3U) != 0) {
     spendForRead(address + (size - 1));
@@ -290,6 +301,7 @@ bool Core::storeElsewhere(std::uint32_t address, std::uint32_t size, std::uint32
   }
   if (area->bytes == nullptr) {
     area->write(address, size, size == 4 ? value : value & ((1U << 8 * size) - 1));
+    memory.accessed(address, size, true);
     return trap_ == Trap::None;
   }
   if (!area->mayWrite) {
@@ -303,6 +315,7 @@ bool Core::storeElsewhere(std::uint32_t address, std::uint32_t size, std::uint32
   }
   std::memcpy(area->at(address), &value, size);
   Memory::forget(*area, address, size);
+  memory.accessed(address, size, true);
   return true;
 }
 

@@ -183,6 +183,9 @@ class Core {
   void noteStack(std::uint32_t& lowest) { lowestStack_ = &lowest; }
   void onBlock(std::function<void(std::uint32_t)> call) { blockCall_ = std::move(call); }
 
+  /// @brief Sets the callback before each instruction. It may change registers and memory, and `next`.
+  void onInstruction(std::function<void()> call) { instructionCall_ = std::move(call); }
+
  private:
   template <bool kSlowFlash, bool kLooks>
   void runInstructions();
@@ -214,6 +217,7 @@ class Core {
   ExecutedCode* executed_ = nullptr;
   std::uint32_t* lowestStack_ = nullptr;
   std::function<void(std::uint32_t)> blockCall_;
+  std::function<void()> instructionCall_;
 };
 
 }  // namespace wr::emulator

@@ -24,17 +24,31 @@ std::unique_ptr<Item, Memory::Release> zeros(std::size_t count) {
 
 void Memory::add(Area area) {
   const Area& added = all_.emplace_back(std::move(area));
-  const bool loads = added.bytes != nullptr && (added.mayWrite || readsFlashDirectly_);
-  const Direct direct{.bytes = added.bytes.get(),
-                      .address = added.address,
-                      .loads = loads ? added.size : 0,
-                      .stores = added.mayWrite ? added.size : 0};
+  const Direct direct = directOf(added);
   const std::uint32_t last = added.address + (added.size - 1);
   for (std::uint32_t i = added.address / kMegabyte; i <= last / kMegabyte; ++i) {
     if (areas_[i] == nullptr) {
       areas_[i] = &added;
       directs_[i] = direct;
     }
+  }
+}
+
+Memory::Direct Memory::directOf(const Area& area) const {
+  if (observer_) {
+    return {};
+  }
+  const bool loads = area.bytes != nullptr && (area.mayWrite || readsFlashDirectly_);
+  return {.bytes = area.bytes.get(),
+          .address = area.address,
+          .loads = loads ? area.size : 0,
+          .stores = area.mayWrite ? area.size : 0};
+}
+
+void Memory::observe(std::function<void(std::uint32_t, std::uint32_t, bool)> call) {
+  observer_ = std::move(call);
+  for (std::size_t i = 0; i < kMegabytes; ++i) {
+    directs_[i] = areas_[i] == nullptr ? Direct{} : directOf(*areas_[i]);
   }
 }
 

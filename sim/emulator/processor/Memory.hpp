@@ -102,6 +102,18 @@ class Memory {
   /// @brief Forgets the decoded instructions that a store has changed.
   static void forget(const Area& area, std::uint32_t address, std::uint32_t size);
 
+  /// @brief Sets the callback of each load and store that the program does, after it was done. While
+  /// there is one, no access is direct.
+  /// @param call the callback; empty: none
+  void observe(std::function<void(std::uint32_t address, std::uint32_t size, bool store)> call);
+
+  /// @brief Calls the callback of observe(), if there is one.
+  void accessed(std::uint32_t address, std::uint32_t size, bool store) const {
+    if (observer_) [[unlikely]] {
+      observer_(address, size, store);
+    }
+  }
+
   /// @brief The area of an address; none where nothing is.
   [[nodiscard]] const Area* find(std::uint32_t address) const;
 
@@ -128,11 +140,13 @@ class Memory {
   static constexpr std::size_t kMegabytes = 4096;
 
   void add(Area area);
+  [[nodiscard]] Direct directOf(const Area& area) const;
 
   bool readsFlashDirectly_;
   std::deque<Area> all_;
   std::array<const Area*, kMegabytes> areas_{};  ///< the first one of each
   std::array<Direct, kMegabytes> directs_{};
+  std::function<void(std::uint32_t, std::uint32_t, bool)> observer_;
 };
 
 }  // namespace wr::emulator

@@ -35,6 +35,7 @@ def options(mcu: Any, **more: Any) -> argparse.Namespace:
         **{
             "link": mcu.path,
             "csv": None,
+            "mcap": None,
             "capture": None,
             "script": None,
             "lines": True,
@@ -342,7 +343,7 @@ def test_an_error_in_a_script_stops_the_robot(
 
 def test_a_missing_line_is_explained(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     missing = argparse.Namespace(
-        link=tmp_path / "none", csv=None, capture=None, lines=True, reports=1
+        link=tmp_path / "none", csv=None, mcap=None, capture=None, lines=True, reports=1
     )
     assert monitor.run(missing) == 1
     assert "./wr sim" in capsys.readouterr().err

@@ -60,6 +60,8 @@ def test_no_command_and_unknown_command_are_wrong_usage(arguments: tuple[str, ..
         ("test", "everything"),
         ("sim", "--cycles", "0"),
         ("sim", "--trace", "file"),
+        ("sim", "--gdb", "7777"),
+        ("sim", "--board", "--gdb", "70000"),
         ("sim", "--board", "--fast"),
         ("sim", "--reports", "file"),
         ("flash", "--with", "wire"),

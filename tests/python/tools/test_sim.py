@@ -78,6 +78,16 @@ def called(root: Path) -> list[str]:
             " --robot --cycles 9 --fast --resets",
         ),
         (
+            "--board --scenario a.scenario --gdb 0",
+            "weeding_robot_board --image {image}.bin --elf {image}.elf"
+            " --robot --scenario a.scenario --gdb 0",
+        ),
+        (
+            "--board --gdb 7777",
+            "weeding_robot_board --image {image}.bin --elf {image}.elf"
+            " --robot --link {root}/build/pc-link --gdb 7777",
+        ),
+        (
             "--board --product weeding_robot_pc --cycles 9 --fast",
             "weeding_robot_board --image {image}_pc.bin --elf {image}_pc.elf"
             " --robot --cycles 9 --fast",

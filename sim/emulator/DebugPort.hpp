@@ -1,0 +1,81 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+namespace wr::emulator {
+
+class CortexM4;
+
+/// @brief The access of a debugger to the processor and its memory. No access makes time pass, and none
+/// is a finding.
+class DebugPort {
+ public:
+  /// @brief A register that a debugger sees.
+  struct Register {
+    std::string_view name;  ///< as GDB names it
+    unsigned bits;          ///< 8, 32 or 64
+  };
+
+  /// @brief Accesses of the peripherals, and the time.
+  struct Bus {
+    /// Reads 1, 2 or 4 bytes; false where that is refused.
+    std::function<bool(std::uint32_t address, unsigned size, std::uint32_t& value)> read;
+    /// Writes 1, 2 or 4 bytes; false where that is refused.
+    std::function<bool(std::uint32_t address, unsigned size, std::uint32_t value)> write;
+    /// Time since the board was switched on.
+    std::function<std::chrono::nanoseconds()> now;
+  };
+
+  /// @param cpu the processor
+  /// @param bus the way to the peripherals
+  DebugPort(CortexM4& cpu, Bus bus) : cpu_(cpu), bus_(std::move(bus)) {}
+
+  /// @brief Number of the program counter.
+  static constexpr std::size_t kPc = 15;
+
+  /// @brief The registers, in the order of their numbers.
+  [[nodiscard]] static std::span<const Register> registers();
+
+  /// @brief Reads a register.
+  /// @param number index in registers()
+  [[nodiscard]] std::uint64_t read(std::size_t number) const;
+
+  /// @brief Writes a register.
+  /// @param number index in registers()
+  void write(std::size_t number, std::uint64_t value);
+
+  /// @brief Reads memory and registers of peripherals. A register that reading would change is not read.
+  /// @return number of bytes up to the first one that cannot be read
+  [[nodiscard]] std::size_t readMemory(std::uint32_t address, std::span<std::uint8_t> bytes) const;
+
+  /// @brief Writes flash, RAM and registers of peripherals, but not those of the processor.
+  /// @return false when not all bytes could be written
+  [[nodiscard]] bool writeMemory(std::uint32_t address, std::span<const std::uint8_t> bytes);
+
+  /// @brief Sets the callback before each instruction. It may read and write registers and memory.
+  void onInstruction(std::function<void()> call);
+
+  /// @brief Sets the callback after each load and store of the program; empty: none.
+  void onAccess(std::function<void(std::uint32_t address, std::uint32_t size, bool store)> call);
+
+  /// @brief Instructions that were executed since the board was switched on.
+  [[nodiscard]] std::uint64_t instructions() const;
+
+  /// @brief Time since the board was switched on.
+  [[nodiscard]] std::chrono::nanoseconds now() const { return bus_.now(); }
+
+ private:
+  [[nodiscard]] std::optional<std::uint32_t> inspect(std::uint32_t address, unsigned size) const;
+
+  CortexM4& cpu_;
+  Bus bus_;
+};
+
+}  // namespace wr::emulator

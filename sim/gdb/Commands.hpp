@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "sim/gdb/Debugger.hpp"
+#include "sim/gdb/PacketStream.hpp"
+
+namespace wr::gdb {
+
+/// @brief GDB wants the program to end.
+struct Killed {};
+
+/// @brief The commands of the GDB remote serial protocol, and those of `monitor`.
+class Commands {
+ public:
+  /// @param line the line to GDB; must outlive the object
+  /// @param ends returns whether this program is to end, also while the board is stopped
+  /// @param goesBack the owner of the board can begin the run again; without it, time goes forwards only
+  Commands(programs::SerialLine& line, std::function<bool()> ends, bool goesBack = true);
+
+  /// @brief The debugger that obeys the commands.
+  [[nodiscard]] Debugger& debugger() { return debugger_; }
+
+  /// @brief Looks for a wish of GDB to stop while the processor sleeps. Call it between two runs of the
+  /// board. Stops only a processor that does not wake up from one call to the next but one.
+  void glance();
+
+ private:
+  // How the next stop is reported.
+  enum class Owed { Nothing, Stop, Monitor };
+
+  void serve(const std::string& why);
+  [[nodiscard]] bool obey(std::string_view packet);
+  [[nodiscard]] std::string answer(std::string_view packet);
+  void resume(std::string_view packet);
+  [[nodiscard]] std::string query(std::string_view packet);
+  [[nodiscard]] std::string readRegisters() const;
+  [[nodiscard]] std::string writeRegisters(std::string_view digits);
+  [[nodiscard]] std::string readRegister(std::string_view number) const;
+  [[nodiscard]] std::string writeRegister(std::string_view assignment);
+  [[nodiscard]] std::string readMemory(std::string_view range) const;
+  [[nodiscard]] std::string writeMemory(std::string_view packet);
+  [[nodiscard]] std::string setRule(std::string_view packet);
+  [[nodiscard]] bool monitor(const std::string& words);
+  [[nodiscard]] std::string timeText() const;
+  [[nodiscard]] bool asked();
+
+  PacketStream stream_;
+  std::function<bool()> ends_;
+  bool goesBack_;
+  Debugger debugger_;
+  Owed owed_ = Owed::Nothing;
+  std::string why_;
+  std::uint64_t seenPosition_ = 0;
+  bool leaves_ = false;
+};
+
+}  // namespace wr::gdb

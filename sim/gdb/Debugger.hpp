@@ -1,0 +1,111 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/emulator/DebugPort.hpp"
+#include "sim/gdb/StopRules.hpp"
+
+namespace wr::gdb {
+
+/// @brief Thrown out of a run that begins again. The owner of the board makes a new one, gives it to
+/// begin(), and runs it as before.
+struct BeginsAgain {};
+
+/// @brief Stops the program, and goes back in its time.
+///
+/// The position is the number of instructions that were executed. The same input gives the same
+/// run, so an earlier position is reached by a second run from the start: nothing is undone.
+class Debugger {
+ public:
+  /// @brief Serves the user while the program is stopped.
+  ///
+  /// It returns when the program is to go on. The text is the reason of
+  /// the stop, as a stop reply of GDB: e.g. `05` or `05watch:20000004;`.
+  using Serve = std::function<void(const std::string& why)>;
+
+  /// @param serve called at each stop, before an instruction or after the end of the run
+  /// @param asked returns whether the user wants the program to stop now
+  Debugger(Serve serve, std::function<bool()> asked);
+
+  /// @brief A run begins. The first one stops before its first instruction.
+  /// @param port the board that runs; must outlive the run
+  void begin(emulator::DebugPort& port);
+
+  /// @brief The run has ended: the program stops a last time, and resumes only backwards.
+  /// @param why as in Serve
+  void end(const std::string& why);
+
+  /// @brief Stops the program where it is. For a program that waits and executes nothing.
+  void stopHere(const std::string& why) { stop(why); }
+
+  // Orders for the time after a stop; without one the program goes on to the next stop. Those that
+  // go back throw BeginsAgain.
+  void step();
+  void stepBack();
+  void resumeBack();
+  void runTo(std::chrono::nanoseconds time);
+  void restart();
+
+  /// @brief Removes all breakpoints and watchpoints, and resumes.
+  void leave();
+
+  // Changes are repeated when a run goes through their position again.
+  void write(std::size_t number, std::uint64_t value);
+  [[nodiscard]] bool writeMemory(std::uint32_t address, std::span<const std::uint8_t> bytes);
+
+  /// @brief The board; only during a run.
+  [[nodiscard]] const emulator::DebugPort& port() const { return *port_; }
+
+  /// @brief Returns the rules; call rulesChanged() after a change.
+  [[nodiscard]] StopRules& rules() { return rules_; }
+  void rulesChanged();
+
+  /// @brief Returns whether the run has ended.
+  [[nodiscard]] bool ended() const { return ended_; }
+
+ private:
+  enum class Mode {
+    Forward,  ///< to the next stop
+    Return,   ///< to the position target_
+    Search,   ///< to the position target_, to find the last stop before it
+    Time      ///< to the time until_
+  };
+
+  struct Change {
+    std::uint64_t position;
+    std::function<void(emulator::DebugPort&)> apply;
+  };
+
+  void beforeInstruction();
+  void repeatChanges(std::uint64_t position);
+  void lookAhead(std::uint64_t position);
+  void lookBack(std::uint64_t position);
+  void endSearch();
+  void stop(const std::string& why);
+  [[nodiscard]] bool wantsStop();
+
+  Serve serve_;
+  std::function<bool()> asked_;
+  emulator::DebugPort* port_ = nullptr;
+  StopRules rules_;
+  Mode mode_ = Mode::Return;
+  std::uint64_t target_ = 0;
+  std::string why_ = "05";  ///< of the stop at target_
+  std::uint64_t from_ = 0;  ///< position of the last stop
+  bool steps_ = false;
+  std::chrono::nanoseconds until_{};
+  std::optional<std::uint64_t> found_;
+  std::vector<Change> changes_;
+  std::size_t nextChange_ = 0;
+  std::uint32_t looks_ = 0;
+  bool ended_ = false;
+};
+
+}  // namespace wr::gdb

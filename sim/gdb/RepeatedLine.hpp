@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "sim/programs/SerialLine.hpp"
+
+namespace wr::gdb {
+
+/// @brief A line whose input can come a second time: a run that begins again reads the same bytes at the
+/// same calls of read(), and nobody gets its output a second time.
+class RepeatedLine final : public programs::SerialLine {
+ public:
+  /// @param line the line
+  explicit RepeatedLine(std::unique_ptr<programs::SerialLine> line) : line_(std::move(line)) {}
+
+  /// @brief The run begins again.
+  void beginAgain() { next_ = 0; }
+
+  [[nodiscard]] const std::string& name() const override { return line_->name(); }
+  std::size_t read(std::span<std::uint8_t> bytes) override;
+  bool write(std::span<const std::uint8_t> bytes) override;
+
+ private:
+  std::unique_ptr<programs::SerialLine> line_;
+  std::vector<std::vector<std::uint8_t>> reads_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace wr::gdb

@@ -1,0 +1,167 @@
+"""A recording of reports as one page of curves, which needs no other file."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
+
+from portal.plots import Drawing, draw
+from traceability.schema import Curve, LoopPlot
+from weeding_robot_client.layout import LAYOUTS, WHEEL_COUNT, Layout
+from weeding_robot_client.mcap_file import read_mcap
+
+SITE = Path(__file__).parents[1]
+MCAP = ".mcap"
+ROBOT = "robot"  # the source of the values, as a target is in the plots of the simulator
+MS_OF_S = 1000
+VELOCITY, VOLTAGE, CURRENT = "Velocity", "Tension", "Current"  # as the reports name them
+# Values whose changes are listed.
+STATES = ("state", "mode", "source", "armed", "held", "inhibit", "stop_cause", "steering_state")
+
+Values = Mapping[str, Any]
+
+
+class RecordingError(Exception):
+    """A file that is no recording of reports."""
+
+
+@dataclass(frozen=True)
+class Change:
+    """A state that changed."""
+
+    seconds: float
+    name: str
+    before: str
+    after: str
+
+
+# ---- reading -------------------------------------------------------------------
+
+
+def read_recording(path: Path) -> list[Values]:
+    """The values of each report: of an MCAP or CSV file of the client, or a table of a scenario."""
+    if path.suffix == MCAP:
+        return list(read_mcap(path))
+    with path.open(newline="", encoding="utf-8") as lines:
+        rows = list(csv.DictReader(lines))
+    report = LAYOUTS["Report"]
+    if rows and raw_columns(report) <= rows[0].keys():
+        return [report.decode(report.pack(**numbers(report, row))) for row in rows]
+    if rows and set(report.value_names) <= rows[0].keys():
+        return [{name: _value(cell) for name, cell in row.items()} for row in rows]
+    raise RecordingError(f"{path} is no recording of reports")
+
+
+def raw_columns(report: Layout) -> set[str]:
+    """The columns of a scenario's table: numbers as on the line, and a column for each bit."""
+    bits = {bit.name for one in report.fields for bit in one.bits}
+    return bits | {one.name for one in report.fields if not one.bits}
+
+
+def numbers(report: Layout, row: Mapping[str, str]) -> dict[str, int]:
+    return {
+        one.name: one.number(**{bit.name: row[bit.name] == "1" for bit in one.bits})
+        if one.bits
+        else int(row[one.name])
+        for one in report.fields
+    }
+
+
+def _value(cell: str) -> float | str | None:
+    if not cell:
+        return None
+    try:
+        return float(cell)
+    except ValueError:
+        return cell
+
+
+# ---- the plots -----------------------------------------------------------------
+
+
+def plots(reports: Sequence[Values]) -> list[LoopPlot]:
+    """For each wheel its velocity, voltage and current with the set-points, then the steering."""
+    found = []
+    for wheel in range(WHEEL_COUNT):
+        for title, unit, quantity, name in (
+            ("velocity", "rpm", VELOCITY, f"velocity{wheel}_rpm"),
+            ("voltage", "V", VOLTAGE, f"tension{wheel}_volts"),
+            ("current", "A", CURRENT, f"current{wheel}_amperes"),
+        ):
+            ordered = [
+                (at, one[f"set_point{wheel}"])
+                for at, one in timed(reports)
+                if one[f"quantity{wheel}"] == quantity
+            ]
+            found.append(_plot(f"Wheel {wheel}, {title}", unit, ordered, points(reports, name)))
+    steering = points(reports, "steering_set_point_degrees")
+    found.append(_plot("Steering", "degree", steering, points(reports, "steering_degrees")))
+    return found
+
+
+def _plot(title: str, unit: str, ordered: Any, measured: Any) -> LoopPlot:
+    curves = [Curve("set_point", ROBOT, ordered), Curve("measured", ROBOT, measured)]
+    return LoopPlot(title, unit, curves)
+
+
+def timed(reports: Sequence[Values]) -> Iterable[tuple[float, Values]]:
+    """Each report with its time since the first one [s], which goes on when the robot is reset."""
+    start, offset, last = None, 0.0, 0.0
+    for one in reports:
+        at = float(one["time_ms"]) / MS_OF_S
+        start = at if start is None else start
+        if at + offset < last:
+            offset = last - at
+        last = at + offset
+        yield last - start, one
+
+
+def points(reports: Sequence[Values], name: str) -> list[tuple[float, float]]:
+    """The values that are not missing."""
+    return [(at, one[name]) for at, one in timed(reports) if one[name] is not None]
+
+
+def changes(reports: Sequence[Values]) -> list[Change]:
+    found: list[Change] = []
+    before: Values = {}
+    for at, one in timed(reports):
+        found += [
+            Change(at, name, text_of(before[name]), text_of(one[name]))
+            for name in STATES
+            if before and one[name] != before[name]
+        ]
+        before = one
+    return found
+
+
+def text_of(value: object) -> str:
+    if value is None:
+        return "none"
+    return str(bool(value)).lower() if isinstance(value, bool | float | int) else str(value)
+
+
+# ---- the page ------------------------------------------------------------------
+
+
+def recording_page(path: Path) -> str:
+    reports = read_recording(path)
+    if not reports:
+        raise RecordingError(f"{path} has no report")
+    drawings: list[Drawing] = [made for plot in plots(reports) if (made := draw(plot))]
+    environment = Environment(
+        loader=FileSystemLoader(SITE / "templates"), autoescape=True, undefined=StrictUndefined
+    )
+    return environment.get_template("recording.html").render(
+        title=path.name,
+        style=Markup((SITE / "theme" / "static" / "portal.css").read_text(encoding="utf-8")),
+        reports=len(reports),
+        seconds=list(timed(reports))[-1][0],
+        drawings=drawings,
+        changes=changes(reports),
+    )

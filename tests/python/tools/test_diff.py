@@ -1,0 +1,70 @@
+"""./wr diff and ./wr impact of commits: real commits of a small project."""
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from tests.python.model.small_tree import write_tree
+from tools import cli
+from traceability.exports.revision import read_revision
+
+
+def git(root: Path, *words: str) -> str:
+    settings = ("-c", "user.name=A", "-c", "user.email=a@b.invalid", "-c", "commit.gpgsign=false")
+    command = ["git", "-C", str(root), *settings, *words]
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
+
+
+@pytest.fixture
+def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A project with two commits: the second changes a text, and a file of a module."""
+    root = write_tree(tmp_path / "project")
+    (root / ".gitignore").write_text("/build/\n")
+    git(root, "init", "--quiet")
+    commit(root, "first")
+    (path,) = sorted((root / "requirements").glob("*.dox"))
+    old = path.read_text()
+    assert " shall " in old
+    path.write_text(old.replace(" shall ", " shall always ", 1))
+    header = root / "src/main_control/MainController.hpp"
+    header.write_text(f"{header.read_text()}\n")
+    commit(root, "second")
+    monkeypatch.setattr(cli, "ROOT", root)
+    return root
+
+
+def commit(root: Path, message: str) -> None:
+    git(root, "add", "--all")
+    git(root, "commit", "--quiet", "--message", message)
+
+
+def test_the_sources_of_two_commits_are_compared(
+    root: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert cli.main(["diff", "HEAD~1"]) == 0
+    shown = capsys.readouterr().out
+    assert "text of requirements: 1" in shown
+    assert "{+always+}" in shown
+    assert "has no recorded results" in shown
+    assert read_revision(root, git(root, "rev-parse", "HEAD~1"))
+    assert cli.main(["diff", "HEAD", "HEAD"]) == 0
+    assert capsys.readouterr().out.startswith("no differences")
+
+
+def test_an_unknown_commit_is_an_error(root: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for command in (["diff", "nothing"], ["impact", "nothing..HEAD"]):
+        assert cli.main(command) == 1
+        assert "git has no commit nothing" in capsys.readouterr().err
+    assert root.exists()
+
+
+def test_the_impact_of_commits_is_that_of_their_files(
+    root: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert cli.main(["impact", "HEAD~1..HEAD"]) == 0
+    shown = capsys.readouterr().out
+    assert "MainController  is written in src/main_control/MainController.hpp" in shown
+    assert cli.main(["impact", "HEAD..HEAD"]) == 0
+    assert "begins with" not in capsys.readouterr().out
+    assert root.exists()

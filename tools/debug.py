@@ -1,0 +1,218 @@
+"""./wr debug: GDB at a test, at a scenario, or at the firmware on the virtual board."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shlex
+import shutil
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from tools.cmake_build import BOARD_PROGRAM, BOARD_TESTS, TESTS, build
+from tools.firmware import add_product
+from tools.lock import only_one
+from tools.steps import FailureError, MissingError, log_of
+from tools.tasks import K64_FIRMWARE, VIRTUAL_BOARD, graph
+from traceability.reading.gtest_cases import read_tests
+from traceability.reading.products import PAPER, image_of
+from traceability.reading.results import BOARD_ONLY, HOST_ONLY
+from traceability.sources import files_below
+
+GDB_FOR_ARM = ("gdb-multiarch", "arm-none-eabi-gdb")
+ON_HOST = "debug"  # the preset of programs that are debugged on this machine
+OF_EMULATOR = ("tests/sim/", "tests/torture/")  # their subject runs on this machine
+WAIT = 20  # s, until a board waits at its port
+
+
+@dataclass(frozen=True)
+class Target:
+    """The debugger, and the board that waits for it; a program of this machine needs no board."""
+
+    gdb: list[str]
+    server: list[str] = field(default_factory=list)
+    port: int = 0  # of the server
+    variables: dict[str, str] = field(default_factory=dict)
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "debug",
+        description="Builds a test with all that a debugger shows, and opens it in GDB; a test "
+        "that runs only on the virtual board is debugged there. With a scenario, or "
+        "without a name, GDB debugs the image on the virtual board, forwards and backwards.",
+    )
+    parser.add_argument(
+        "name",
+        nargs="?",
+        metavar="TEST",
+        help="a test, e.g. RcBufferTest.FR53_MiddleSetsZero, a test of the tools, e.g. "
+        "tests/python/x.py::test_y, or the file of a scenario (default: the robot in real time, "
+        "with its PC link)",
+    )
+    parser.add_argument(
+        "--board", action="store_true", help="a test that runs on both targets: the virtual board"
+    )
+    add_product(parser, "the image of the virtual board")
+    parser.add_argument(
+        "--print", action="store_true", dest="shows", help="print the commands, and run nothing"
+    )
+    parser.set_defaults(run=debug)
+
+
+def debug(root: Path, options: argparse.Namespace) -> int:
+    name: str | None = options.name
+    if name and "::" in name:
+        return start(root, python_target(root, name), options.shows)
+    if name is None or name.endswith(".scenario"):
+        return start(root, board_target(root, options.product, name, options.shows), options.shows)
+    file = file_of(root, name)
+    if runs_on_board(file, chosen=options.board):
+        return start(root, board_test(root, name, options.shows), options.shows)
+    return start(root, host_test(root, name, file, options.shows), options.shows)
+
+
+def file_of(root: Path, name: str) -> str:
+    """The file of a test: Suite.Name, as the page Tests has it."""
+    for file, found in tests_below(root):
+        if found == name:
+            return file
+    raise FailureError(f"there is no test {name}: the page Tests has the names")
+
+
+def filter_of(name: str) -> str:
+    """The filter for a test, and for its instances if it has parameters or types."""
+    suite, _, case = name.partition(".")
+    return f"--gtest_filter={name}:*/{suite}.{case}/*:{suite}/*.{case}"
+
+
+def tests_below(root: Path) -> Iterator[tuple[str, str]]:
+    for path in files_below(root, ("tests",)):
+        if path.suffix == ".cpp":
+            for case in read_tests(path.read_text(encoding="utf-8")):
+                yield str(path.relative_to(root)), case.id
+
+
+def runs_on_board(file: str, *, chosen: bool) -> bool:
+    """Whether the firmware of the test is debugged on the virtual board."""
+    if file.startswith(OF_EMULATOR):
+        return False
+    if chosen and not file.startswith((*BOARD_ONLY, "tests/system/")):
+        raise FailureError(f"{file} does not run on the virtual board")
+    return file.startswith(BOARD_ONLY) or (chosen and not file.startswith(HOST_ONLY))
+
+
+# ---- targets -----------------------------------------------------------------
+
+
+def gdb_for_arm() -> str:
+    for name in GDB_FOR_ARM:
+        if shutil.which(name):
+            return name
+    raise MissingError("there is no GDB for Arm: install the package gdb-multiarch")
+
+
+def gdb_of_board(elf: Path, port: int) -> list[str]:
+    """GDB with the symbols of an image, at a board that waits."""
+    commands = (f"directory {elf.parent}", f"target remote :{port}")
+    words = [gdb_for_arm(), "-q", str(elf)]
+    return [*words, *(word for command in commands for word in ("-ex", command))]
+
+
+def free_port() -> int:
+    with socket.create_server(("127.0.0.1", 0)) as found:
+        return int(found.getsockname()[1])
+
+
+def built(root: Path, preset: str, target: str, *, shows: bool) -> None:
+    if not shows:
+        with only_one(root, "debug"), log_of(root, "debug").open("w") as log:
+            print(f"builds {target} of the preset {preset}", flush=True)
+            build(root, preset, log, target)
+
+
+def images(root: Path, *, shows: bool) -> None:
+    if shows:
+        return
+    with only_one(root, "debug"):
+        if graph(root).run((K64_FIRMWARE, VIRTUAL_BOARD)).failed:
+            raise FailureError("the build failed")
+
+
+def board_target(root: Path, product: str, scenario: str | None, shows: bool) -> Target:
+    images(root, shows=shows)
+    port = free_port()
+    image, elf = (root / image_of(product, suffix) for suffix in (".bin", ".elf"))
+    program = root / "build" / "host" / "sim" / BOARD_PROGRAM
+    world = ["--scenario", scenario] if scenario else ["--link", str(root / "build" / "pc-link")]
+    words = [str(program), "--image", str(image), "--elf", str(elf), "--robot", *world]
+    return Target(gdb_of_board(elf, port), [*words, "--gdb", str(port)], port)
+
+
+def board_test(root: Path, name: str, shows: bool) -> Target:
+    images(root, shows=shows)
+    built(root, "host", BOARD_TESTS, shows=shows)
+    port = free_port()
+    program = root / "build" / "host" / "tests" / BOARD_TESTS
+    elf = root / image_of(PAPER, ".elf")
+    words = [str(program), filter_of(name)]
+    return Target(gdb_of_board(elf, port), words, port, {"WR_GDB": str(port)})
+
+
+def host_test(root: Path, name: str, file: str, shows: bool) -> Target:
+    on_board = file.startswith(BOARD_ONLY)
+    preset, target = ("host", BOARD_TESTS) if on_board else (ON_HOST, TESTS)
+    if on_board:
+        images(root, shows=shows)
+    built(root, preset, target, shows=shows)
+    program = root / "build" / preset / "tests" / target
+    return Target(["gdb", "-q", "--args", str(program), filter_of(name)])
+
+
+def python_target(root: Path, name: str) -> Target:
+    return Target([str(root / ".venv/bin/python"), "-m", "pytest", "-p", "no:xdist", "--pdb", name])
+
+
+def wait_for_port(server: subprocess.Popen[bytes], port: int) -> None:
+    """Looks at the list of the listening ports: a connection would be taken for that of GDB."""
+    wanted = f":{port:04X} 00000000:0000 0A"
+    end = time.monotonic() + WAIT
+    while time.monotonic() < end and server.poll() is None:
+        if wanted in Path("/proc/net/tcp").read_text(encoding="ascii"):
+            return
+        time.sleep(0.05)
+    raise FailureError("the board did not open its port for GDB")
+
+
+# ---- running -----------------------------------------------------------------
+
+
+def start(root: Path, target: Target, shows: bool) -> int:
+    """Starts the server, then GDB in this terminal."""
+    for words in (target.server, target.gdb):
+        if words:
+            variables = [f"{key}={value}" for key, value in target.variables.items()]
+            prefix = variables if words is target.server else []
+            print(shlex.join([*prefix, *words]), flush=True)
+    if shows:
+        return 0
+    if not shutil.which(target.gdb[0]):
+        raise MissingError(f"there is no {target.gdb[0]}")
+    if not target.server:
+        return subprocess.run(target.gdb, check=False, cwd=root).returncode
+    environment = {**os.environ, **target.variables}
+    # Ctrl-C is for GDB: the server is in a session of its own.
+    with subprocess.Popen(
+        target.server, env=environment, cwd=root, start_new_session=True
+    ) as server:
+        try:
+            wait_for_port(server, target.port)
+            return subprocess.run(target.gdb, check=False, cwd=root).returncode
+        finally:
+            server.terminate()
+            sys.stdout.flush()

@@ -1,0 +1,109 @@
+"""./wr diff: two revisions by their requirements, trees, verdicts, sizes and reviews."""
+
+from __future__ import annotations
+
+import argparse
+import dataclasses
+import json
+import signal
+import subprocess
+import tempfile
+from itertools import groupby
+from pathlib import Path
+
+from tools.steps import FailureError
+from traceability.exports.revision import (
+    Difference,
+    Revision,
+    differences,
+    read_revision,
+    revision_of,
+    write_revision,
+)
+from traceability.reading.build_evidence import git
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "diff",
+        description="Compares two commits: requirements, trees, tests, methods, reviews and "
+        "modules, from the sources of both. Verdicts, sizes, findings and metrics are compared "
+        "where ./wr portal or ./wr check recorded both commits in build/revisions. Reading a "
+        "commit for the first time takes about half a minute. Exit code 0, with and without "
+        "differences.",
+    )
+    parser.add_argument("first", metavar="REV1", help="a commit, a branch or a tag")
+    parser.add_argument(
+        "second", metavar="REV2", nargs="?", default="HEAD", help="the newer one (default: HEAD)"
+    )
+    parser.add_argument("--json", action="store_true", help="print it for a program")
+    parser.set_defaults(run=diff)
+
+
+def diff(root: Path, options: argparse.Namespace) -> int:
+    first, second = (load(root, name) for name in (options.first, options.second))
+    found = differences(first, second)
+    if options.json:
+        print(json.dumps([dataclasses.asdict(one) for one in found], indent=1))
+        return 0
+    print("\n".join(lines_of(found)))
+    for revision in (first, second):
+        if revision.findings is None:
+            print(
+                f"\n{revision.commit[:10]} has no recorded results: no verdicts, findings, sizes."
+            )
+    return 0
+
+
+def commit_of(root: Path, name: str) -> str:
+    commit = git(root, "rev-parse", "--verify", "--quiet", f"{name}^{{commit}}").strip()
+    if not commit:
+        raise FailureError(f"git has no commit {name}")
+    return commit
+
+
+def load(root: Path, name: str) -> Revision:
+    """The recorded revision, else that of its sources, which is recorded then."""
+    commit = commit_of(root, name)
+    found = read_revision(root, commit)
+    if found is None:
+        found = read_sources(root, commit)
+        write_revision(root, found)
+    return found
+
+
+def read_sources(root: Path, commit: str) -> Revision:
+    """Reads the sources of a commit, which are unpacked into a folder for this time."""
+    from traceability.model.build import build
+
+    with tempfile.TemporaryDirectory(prefix="weeding-robot-") as folder:
+        copy = Path(folder)
+        unpack(root, commit, copy)
+        # The readers end their processes with SIGTERM, which is an interrupt of this command.
+        heeded = signal.signal(signal.SIGTERM, signal.SIG_DFL)
+        built = build(copy)
+        signal.signal(signal.SIGTERM, heeded)
+    if built.facts.declared.entries.unreadable:
+        raise FailureError(f"this version cannot read the design of {commit[:10]}")
+    return revision_of(built.model, commit, None, {})
+
+
+def unpack(root: Path, commit: str, folder: Path) -> None:
+    archive = subprocess.run(
+        ["git", "-C", str(root), "archive", commit], capture_output=True, check=True
+    )
+    subprocess.run(["tar", "-x", "-C", str(folder)], input=archive.stdout, check=True)
+
+
+def lines_of(found: list[Difference]) -> list[str]:
+    if not found:
+        return ["no differences"]
+    lines = []
+    for section, group in groupby(
+        sorted(found, key=lambda one: one.section), lambda one: one.section
+    ):
+        members = list(group)
+        width = max(len(one.subject) for one in members)
+        lines += ["", f"{section}: {len(members)}"]
+        lines += [f"  {one.subject:<{width}}  {one.text}" for one in members]
+    return lines[1:]

@@ -1,0 +1,182 @@
+"""./wr release: the files of a release, from a commit; the same bytes in any folder."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from tools.documents import read_findings
+from tools.firmware import SVD
+from tools.lock import only_one
+from tools.release_files import below, different_members, sums_text, write_archive
+from tools.sbom import NAME as SBOM
+from tools.sbom import sbom_text
+from tools.steps import FailureError
+from tools.tasks import DOCUMENTS, K64_FIRMWARE, graph, pages_graph
+from tools.verify_build import clone, environment
+from traceability.exports.svd import write_svd
+from traceability.exports.tool_files import FILES
+from traceability.exports.verification_table import JSON, JUNIT
+from traceability.reading.build_evidence import git
+from traceability.reading.products import PRODUCTS, image_of
+from traceability.reading.release_record import RECORD
+from traceability.reading.results import RESULTS
+from traceability.reading.task_record import IMAGES
+from traceability.reading.task_record import RECORD as TASKS
+from traceability.sources import file_hash
+
+FOLDER = Path("build/release")
+SITE = Path("build/site")
+SUMS = "SHA256SUMS"
+CHANGELOG = Path("CHANGELOG.md")
+VERSION = re.compile(r"project\([^)]*VERSION\s+([\d.]+)")
+ARCHIVE = ".tar.gz"
+SHOWN = 20  # differences inside an archive
+SUFFIXES = (".elf", ".bin", ".hex")
+# Files of a build that no page needs: they have paths and times of their machine.
+NOT_SHIPPED = (".doctree", ".pickle", ".buildinfo", ".bak", "status.json")
+EXPORTS = ("model.json", "model.schema.json", JSON, JUNIT, *(file.name for file in FILES))
+
+
+@dataclass(frozen=True)
+class Release:
+    version: str
+    commit: str
+    when: int  # time of the commit, s since 1970
+
+    @property
+    def name(self) -> str:
+        return f"weeding_robot-{self.version}"
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "release",
+        description="Makes the files of a release in build/release, from a commit without "
+        "changes: images with their hashes, a list of the parts (CycloneDX), the portal for "
+        "reading without a network, the exports, and the notes. All times in the archives are "
+        "that of the commit.",
+    )
+    parser.add_argument(
+        "--verify",
+        action="store_true",
+        help="make it a second time in a new folder, with the same results of tests, and compare",
+    )
+    parser.set_defaults(run=lambda root, options: release(root, verify=options.verify))
+
+
+def release(root: Path, *, verify: bool) -> int:
+    made = identity(root)
+    folder = root / FOLDER
+    with only_one(root, "release"):
+        build(root)
+        shutil.rmtree(folder, ignore_errors=True)
+        write_release(root, made, folder)
+    print((folder / SUMS).read_text(encoding="utf-8"), end="")
+    print(f"The release {made.version} of {made.commit[:10]} is in {FOLDER}")
+    if not verify:
+        return 0
+    different = compare_with_second(root, folder)
+    record = {"commit": made.commit, "reproducible": not different}
+    (root / RESULTS).mkdir(parents=True, exist_ok=True)
+    (root / RECORD).write_text(json.dumps(record) + "\n", encoding="utf-8")
+    for line in different:
+        print(line)
+    print("The two releases are the same." if not different else f"{len(different)} files differ.")
+    return 1 if different else 0
+
+
+def identity(root: Path) -> Release:
+    """The commit and its time; an error when a file differs from it."""
+    commit = git(root, "rev-parse", "HEAD").strip()
+    if not commit:
+        raise FailureError("this folder is no clone of git: a release is made of a commit")
+    changed = git(root, "status", "--porcelain").splitlines()
+    if changed:
+        raise FailureError(f"{len(changed)} files differ from the commit: commit them first")
+    found = VERSION.search((root / "CMakeLists.txt").read_text(encoding="utf-8"))
+    assert found
+    return Release(found[1], commit, int(git(root, "log", "-1", "--format=%ct")))
+
+
+def build(root: Path) -> None:
+    run = graph(root).run((K64_FIRMWARE, IMAGES))
+    pages = pages_graph(root).run([DOCUMENTS])
+    if run.failed or pages.failed:
+        raise FailureError("the build failed")
+    write_svd(root, root / SVD)
+    print(f"{len(read_findings(root))} findings in the documents")
+
+
+def write_release(root: Path, made: Release, folder: Path) -> None:
+    """Writes the files, and last the list of their hashes."""
+    images = {
+        f"{product}{suffix}": root / image_of(product, suffix)
+        for product in PRODUCTS
+        for suffix in SUFFIXES
+    }
+    hashes = {name: file_hash(path) for name, path in images.items() if name.endswith(".bin")}
+    texts = {
+        SBOM: sbom_text(root, made.version, made.commit, made.when, hashes),
+        "NOTES.md": notes(root, made),
+    }
+    folder.mkdir(parents=True)
+    for name, text in texts.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    site = below(root / SITE, *NOT_SHIPPED)
+    exports = {name: root / SITE / name for name in EXPORTS if (root / SITE / name).exists()}
+    for part, files in (("images", images), ("portal", site), ("exports", exports)):
+        inside = {f"{made.name}/{part}/{name}": path for name, path in files.items()}
+        write_archive(folder / f"{made.name}-{part}{ARCHIVE}", inside, made.when)
+    (folder / SUMS).write_text(sums_text(folder, below(folder)), encoding="utf-8")
+
+
+def notes(root: Path, made: Release) -> str:
+    """The section of the version in the list of changes."""
+    text = (root / CHANGELOG).read_text(encoding="utf-8")
+    found = re.search(rf"^## {re.escape(made.version)}\b.*?(?=^## |\Z)", text, re.M | re.S)
+    if not found:
+        raise FailureError(f"{CHANGELOG} has no section '## {made.version}'")
+    return f"{found[0].rstrip()}\n\nCommit {made.commit}\n"
+
+
+# ---- the second time -------------------------------------------------------------
+
+
+def compare_with_second(root: Path, folder: Path) -> list[str]:
+    """Makes the release again from a clone, with the results of tests as an input."""
+    with tempfile.TemporaryDirectory(prefix="weeding-robot-") as name:
+        copy = Path(name) / "project"
+        print(f"Makes the release again in {copy}", flush=True)
+        clone(root, copy)
+        bring_results(root, copy)
+        words = [sys.executable, "-m", "tools", "release"]
+        done = subprocess.run(words, cwd=copy, env=environment(root, copy), check=False)
+        if done.returncode:
+            raise FailureError("the release in the new folder failed: see its messages above")
+        return differences(folder, copy / FOLDER)
+
+
+def bring_results(root: Path, copy: Path) -> None:
+    """Results of tests and measurements have times: a second run of the tests has others."""
+    shutil.copytree(root / RESULTS, copy / RESULTS)
+    shutil.copy2(root / TASKS, copy / TASKS)
+
+
+def differences(first: Path, second: Path) -> list[str]:
+    here, there = below(first), below(second)
+    found = [f"{name}: only in one of both" for name in sorted(here.keys() ^ there.keys())]
+    for name in sorted(here.keys() & there.keys()):
+        if file_hash(here[name]) != file_hash(there[name]):
+            found.append(f"{name}: the bytes differ")
+            if name.endswith(ARCHIVE):
+                inside = different_members(here[name], there[name])
+                found += [f"  {member}" for member in inside[:SHOWN]]
+    return found

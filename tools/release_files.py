@@ -1,0 +1,61 @@
+"""Archives and lists of hashes whose bytes depend on nothing but their content."""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import io
+import tarfile
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+
+def write_archive(path: Path, files: Mapping[str, bytes | Path], when: int) -> None:
+    """Writes a tar.gz with the files in the order of their names.
+
+    ``when`` is the time of each file [s since 1970]. Owners and permissions are always the same.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with (
+        path.open("wb") as raw,
+        gzip.GzipFile(filename="", fileobj=raw, mode="wb", mtime=when) as packed,
+        tarfile.open(fileobj=packed, mode="w", format=tarfile.PAX_FORMAT) as archive,
+    ):
+        for name in sorted(files):
+            content = files[name]
+            data = content.read_bytes() if isinstance(content, Path) else content
+            entry = tarfile.TarInfo(name)
+            entry.size, entry.mtime, entry.mode = len(data), when, 0o644
+            archive.addfile(entry, io.BytesIO(data))
+
+
+def sums_text(folder: Path, names: Iterable[str]) -> str:
+    """The SHA-256 of each file, as ``sha256sum --check`` reads it."""
+    return "".join(
+        f"{hashlib.sha256((folder / name).read_bytes()).hexdigest()}  {name}\n"
+        for name in sorted(names)
+    )
+
+
+def below(folder: Path, *without: str) -> dict[str, Path]:
+    """The files of a folder, by their names in it, but for those whose names end so."""
+    return {
+        str(path.relative_to(folder)): path
+        for path in sorted(folder.rglob("*"))
+        if path.is_file() and not path.name.endswith(without)
+    }
+
+
+def different_members(first: Path, second: Path) -> list[str]:
+    """The names in two archives whose content differs, or that only one of both has."""
+    here, there = (_members(path) for path in (first, second))
+    return sorted(name for name in here.keys() | there.keys() if here.get(name) != there.get(name))
+
+
+def _members(path: Path) -> dict[str, bytes]:
+    with tarfile.open(path) as archive:
+        return {
+            entry.name: hashlib.sha256(content.read()).digest()
+            for entry in archive
+            if (content := archive.extractfile(entry))
+        }

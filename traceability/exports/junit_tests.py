@@ -1,0 +1,43 @@
+"""The results of the tests in the form of JUnit, with the requirements that they verify."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from collections.abc import Mapping
+
+from traceability.model.design_model import Model
+from traceability.model.report import Report
+from traceability.schema import BindingResult, Test
+
+NAME = "tests.xml"
+
+
+def junit_text(model: Model, _report: Report) -> str:
+    """A suite for each target; a property ``requirement`` for each requirement of a test."""
+    top = ET.Element("testsuites", name="weeding_robot")
+    for target in model.results_hashes:
+        suite = ET.SubElement(top, "testsuite", name=target)
+        ran = [test for test in model.tests.values() if target in test.results]
+        for test in ran:
+            _add_case(suite, test, test.results)
+        suite.set("tests", str(len(ran)))
+        for tag in ("failure", "skipped"):
+            suite.set(f"{tag}s".replace("skippeds", "skipped"), str(len(list(suite.iter(tag)))))
+    ET.indent(top)
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{ET.tostring(top, encoding="unicode")}\n'
+
+
+def _add_case(suite: ET.Element, test: Test, results: Mapping[str, BindingResult]) -> None:
+    run = results[suite.get("name", "")]
+    case = ET.SubElement(
+        suite, "testcase", classname=test.suite, name=test.name, file=test.place.file
+    )
+    case.set("time", f"{(run.milliseconds or 0) / 1000:.3f}")
+    if test.verifies:
+        properties = ET.SubElement(case, "properties")
+        for requirement in test.verifies:
+            ET.SubElement(properties, "property", name="requirement", value=requirement)
+    if run.result == "failed":
+        ET.SubElement(case, "failure", message="failed").text = run.message
+    elif run.result != "passed":
+        ET.SubElement(case, "skipped", message=run.result or "not run")

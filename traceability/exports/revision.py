@@ -1,0 +1,197 @@
+"""The state of one revision in few words, and the differences between two revisions."""
+
+from __future__ import annotations
+
+import difflib
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+
+from traceability.model.design_model import Model
+from traceability.model.report import Report
+from traceability.reading.results import read_record
+from traceability.reading.traces import nodes_of
+
+FOLDER = Path("build/revisions")
+WORDS = 8  # of context around a change of a text
+
+
+@dataclass(frozen=True)
+class RequirementState:
+    """A requirement of a revision; ``state`` is empty where nothing was measured."""
+
+    text: str
+    rationale: str
+    state: str
+    tree: tuple[str, ...]  # labels of its nodes, in their order
+    tests: tuple[str, ...]
+    methods: tuple[str, ...]
+    reviews: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Revision:
+    """The parts of a revision that are compared."""
+
+    commit: str
+    requirements: Mapping[str, RequirementState]
+    modules: Mapping[str, str]  # name -> header
+    findings: Mapping[str, int] | None = None  # check -> number; None: not checked with results
+    sizes: Mapping[str, dict[str, int]] = field(default_factory=dict)  # product -> bytes of each
+    metrics: Mapping[str, float | None] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Difference:
+    """A line of the comparison."""
+
+    section: str
+    subject: str
+    text: str
+
+
+# ---- making and keeping ----------------------------------------------------------
+
+
+def revision_of(
+    model: Model, commit: str, report: Report | None, metrics: Mapping[str, Any]
+) -> Revision:
+    """The revision of a model; without a report, it has the facts of the sources alone."""
+    counts: dict[str, int] = {}
+    for finding in report.findings if report else []:
+        counts[finding.check] = counts.get(finding.check, 0) + 1
+    return Revision(
+        commit,
+        {name: _requirement(model, name, report) for name in model.requirements},
+        {name: module.header for name, module in model.modules.items()},
+        counts if report else None,
+        {
+            name: {"flash": image.flash, "RAM": image.ram, "stack": image.stack}
+            for name, image in (model.products or {}).items()
+        },
+        {name: value for name, value in metrics.items() if _is_number(value)},
+    )
+
+
+def _is_number(value: object) -> bool:
+    return value is None or (isinstance(value, int | float) and not isinstance(value, bool))
+
+
+def _requirement(model: Model, name: str, report: Report | None) -> RequirementState:
+    one = model.requirements[name]
+    return RequirementState(
+        one.text,
+        one.rationale,
+        report.requirements[name].state if report else "",
+        tuple(node.label for node in nodes_of(one.tree)) if one.tree else (),
+        tuple(one.verified_by),
+        tuple(one.satisfied_by),
+        tuple(f"{review.reviewer}, {review.date}" for review in one.reviews),
+    )
+
+
+def path_of(root: Path, commit: str) -> Path:
+    return root / FOLDER / f"{commit}.json"
+
+
+def write_revision(root: Path, revision: Revision) -> None:
+    path = path_of(root, revision.commit)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(asdict(revision)) + "\n", encoding="utf-8")
+
+
+def read_revision(root: Path, commit: str) -> Revision | None:
+    return read_record(path_of(root, commit), Revision)
+
+
+# ---- comparing -------------------------------------------------------------------
+
+
+def differences(first: Revision, second: Revision) -> list[Difference]:
+    return [
+        *_names("requirements", first.requirements, second.requirements),
+        *_of_requirements(first, second),
+        *_names("modules", first.modules, second.modules),
+        *_sizes(first, second),
+        *_findings(first, second),
+        *_numbers("metrics", first.metrics, second.metrics),
+    ]
+
+
+def _findings(first: Revision, second: Revision) -> list[Difference]:
+    if first.findings is None or second.findings is None:
+        return []
+    return _numbers("findings", first.findings, second.findings, missing=0)
+
+
+def _names(section: str, first: Mapping[str, Any], second: Mapping[str, Any]) -> list[Difference]:
+    return [
+        *(Difference(section, name, "removed") for name in first if name not in second),
+        *(Difference(section, name, "added") for name in second if name not in first),
+    ]
+
+
+def _of_requirements(first: Revision, second: Revision) -> Iterator[Difference]:
+    for name, before in first.requirements.items():
+        after = second.requirements.get(name)
+        if after is None:
+            continue
+        for section in ("text", "rationale"):
+            old, new = getattr(before, section), getattr(after, section)
+            if old != new:
+                yield Difference(f"{section} of requirements", name, changed_words(old, new))
+        if before.state and after.state and before.state != after.state:
+            yield Difference("verdicts", name, f"{before.state} -> {after.state}")
+        for section in ("tree", "tests", "methods", "reviews"):
+            for text in changed_items(getattr(before, section), getattr(after, section)):
+                yield Difference(f"{section} of requirements", name, text)
+
+
+def changed_words(old: str, new: str) -> str:
+    """The words that changed, between [-removed-] and {+added+}, with some words around them."""
+    before, after = old.split(), new.split()
+    parts: list[str] = []
+    for tag, i, j, k, m in difflib.SequenceMatcher(
+        None, before, after, autojunk=False
+    ).get_opcodes():
+        same = before[i:j]
+        if tag == "equal":
+            long = len(same) > 2 * WORDS
+            parts += [*same[:WORDS], "...", *same[-WORDS:]] if long else same
+            continue
+        parts += [f"[-{' '.join(same)}-]"] if same else []
+        parts += [f"{{+{' '.join(after[k:m])}+}}"] if m > k else []
+    return " ".join(parts)
+
+
+def changed_items(before: Sequence[str], after: Sequence[str]) -> list[str]:
+    return [
+        f"{line[0]} {line[2:]}"
+        for line in difflib.ndiff(before, after)
+        if line.startswith(("- ", "+ "))
+    ]
+
+
+def _sizes(first: Revision, second: Revision) -> Iterator[Difference]:
+    for product, before in first.sizes.items():
+        for one in _numbers(product, before, second.sizes.get(product, {})):
+            yield Difference("sizes", product, f"{one.subject}: {one.text} bytes")
+
+
+def _numbers(
+    section: str,
+    first: Mapping[str, float | None],
+    second: Mapping[str, float | None],
+    missing: float | None = None,
+) -> list[Difference]:
+    """A value that one of both lacks counts as ``missing``; None was not measured."""
+    found = []
+    for name in sorted(first.keys() | second.keys()):
+        before, after = first.get(name, missing), second.get(name, missing)
+        if before is not None and after is not None and before != after:
+            found.append(
+                Difference(section, name, f"{before:g} -> {after:g} ({after - before:+g})")
+            )
+    return found

@@ -1,0 +1,76 @@
+"""The files for other tools: their names, their descriptions, and how each is made."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from traceability.exports import junit_tests, requirement_files, sarif, svd
+from traceability.model.design_model import Model
+from traceability.model.report import Report
+from traceability.reading.register_table import TABLE, read_registers
+from weeding_robot_client.ros_messages import messages
+
+
+@dataclass(frozen=True)
+class ToolFile:
+    """A file of the portal for another tool."""
+
+    name: str
+    text: str  # for the page Exports
+    make: Callable[[Path, Model, Report], str]
+    source: Path = Path()  # a file of the project that it is made from, if it is made from one
+
+
+def _ready(text: str, _root: Path, _model: Model, _report: Report) -> str:
+    return text
+
+
+FILES = (
+    ToolFile(
+        requirement_files.REQIF,
+        "Requirements, tests and methods with their links, in ReqIF 1.0.1, for requirements tools.",
+        lambda _root, model, report: requirement_files.reqif_text(model, report),
+    ),
+    ToolFile(
+        requirement_files.CSV,
+        "The requirements with their attributes, verdicts and links, as a table.",
+        lambda _root, model, report: requirement_files.csv_text(model, report),
+    ),
+    ToolFile(
+        requirement_files.NEEDS,
+        "The same items as needs of sphinx-needs.",
+        lambda _root, model, report: requirement_files.needs_text(model, report),
+    ),
+    ToolFile(
+        sarif.NAME,
+        "The checks and their findings, in SARIF 2.1.0, for editors and code hosts.",
+        lambda _root, model, report: sarif.sarif_text(model, report),
+    ),
+    ToolFile(
+        junit_tests.NAME,
+        "The results of the tests in the form of JUnit, with a property for each requirement.",
+        lambda _root, model, report: junit_tests.junit_text(model, report),
+    ),
+    ToolFile(
+        svd.NAME,
+        "The registers that the firmware uses, in CMSIS-SVD, for a debugger.",
+        lambda root, _model, _report: svd.svd_of(read_registers(root)),
+        TABLE,
+    ),
+    *(
+        ToolFile(
+            f"ros/{name}",
+            "Message definition of ROS 2, made from the table of the frames.",
+            partial(_ready, text),
+        )
+        for name, text in messages().items()
+    ),
+)
+
+
+def available(root: Path) -> list[ToolFile]:
+    """Those whose source the project has."""
+    return [one for one in FILES if (root / one.source).exists()]

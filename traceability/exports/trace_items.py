@@ -1,0 +1,104 @@
+"""The requirements, tests and methods with their links, for tools that manage requirements."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from traceability.model.design_model import Model
+from traceability.model.report import Report
+
+REQUIREMENT, TEST, METHOD = "requirement", "test", "method"
+
+
+@dataclass(frozen=True)
+class TraceItem:
+    """A requirement, a test or a method."""
+
+    id: str
+    kind: str
+    title: str
+    text: str
+    state: str  # verdict of a requirement, result of a test
+    file: str
+    line: int
+    values: dict[str, str] = field(default_factory=dict)  # further attributes
+    links: Sequence[str] = ()  # requirements that a test verifies, or a method satisfies
+
+    @property
+    def place(self) -> str:
+        return f"{self.file}:{self.line}" if self.file else ""
+
+
+# The attributes of a requirement besides its text; a method or a test has none of them.
+VALUES = ("section", "rationale", "source", "priority", "level", "method", "products", "goals")
+
+
+def trace_items(model: Model, report: Report) -> list[TraceItem]:
+    """Requirements first, then the tests and the methods that are linked to them."""
+    return [*_requirements(model, report), *_tests(model), *_methods(model)]
+
+
+def _requirements(model: Model, report: Report) -> list[TraceItem]:
+    return [
+        TraceItem(
+            item.id,
+            REQUIREMENT,
+            item.id,
+            item.text,
+            report.requirements[item.id].state,
+            item.place.file,
+            item.place.line,
+            {
+                "section": item.section,
+                "rationale": item.rationale,
+                "source": item.source,
+                "priority": item.priority,
+                "level": item.level,
+                "method": item.method,
+                "products": ", ".join(item.products),
+                "goals": ", ".join(item.goals),
+            },
+        )
+        for item in model.requirements.values()
+    ]
+
+
+def _tests(model: Model) -> list[TraceItem]:
+    return [
+        TraceItem(
+            test.id,
+            TEST,
+            test.id,
+            test.brief,
+            ", ".join(f"{target}: {run.result}" for target, run in test.results.items()),
+            test.place.file,
+            test.place.line,
+            links=test.verifies,
+        )
+        for test in model.tests.values()
+        if test.verifies
+    ]
+
+
+def _methods(model: Model) -> list[TraceItem]:
+    satisfied: dict[str, list[str]] = {}
+    for item in model.requirements.values():
+        for method in item.satisfied_by:
+            satisfied.setdefault(method, []).append(item.id)
+    places = {
+        method.id: method.place for module in model.modules.values() for method in module.methods
+    }
+    return [
+        TraceItem(
+            name,
+            METHOD,
+            name,
+            "",
+            "",
+            places[name].file if name in places else "",
+            places[name].line if name in places else 0,
+            links=links,
+        )
+        for name, links in sorted(satisfied.items())
+    ]

@@ -1,0 +1,50 @@
+"""The registers that the firmware uses: the table src/k64/registers.hpp."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+
+TABLE = Path("src/k64/registers.hpp")
+BLOCK = re.compile(r"/// @brief ([^\n]+)\nnamespace (\w+) \{\n(.*?)\n\}  // namespace", re.DOTALL)
+REGISTER = re.compile(r"Register<std::uint(\d+)_t, (0x[0-9A-F]+)(?:, Access::(\w+))?> (\w+);")
+BIT = re.compile(r"auto (\w+) = (\w+)\.bit\((\d+)\);")
+DISTANCE = re.compile(r"k(?:Port|Port4|Converter)Distance = (0x[0-9A-F]+);")
+
+
+@dataclass(frozen=True)
+class Register:
+    name: str
+    address: int
+    bits: int
+    access: str  # as enum Access names it
+    flags: dict[str, int] = field(default_factory=dict)  # name -> number of the bit
+
+
+@dataclass(frozen=True)
+class RegisterBlock:
+    name: str  # of its namespace
+    brief: str
+    registers: list[Register]
+    distance: int  # from one block of its kind to the next [byte]; 0: there is one
+
+
+def read_registers(root: Path) -> list[RegisterBlock]:
+    """The blocks, in the order of the table."""
+    text = (root / TABLE).read_text(encoding="utf-8")
+    return [_block(*match.groups()) for match in BLOCK.finditer(text)]
+
+
+def _block(brief: str, block: str, body: str) -> RegisterBlock:
+    flags: dict[str, dict[str, int]] = {}
+    for bit, register, number in BIT.findall(body):
+        flags.setdefault(register, {})[bit.removeprefix(f"{register}_")] = int(number)
+    registers = [
+        Register(
+            register, int(address, 16), int(bits), access or "ReadWrite", flags.get(register, {})
+        )
+        for bits, address, access, register in REGISTER.findall(body)
+    ]
+    distance = DISTANCE.search(body)
+    return RegisterBlock(block, brief, registers, int(distance[1], 16) if distance else 0)
