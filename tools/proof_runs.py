@@ -25,8 +25,11 @@ from traceability.schema import ProofProperty, ProofResult
 SPIN, COMPILER = "spin", "cc"
 SECONDS = 300  # for each step of a proof
 DEPTH = 5_000_000  # steps
+# Depths at which a shorter counterexample is searched; a person reads it.
+SHORT = (100, 200, 300, 400, 600, 800, 1200, 2000, 4000)
 MEMORY_MB = 6000
 WORKERS = 2
+OPTIONS = ("-O2", "-w", "-DNOFAIR", "-DVECTORSZ=512", f"-DMEMLIM={MEMORY_MB}")
 STATES = re.compile(r"^\s*(\d+) states, stored", re.MULTILINE)
 REACHED = re.compile(r"depth reached (\d+), errors: (\d+)")
 EVENT = re.compile(
@@ -90,8 +93,7 @@ def prove_one(root: Path, declared: Declared, proof: ProofProperty) -> ProofResu
     (folder / "model.pml").write_text(model, encoding="utf-8")
     begin = time.monotonic()
     call(folder, proof, [SPIN, "-a", "model.pml"])
-    options = ["-O2", "-w", "-DNOFAIR", "-DVECTORSZ=512", f"-DMEMLIM={MEMORY_MB}"]
-    call(folder, proof, [COMPILER, *options, "-o", "pan", "pan.c"])
+    call(folder, proof, [COMPILER, *OPTIONS, "-o", "pan", "pan.c"])
     said = call(folder, proof, ["./pan", "-a", "-n", f"-m{DEPTH}"])
     return judged(root, declared, proof, said, time.monotonic() - begin)
 
@@ -122,6 +124,12 @@ def judged(
 def counterexample(root: Path, proof: ProofProperty) -> list[str]:
     """Returns the rounds, events and transitions that lead to the violation of a property."""
     folder = root / FOLDER / proof.name
+    call(folder, proof, [COMPILER, *OPTIONS, "-DREACH", "-o", "pan", "pan.c"])
+    for depth in SHORT:
+        said = call(folder, proof, ["./pan", "-a", "-n", f"-m{depth}"])
+        reached = REACHED.search(said)
+        if reached and reached[2] != "0":
+            break
     said = call(folder, proof, [SPIN, "-t", "model.pml"])
     found = [match[1] or "from here on for ever:" for match in EVENT.finditer(said)]
     return found or ["the counterexample has no event"]

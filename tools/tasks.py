@@ -112,7 +112,7 @@ PYTHON_TESTS: dict[str, tuple[str, ...]] = {
     "checks": ("design",),
     "exports": (),
     "portal": ("site", "docs"),
-    "tools": ("site", "setup", "wr", "tests/drift", *DESIGN, "sim", "tests/usual_design"),
+    "tools": ("site", "setup", "wr", "tests/drift", "design", *DESIGN, "sim", "tests/usual_design"),
     "client": ("design", "docs", "sim/scenario"),
     "firmware": (*DESIGN, "sim", "tests/k64"),
     "programs": ("sim/scenario", "design", "site", str(COVERAGE_LINES)),

@@ -39,6 +39,8 @@ byte reset;  // 0: none
 #define DROPPED_ORDER 10
 #define DROPPED_STOP 11
 
+#define stops (frame == ORDER_STOP || frame == DROPPED_STOP)
+
 #define RESET_WATCHDOG 1
 #define RESET_POWER 2
 #define RESET_CLOCK 3
@@ -189,13 +191,25 @@ inline choose_frame() {
   fi
 }
 
+// observer
+inline hear_rc() {
+  rc_centred = rc == RC_PC || rc == RC_NEUTRAL || rc == RC_SILENT;
+  rc_ordered = rc == RC_NEUTRAL || rc == RC_DRIVES || rc == RC_UNATTENDED
+}
+
+// observer
+inline hear_pc() {
+  pc_sent = pc_sent || frame != 0;
+  heard_stop = heard_stop || stops
+}
+
 // ---- the remote control ---------------------------------------------------------
 
 // code: EnableSwitch::serve, EnableSwitch::takePosition, EnableSwitch::unattended, EnableSwitch::newMessage
 inline serve_rc() {
   if
   :: rc == RC_OFF || rc == RC_STOP || rc == RC_UNATTENDED -> rc_stopped = true
-  :: rc == RC_PC || rc == RC_NEUTRAL || rc == RC_SILENT -> rc_stopped = false; rc_centred = true
+  :: rc == RC_PC || rc == RC_NEUTRAL || rc == RC_SILENT -> rc_stopped = false
   :: else
   fi;
   if
@@ -203,7 +217,6 @@ inline serve_rc() {
   :: rc == RC_DRIVES || rc == RC_UNATTENDED -> rc_order = MOVING
   :: else -> rc_order = NONE
   fi;
-  rc_ordered = rc_order != NONE;
   rc = 0
 }
 
@@ -253,14 +266,13 @@ inline forget_order() {
   fi
 }
 
-#define stops (frame == ORDER_STOP || frame == DROPPED_STOP)
 #define good_order (frame >= ORDER_NEUTRAL && frame <= ORDER_ACKNOWLEDGE_MOVING)
 #define neutral_order (frame == ORDER_NEUTRAL || frame == ORDER_ACKNOWLEDGE)
 
 // code: SerialReader::heedStop
 inline heed_stop() {
   if
-  :: stops -> pc_stop = true; heard_stop = true
+  :: stops -> pc_stop = true
   :: else
   fi
 }
@@ -286,7 +298,6 @@ inline take_order() {
 
 // code: PcConnection::answer, PcConnection::handle, PcConnection::offered, Handshaking::confirm
 inline answer_frame() {
-  pc_sent = pc_sent || frame != 0;
   if
   :: frame == 0
   :: frame == HELLO ->
@@ -320,9 +331,9 @@ inline serve_pc() {
   choose_time();
   d_step { check_time() };
   choose_frame();
-  d_step { answer_frame() };
+  d_step { hear_pc(); answer_frame() };
   choose_frame();
-  d_step { answer_frame() };
+  d_step { hear_pc(); answer_frame() };
   choose_time();
   d_step {
     check_time();
@@ -443,7 +454,7 @@ inline stages_recover() {
 
 #define stop_in_force (rc_stopped || pc_stop || pc_kept)
 
-// code: MainController::applyControl, MainController::holdSystems, MainController::noteStop, Reconnecting::control, SafeSystem::activate
+// code: MainController::applyControl, MainController::noteStop, Reconnecting::control, SafeSystem::activate
 inline control() {
   release = false;
   if
@@ -472,6 +483,7 @@ inline cycle() {
     missed = false;
     abandoned = false;
     age_order();
+    hear_rc();
     serve_rc()
   };
   serve_pc();

@@ -452,7 +452,7 @@ _FIXED = [
         "Properties formalise requirements that exist",
         "Each property of design/proofs/properties.toml names a requirement that exists, and its "
         "formula has only names that the observer of the composition sets.",
-        "whether the formula says the same as its sentence and its requirement.",
+        "whether the formula, its sentence and its requirement mean the same.",
         "correct the property.",
     ),
     Check(
