@@ -34,6 +34,7 @@ from tools.documents import FINDINGS, make_documents
 from tools.live_runs import PRESET as WEB
 from tools.live_runs import SCRIPT as LIVE_SCRIPT
 from tools.live_runs import build_module, measure_live
+from tools.proof_runs import missing_program, prove_all
 from tools.python_tests import run_pytest
 from tools.sizes import write_products, write_sizes
 from tools.task_graph import Graph, Outcome, Task
@@ -49,6 +50,7 @@ from traceability.reading.closed_loop_record import DECLARED, EXAMPLES, OUTCOMES
 from traceability.reading.live_record import RECORD as LIVE_RECORD
 from traceability.reading.products import DEFAULT, PRODUCTS
 from traceability.reading.products import LIST as PRODUCT_LIST
+from traceability.reading.proof_record import PROOFS
 from traceability.reading.results import COVERAGE, COVERAGE_LINES, RESULTS
 from traceability.reading.seeded_fault_record import RECORD as FAULTS
 from traceability.reading.task_record import is_fresh
@@ -75,12 +77,19 @@ RESULT_TASKS = (
     LIVE_MODULE,
     task_record.LIVE,
     task_record.CALLS,
+    task_record.PROOFS,
 )
 
 # ---- declared inputs ---------------------------------------------------------
 
 DESIGN = ("src", "extensions")
 BUILD_FILES = ("CMakeLists.txt", "CMakePresets.json", "setup/k64-toolchain.cmake")
+PROOF_INPUTS = (
+    "design/fsm",
+    "design/proofs",
+    "traceability/model/promela.py",
+    "tools/proof_runs.py",
+)
 SCENARIOS = (str(EXAMPLES), "tests/system", "tests/usual_design")  # tests and runs read them
 TOOLS = ("traceability", "site/portal", "tools", "client", "pyproject.toml", "setup/python.lock")
 # The seeded faults: the sources, the checks, and the faults.
@@ -93,7 +102,7 @@ SHOWN = (*SEEDED, "site", "setup", "wr")
 SHOWN_RESULTS = (
     *("trace.json", "board.json", "coverage.json", "coverage_lines.json", "closed_loop.json"),
     *("bench.json", "bench_paper.json", "usual_design.json", "products.json", "size_k64.json"),
-    "calls.json",
+    *("calls.json", "proofs.json"),
     *("image_k64.json", "driver_faults.json", "mutation.json", "drift.json"),
     *("trace.cost.json", "plain.cost.json", "live.json"),
 )
@@ -105,7 +114,8 @@ PYTHON_TESTS: dict[str, tuple[str, ...]] = {
     "exports": (*DESIGN, "sim", "docs"),
     "portal": ("site", "docs"),
     "tools": (
-        *("site", "setup", "wr", ".vscode", "tests/drift", *DESIGN, "sim", "tests/usual_design"),
+        *("site", "setup", "wr", ".vscode", "tests/drift", "design", *DESIGN, "sim"),
+        "tests/usual_design",
     ),
     "client": ("design", "docs", "sim/scenario", "site"),
     "firmware": (*DESIGN, "sim", "tests/k64"),
@@ -231,6 +241,13 @@ def measurements(root: Path) -> list[Task]:
             (*DESIGN, str(DECLARED_RECORDINGS), str(ALL_SCENARIOS), "design/frames.toml"),
             (str(CALL_RECORD),),
             inputs_from=(VIRTUAL_BOARD, RECORDED_IMAGES),
+        ),
+        Task(
+            task_record.PROOFS,
+            partial(prove_all, root),
+            PROOF_INPUTS,
+            (str(PROOFS),),
+            state=missing_program,
         ),
         Task(
             task_record.BASELINE,

@@ -47,6 +47,7 @@ WHY = {
     "tree": "A tree shows how the code fulfils a requirement: it must be possible "
     "in the code, and occur in a run.",
     "fsm": "A state machine is read instead of the code of its states: both must be equal.",
+    "proof": "A test shows some sequences of events; a proof of the model covers all of them.",
     "exec": "Contexts of different priorities share data: a call in the wrong place causes a fault "
     "only once in a thousand cycles.",
     "stack": "The threads and interrupts share one stack: it must be large enough for the worst "
@@ -454,6 +455,31 @@ _FIXED = [
         "nothing is compared while results are stale.",
         "test the transition through its Context, in a test of its requirement, or correct the "
         "machine.",
+    ),
+    Check(
+        "proof-composition",
+        "The proofs speak of the machines and the code of the design",
+        "Every machine of design/fsm has its step, its guards and its events in the composition "
+        "design/proofs/robot.pml. Each hand-written step of the composition names methods that "
+        "exist, and each of its numbers is that of the constants that it names.",
+        "whether a step does the same as its methods.",
+        "correct the composition, or the names of the code in it.",
+    ),
+    Check(
+        "proof-property",
+        "Properties formalise requirements that exist",
+        "Each property of design/proofs/properties.toml names a requirement that exists, and its "
+        "formula has only names that the observer of the composition sets.",
+        "whether the formula, its sentence and its requirement mean the same.",
+        "correct the property.",
+    ),
+    Check(
+        "proof-proven",
+        "Each property is proven",
+        "Spin explored every state of the model, and found no sequence of events that violates "
+        "the property.",
+        "nothing is compared while Spin did not run on the present design.",
+        "correct the design, or the formula; the page Proofs shows the counterexample.",
     ),
     Check(
         "uses-apart",

@@ -16,6 +16,7 @@ from traceability.model.execution import with_execution
 from traceability.model.likely_changes import changes_of
 from traceability.model.metrics import read_measured
 from traceability.model.orphan_methods import justify
+from traceability.model.promela import proofs_of
 from traceability.model.reviews import with_reviews
 from traceability.model.safety_case import safety_of
 from traceability.model.stack import prove
@@ -120,6 +121,7 @@ def _assemble(
         outcomes=read_record(root),
         last=_last(root, model.sources_hash),
         build=read_build(root),
+        proofs=proofs_of(root, declared),
     )
     model = replace(model, logic_modules=_logic_modules(model, facts))
     model = _with_calls(model, facts)
@@ -152,7 +154,7 @@ def _last(root: Path, sources: str) -> dict[str, LastRecord]:
 
 
 def source_files(root: Path) -> list[str]:
-    suffixes = (".hpp", ".cpp", ".h", ".dox", ".toml", ".tree", ".S", ".ld")
+    suffixes = (".hpp", ".cpp", ".h", ".dox", ".toml", ".tree", ".pml", ".S", ".ld")
     paths = files_below(root, (*DESIGN, "sim", "tests", "requirements", "design"), suffixes)
     return [str(path.relative_to(root)) for path in paths]
 

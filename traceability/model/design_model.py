@@ -43,6 +43,7 @@ from traceability.schema import (
     PaperStatement,
     PatternApplication,
     ProductImage,
+    Proofs,
     Requirement,
     SafetyCase,
     SharedMember,
@@ -103,6 +104,7 @@ class Model:
     designed_applications: Mapping[str, str] = field(default_factory=dict)  # id -> pattern
     closed_loop: Sequence[LoopScenario] = field(default_factory=list)
     safety: SafetyCase = field(default_factory=SafetyCase)
+    proofs: Proofs = field(default_factory=Proofs)
     # Records of other steps; ``None`` when they are not of the present sources.
     bench: Mapping[str, BenchScenario] | None = None
     bench_paper: Mapping[str, BenchScenario] | None = None  # without safety functions
