@@ -24,6 +24,7 @@ from tools import (
     sim,
     verify_build,
 )
+from tools.campaign import command as campaign
 from tools.lock import BUSY, BusyError
 from tools.steps import FailureError, MissingError
 
@@ -44,6 +45,7 @@ def parser() -> argparse.ArgumentParser:
         verify_build,
         show_impact,
         mutate,
+        campaign,
         lint,
         firmware,
         flash,

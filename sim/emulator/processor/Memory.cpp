@@ -71,7 +71,11 @@ void Memory::load(std::uint32_t address, std::span<const std::uint8_t> bytes) {
   }
   std::ranges::copy(bytes, area->at(address));
   if (area->instructions != nullptr) {
-    std::fill_n(area->instructions.get(), area->size / 2, Instruction{});
+    // The instruction before the first byte may reach into it.
+    const std::uint32_t offset = address - area->address;
+    const std::uint32_t first = offset / 2 - (offset >= 2 ? 1 : 0);
+    const auto end = static_cast<std::uint32_t>((offset + bytes.size() + 1) / 2);
+    std::fill(area->instructions.get() + first, area->instructions.get() + end, Instruction{});
   }
 }
 
