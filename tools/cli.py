@@ -29,6 +29,7 @@ from tools import (
     sim,
     verify_build,
 )
+from tools.campaign import command as campaign
 from tools.lock import BUSY, BusyError
 from tools.steps import FailureError, MissingError
 
@@ -53,6 +54,7 @@ def parser() -> argparse.ArgumentParser:
         debug,
         mutate,
         prove,
+        campaign,
         lint,
         firmware,
         flash,
