@@ -142,7 +142,8 @@ class Problem:
         for loop, bound in self.rounds:
             inside = [ways[begin, loop.head] for begin in loop.back]
             # A loop that leaves only behind its body jumps back once less than it has rounds.
-            leaves = any(one not in loop.blocks for one in self.code.blocks[loop.head].exits())
+            exits = self.code.blocks[loop.head].exits()
+            leaves = loop.head not in loop.back and any(one not in loop.blocks for one in exits)
             jumps = bound.rounds if leaves or bound.in_all else max(bound.rounds - 1, 0)
             outside = [v for (b, e), v in ways.items() if e == loop.head and b not in loop.back]
             most = jumps * (1 if bound.in_all else solver.qsum(outside))
