@@ -33,8 +33,9 @@ from traceability.reading.machine_code import (
     places,
     read_code,
 )
+from traceability.reading.results import numbers_told
 from traceability.reading.source_facts import Facts
-from traceability.schema import ExecutionContext, TimeBound, TimeProof
+from traceability.schema import VIRTUAL_K64, ExecutionContext, TimeBound, TimeProof
 from traceability.schema import Place as SourcePlace
 
 PASSES = re.compile(r"//\s*passes:\s*([^;]+?)\s*(?:;|$)")
@@ -73,10 +74,14 @@ class Bounds:
         text = lines[place[1] - 1]
         before = lines[place[1] - 2].strip() if place[1] > 1 else ""
         found = DECLARED.search(text) or (DECLARED.match(before) if before else None)
-        if found:
-            return Bound(self.value(found[1]), found[2] is not None)
         head = HEAD.search(text)
-        return Bound(self.value(head[2]), False) if head else None
+        if not found and not head:
+            return None
+        try:
+            rounds = self.value(found[1] if found else head[2] if head else "")
+        except (KeyError, SyntaxError, ValueError):
+            return None  # a name that no constant has: the loop counts as one without a bound
+        return Bound(rounds, found is not None and found[2] is not None)
 
     def passes(self, place: Place) -> int | None:
         """How often a line is passed at most in all of a call of its function."""
@@ -430,7 +435,7 @@ def prove_times(root: Path, model: Model, facts: Facts) -> TimeProof | None:
     return TimeProof(
         contexts=contexts,
         cycle_ms=_response(contexts) / CLOCK,
-        seen_ms=_seen(model),
+        seen_ms=_seen(root, model),
         unbound=sorted((name, SourcePlace(*place)) for name, place in times.unbound),
         unresolved=sorted((name, SourcePlace(*place)) for name, place in times.unresolved),
     )
@@ -473,7 +478,10 @@ def _response(contexts: Iterable[TimeBound]) -> float:
     return float("inf")
 
 
-def _seen(model: Model) -> float | None:
-    """The longest time to the report that any run of the bench had [ms]."""
+def _seen(root: Path, model: Model) -> float | None:
+    """The longest time to the report, in the runs of the bench and in tests of the image [ms]."""
     runs = [run for scenario in (model.bench or {}).values() for run in scenario.runs.values()]
-    return max((run.report_ms.maximum for run in runs), default=None)
+    found = [run.report_ms.maximum for run in runs]
+    if not model.stale_on(VIRTUAL_K64):
+        found += [cycles / CLOCK for cycles in numbers_told(root, VIRTUAL_K64, "longest_cycle")]
+    return round(max(found), 3) if found else None
