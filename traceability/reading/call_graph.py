@@ -1,6 +1,6 @@
 """The functions of an image with their frames and calls, as the compiler reports them.
 
-The compiler writes a graph for each unit, and for the units that are linked as a whole one beside
+The compiler writes a graph for each unit, and for the units that are linked as a whole one next to
 the image (``-fcallgraph-info=su``): frames, direct calls, and the places of indirect ones. A
 function of the toolchain's libraries has none; its frame and calls are read from its instructions.
 """
