@@ -406,7 +406,8 @@ _FIXED = [
         "time-bound",
         "Each loop of the image has a bound",
         "Each loop and each copy of unknown size that a handler of the image reaches has a bound: "
-        "the constant in its head, or one that is declared next to it. Each indirect call is known.",
+        "the constant in its head, or one that is declared next to it. Each indirect call is "
+        "known.",
         "whether a declared bound is right; loops that run only before the first interrupt.",
         "write the bound above the loop.",
     ),

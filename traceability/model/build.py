@@ -19,6 +19,7 @@ from traceability.model.orphan_methods import justify
 from traceability.model.promela import proofs_of
 from traceability.model.reviews import with_reviews
 from traceability.model.safety_case import safety_of
+from traceability.model.pattern_price import prices
 from traceability.model.stack import prove
 from traceability.model.state_machines import machines_of
 from traceability.model.tests import with_board_findings, with_executed_modules, with_tests
@@ -139,6 +140,7 @@ def _assemble(
     )
     model = _with_measures(with_dictionary(model, facts), root, coverage)
     model = replace(model, times=prove_times(root, model, facts))
+    model = replace(model, prices=prices(root, model, facts))
     model = with_trees(model, facts, traces, build_folder / "cache")
     model = justify(with_verification(model, facts, coverage), declared.justified)
     model = replace(model, safety=safety_of(model, facts))

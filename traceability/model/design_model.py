@@ -48,6 +48,7 @@ from traceability.schema import (
     SafetyCase,
     SharedMember,
     SharedPipe,
+    PatternPrice,
     StackProof,
     StateMachine,
     Test,
@@ -75,6 +76,7 @@ class Model:
     mutation: Mutation | None = None  # of these sources
     machines: Mapping[str, StateMachine] = field(default_factory=dict)
     contexts: Mapping[str, ExecutionContext] = field(default_factory=dict)
+    prices: Mapping[str, PatternPrice] = field(default_factory=dict)  # by application
     times: TimeProof | None = None  # of the image, when it was built from the present sources
     stack: StackProof | None = None  # of the image, when it was built from the present sources
     pipes: Sequence[SharedPipe] = field(default_factory=list)

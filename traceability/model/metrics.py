@@ -128,6 +128,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
         "tests.passed": sum(run.result == "passed" for run in runs) if fresh else None,
         "coverage.drivers_on_board": _executed(model.board_lines),
         "firmware.stack_bytes": model.stack.total if model.stack and model.stack.proven else None,
+        "patterns.price": {name: asdict(one) for name, one in model.prices.items()} or None,
         "bench.wcet_cycle_ms": (
             round(model.times.cycle_ms, 3) if model.times and model.times.proven else None
         ),
