@@ -41,7 +41,7 @@ def run_pytest(root: Path, folder: str, log: TextIO, *options: str) -> Outcome:
 
 
 def failed_tests(results: Path) -> list[str]:
-    """The names of the failed tests, as pytest and ./wr debug know them."""
+    """The names of the failed tests, in the form of pytest and ./wr debug."""
     return [
         f"{case.get('classname', '').replace('.', '/')}.py::{case.get('name')}"
         for case in ET.parse(results).iter("testcase")
