@@ -123,7 +123,7 @@ def instructions_by_function(measured: dict[str, Any], symbols: str) -> dict[str
 
 
 def sizes_of(root: Path, design: str) -> dict[str, Size]:
-    return image_sizes(image_of(root, design, ".elf"), image_of(root, design, ".map"))
+    return image_sizes(image_of(root, design, ".elf"))
 
 
 def own_parts(sizes: dict[str, dict[str, Size]], design: str) -> set[str]:

@@ -20,6 +20,7 @@ from tools import (
     make_portal,
     mutate,
     plot,
+    prove,
     release,
     review,
     run_tests,
@@ -28,6 +29,7 @@ from tools import (
     sim,
     verify_build,
 )
+from tools.campaign import command as campaign
 from tools.lock import BUSY, BusyError
 from tools.steps import FailureError, MissingError
 
@@ -51,6 +53,8 @@ def parser() -> argparse.ArgumentParser:
         diff,
         debug,
         mutate,
+        prove,
+        campaign,
         lint,
         firmware,
         flash,

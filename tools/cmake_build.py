@@ -18,7 +18,7 @@ from typing import Any, TextIO
 
 from tools.steps import FailureError, run
 from tools.task_graph import Outcome
-from traceability.reading.products import DEFAULT, PAPER, image_of
+from traceability.reading.products import DEFAULT, PAPER, image_of, recorded_image_of
 from traceability.reading.results import cost_of
 from traceability.sources import FRAMES, TESTED, files_below, source_hash
 
@@ -134,11 +134,11 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
     program = program_of(root, run_name)
     seed = {"WR_SEED": os.environ.get("WR_SEED") or str(secrets.randbits(31))}
     suites, seconds, ended = run_shards(results, program, log, seed)
-    if on_board and (names := of_each_image(suites)):
-        image = root / image_of(DEFAULT, ".bin")
-        again = {**seed, "WR_IMAGE": str(image), "GTEST_FILTER": ":".join(names)}
-        second = run_shards(results, program, log, again)
-        suites, seconds, ended = suites + second[0], seconds + second[1], ended or second[2]
+    names = of_each_image(suites) if on_board else []
+    for image in (image_of(DEFAULT, ".bin"), recorded_image_of(PAPER, ".bin")) if names else ():
+        again = {**seed, "WR_IMAGE": str(root / image), "GTEST_FILTER": ":".join(names)}
+        more = run_shards(results, program, log, again)
+        suites, seconds, ended = suites + more[0], seconds + more[1], ended or more[2]
     merged = {"testsuites": suites}
     results.write_text(json.dumps(merged) + "\n")
     cost = {"sources": source_hash(root), "seconds": seconds}

@@ -6,7 +6,16 @@ import argparse
 from pathlib import Path
 
 from tools.lock import only_one
-from tools.sizes import ELF, PARTS, Size, output, total, write_products, write_sizes
+from tools.sizes import (
+    ELF,
+    PARTS,
+    Size,
+    output,
+    place_in_binary,
+    total,
+    write_products,
+    write_sizes,
+)
 from tools.steps import FailureError
 from tools.tasks import FIRMWARE, graph
 from traceability.exports.svd import NAME, write_svd
@@ -75,9 +84,9 @@ def print_products(wholes: dict[str, Size]) -> None:
 def identity(elf: Path, image: Path) -> tuple[str, str]:
     """Version and build id, read from the bytes of the image."""
     for line in output("arm-none-eabi-nm", "--demangle", elf).splitlines():
-        address, _, symbol = line.split(maxsplit=2) if line.count(" ") > 1 else ("", "", "")
+        address, _, symbol = (*line.split(maxsplit=2), "", "")[:3]
         if symbol == "wr::firmwareIdentity":
-            start = int(address, 16)
+            start = place_in_binary(elf, int(address, 16))
             found = image.read_bytes()[start : start + 11]
             return ".".join(map(str, found[:3])), found[3:].decode("ascii", errors="replace")
     raise FailureError(f"{elf.name} has no identity")

@@ -1,4 +1,4 @@
-"""Flash and RAM of each part of the image for the K64, from the map that the linker writes."""
+"""Flash and RAM of each part of the image for the K64."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import json
 import re
 import subprocess
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
@@ -14,6 +14,8 @@ from pathlib import Path
 from tools.forbidden_parts import forbidden
 from tools.image import FIELD
 from tools.steps import FailureError
+from traceability.reading.bench_record import LIBRARY, frames_of
+from traceability.reading.bench_record import owner as module_of
 from traceability.reading.image_record import TOTALS
 from traceability.reading.products import (
     DEFAULT,
@@ -22,19 +24,23 @@ from traceability.reading.products import (
     image_of,
     module_names,
     modules_in,
+    recorded_image_of,
 )
 
 ELF = image_of(DEFAULT, ".elf")
 SIZES = Path("build/results/size_k64.json")
 # Parts of the image that are no module.
 VECTORS, CONFIGURATION = "vectors", "flash configuration field"
-LIBRARY, STACK, PADDING = "C library", "stack", "padding"
+STACK, PADDING = "stack", "padding and unnamed constants"
 PARTS = (VECTORS, CONFIGURATION, LIBRARY, STACK, PADDING)
 
-SECTION = re.compile(r"^(\.\S+)(?:\s+0x[0-9a-f]+\s+0x[0-9a-f]+.*)?$")
-INPUT = re.compile(r"^ (?:\*fill\*|\S+)?\s+0x[0-9a-f]+\s+0x([0-9a-f]+)\s+(\S.*)$")
-OBJECT = re.compile(r"((?:start_up/)?[^/()]+)\.cpp\.o(?:bj)?\)?$")
-HEADER = re.compile(r"^\s*\d+\s+(\S+)\s+([0-9a-f]+)\s+([0-9a-f]+)\s")
+SRAM = 0x1FFF0000  # RAM begins here
+HEADER = re.compile(r"^\s*\d+\s+(\S+)\s+([0-9a-f]+)\s+([0-9a-f]+)\s+([0-9a-f]+)\s")
+# An object: address, size, name, and the file of its source where the compiler tells it.
+OBJECT = re.compile(
+    r"^([0-9a-f]+) ([0-9a-f]+) [bdrvBDRV] (\S+)(?:\t.*?(\w+)\.[ch]pp:\d+)?$", re.MULTILINE
+)
+CLASS_TABLE = re.compile(r"^_ZTVN2wr(\d+)(\w+)$")
 
 
 @dataclass
@@ -52,27 +58,58 @@ class Section:
     name: str
     size: int
     address: int
+    load: int  # where the binary has it
     in_flash: bool
     in_ram: bool
+    code: bool
+
+    def holds(self, address: int) -> bool:
+        return self.address <= address < self.address + self.size
 
 
-def image_sizes(elf: Path, linker_map: Path) -> dict[str, Size]:
-    """Part -> size. The sum is the size that arm-none-eabi-size reports for the whole image."""
-    inputs: dict[str, list[tuple[str, int]]] = defaultdict(list)
-    for name, part, size in contributions(linker_map.read_text(encoding="utf-8")):
-        inputs[name].append((part, size))
+def image_sizes(elf: Path, recorded: Path | None = None) -> dict[str, Size]:
+    """Part -> size. The flash is what arm-none-eabi-size reports for the whole image.
+
+    An instruction belongs to the module that its line of source is in, wherever it was inlined.
+    An object belongs to the module that defines it, by the ``recorded`` image: an image that was
+    linked as a whole has lost that.
+    """
     sizes: dict[str, Size] = defaultdict(Size)
+    known = list(objects(elf, homes(recorded or elf)))
     for section in sections(elf):
         rest = section.size
-        for part, size in inputs[section.name]:
-            add(sizes[owner(section) or part], section, size)
+        if whole := owner(section):
+            add(sizes[whole], section, section.size)
+            continue
+        held = ((part, size) for address, part, size in known if section.holds(address))
+        for part, size in instructions(elf, section) if section.code else held:
+            add(sizes[part], section, size)
             rest -= size
-        if rest < 0:
-            raise FailureError(f"{linker_map.name}: {section.name} has more in it than its size")
         if rest:
-            empty = STACK if "stack" in section.name and not inputs[section.name] else PADDING
-            add(sizes[owner(section) or empty], section, rest)
+            add(sizes[STACK if "stack" in section.name else PADDING], section, rest)
     return dict(sizes)
+
+
+def instructions(elf: Path, section: Section) -> Iterator[tuple[str, int]]:
+    """Module and size of each half-word of code."""
+    halves = range(section.address, section.address + section.size - 1, 2)
+    for frames in frames_of(elf, halves).values():
+        yield module_of(frames)[0], 2
+
+
+def homes(elf: Path) -> dict[str, str]:
+    """The module of each object, by its name in the image."""
+    listed = output("arm-none-eabi-nm", "--print-size", "--line-numbers", elf)
+    return {name: module for _, _, name, module in OBJECT.findall(listed) if module}
+
+
+def objects(elf: Path, known: Mapping[str, str]) -> Iterator[tuple[int, str, int]]:
+    """Address, module and size of each object. A table of methods belongs to its class."""
+    for address, size, name, _ in OBJECT.findall(output("arm-none-eabi-nm", "--print-size", elf)):
+        plain = name.partition(".lto_priv")[0]
+        table = CLASS_TABLE.match(plain)
+        part = table[2][: int(table[1])] if table else known.get(plain, PADDING)
+        yield int(address, 16), part, int(size, 16)
 
 
 def add(part: Size, section: Section, size: int) -> None:
@@ -87,39 +124,26 @@ def owner(section: Section) -> str:
     return {0: VECTORS, FIELD: CONFIGURATION}.get(section.address, "")
 
 
-def contributions(text: str) -> Iterator[tuple[str, str, int]]:
-    """Section, part and size of each piece that the linker placed."""
-    _, found, memory_map = text.partition("\nLinker script and memory map\n")
-    if not found:
-        raise FailureError("the linker map has no memory map")
-    section = ""
-    for line in memory_map.splitlines():
-        if match := SECTION.match(line):
-            section = match[1]
-        elif line.startswith("/DISCARD/"):
-            section = ""
-        elif section and (match := INPUT.match(line)) and (size := int(match[1], 16)):
-            yield section, part_of(match[2]), size
-
-
-def part_of(path: str) -> str:
-    """The source that was compiled to this file; other files come with the compiler."""
-    match = OBJECT.search(path)
-    return match[1] if match else LIBRARY
-
-
 def sections(elf: Path) -> list[Section]:
-    """The sections that take memory, as arm-none-eabi-size counts them."""
+    """The sections that take memory. One that is copied into RAM takes flash too."""
     lines = output("arm-none-eabi-objdump", "-h", elf).splitlines()
     found = []
     for line, flags in pairwise(lines):
         match = HEADER.match(line)
         if match and "ALLOC" in flags:
-            constant = "READONLY" in flags or "CODE" in flags
-            in_flash = constant or "CONTENTS" in flags
-            size, address = int(match[2], 16), int(match[3], 16)
-            found.append(Section(match[1], size, address, in_flash, not constant))
+            size, address, load = (int(number, 16) for number in match.groups()[1:])
+            in_flash, in_ram = "CONTENTS" in flags, address >= SRAM
+            code = "CODE" in flags
+            found.append(Section(match[1], size, address, load, in_flash, in_ram, code))
     return found
+
+
+def place_in_binary(elf: Path, address: int) -> int:
+    """Where the binary of an image has what is at an address while the program runs."""
+    for section in sections(elf):
+        if section.in_flash and section.holds(address):
+            return section.load + address - section.address
+    raise FailureError(f"{elf.name} has nothing to load at {address:#x}")
 
 
 def output(*words: str | Path) -> str:
@@ -137,8 +161,17 @@ def total(sizes: dict[str, Size]) -> Size:
     )
 
 
+def whole_of(elf: Path) -> Size:
+    """Flash and RAM of an image."""
+    whole = Size()
+    for section in sections(elf):
+        add(whole, section, section.size)
+    return whole
+
+
 def sizes_of(root: Path, product: str) -> dict[str, Size]:
-    return image_sizes(root / image_of(product, ".elf"), root / image_of(product, ".map"))
+    recorded = root / recorded_image_of(product, ".elf")
+    return image_sizes(root / image_of(product, ".elf"), recorded)
 
 
 def write_products(root: Path) -> dict[str, Size]:
@@ -146,14 +179,14 @@ def write_products(root: Path) -> dict[str, Size]:
     wholes, records = {}, {}
     known = module_names(root)
     for product in PRODUCTS:
-        sizes = sizes_of(root, product)
-        whole = wholes[product] = total(sizes)
+        elf = root / image_of(product, ".elf")
+        whole = wholes[product] = whole_of(elf)
         records[product] = {
             "flash": whole.flash,
             "ram": whole.ram,
-            "stack": sizes[STACK].ram if STACK in sizes else 0,
-            "forbidden": sorted(forbidden(root / image_of(product, ".elf"))),
-            "modules": modules_in(root / image_of(product, ".elf"), known),
+            "stack": next((one.size for one in sections(elf) if "stack" in one.name), 0),
+            "forbidden": sorted(forbidden(elf)),
+            "modules": modules_in(root / recorded_image_of(product, ".elf"), known),
         }
     write_json(root / RESULTS, records)
     return wholes

@@ -34,6 +34,7 @@ from tools.documents import FINDINGS, make_documents
 from tools.live_runs import PRESET as WEB
 from tools.live_runs import SCRIPT as LIVE_SCRIPT
 from tools.live_runs import build_module, measure_live
+from tools.proof_runs import missing_program, prove_all
 from tools.python_tests import run_pytest
 from tools.sizes import write_products, write_sizes
 from tools.task_graph import Graph, Outcome, Task
@@ -49,6 +50,7 @@ from traceability.reading.closed_loop_record import DECLARED, EXAMPLES, OUTCOMES
 from traceability.reading.live_record import RECORD as LIVE_RECORD
 from traceability.reading.products import DEFAULT, PRODUCTS
 from traceability.reading.products import LIST as PRODUCT_LIST
+from traceability.reading.proof_record import PROOFS
 from traceability.reading.results import COVERAGE, COVERAGE_LINES, RESULTS
 from traceability.reading.seeded_fault_record import RECORD as FAULTS
 from traceability.reading.task_record import is_fresh
@@ -56,12 +58,13 @@ from traceability.reading.task_record import is_fresh
 # ---- names -------------------------------------------------------------------
 
 HOST_FIRMWARE, K64_FIRMWARE = "firmware (this machine)", "firmware (K64)"
+RECORDED_IMAGES = "build (K64, to record calls)"
 VIRTUAL_BOARD, BASELINE_BUILD = "virtual K64", "build (baseline design)"
 TESTS_SANITIZE = "tests (sanitize)"
 LIVE_MODULE = "live module"
 DOCUMENTS, PAGES = "documents", "tests (pages)"
 PAGES_RECORD = Path("build/pages.json")
-FIRMWARE = (HOST_FIRMWARE, K64_FIRMWARE, task_record.IMAGES)
+FIRMWARE = (HOST_FIRMWARE, K64_FIRMWARE, RECORDED_IMAGES, task_record.IMAGES)
 # Results that the pages show besides the sources. A reader waits most for the first ones.
 RESULT_TASKS = (
     *FIRMWARE,
@@ -74,12 +77,19 @@ RESULT_TASKS = (
     LIVE_MODULE,
     task_record.LIVE,
     task_record.CALLS,
+    task_record.PROOFS,
 )
 
 # ---- declared inputs ---------------------------------------------------------
 
 DESIGN = ("src", "extensions")
 BUILD_FILES = ("CMakeLists.txt", "CMakePresets.json", "setup/k64-toolchain.cmake")
+PROOF_INPUTS = (
+    "design/fsm",
+    "design/proofs",
+    "traceability/model/promela.py",
+    "tools/proof_runs.py",
+)
 SCENARIOS = (str(EXAMPLES), "tests/system", "tests/usual_design")  # tests and runs read them
 TOOLS = ("traceability", "site/portal", "tools", "client", "pyproject.toml", "setup/python.lock")
 # The seeded faults: the sources, the checks, and the faults.
@@ -92,7 +102,7 @@ SHOWN = (*SEEDED, "site", "setup", "wr")
 SHOWN_RESULTS = (
     *("trace.json", "board.json", "coverage.json", "coverage_lines.json", "closed_loop.json"),
     *("bench.json", "bench_paper.json", "usual_design.json", "products.json", "size_k64.json"),
-    "calls.json",
+    *("calls.json", "proofs.json"),
     *("image_k64.json", "driver_faults.json", "mutation.json", "drift.json"),
     *("trace.cost.json", "plain.cost.json", "live.json"),
 )
@@ -104,7 +114,8 @@ PYTHON_TESTS: dict[str, tuple[str, ...]] = {
     "exports": (*DESIGN, "sim", "docs"),
     "portal": ("site", "docs"),
     "tools": (
-        *("site", "setup", "wr", ".vscode", "tests/drift", *DESIGN, "sim", "tests/usual_design"),
+        *("site", "setup", "wr", ".vscode", "tests/drift", "design", *DESIGN, "sim"),
+        "tests/usual_design",
     ),
     "client": ("design", "docs", "sim/scenario", "site"),
     "firmware": (*DESIGN, "sim", "tests/k64"),
@@ -157,6 +168,7 @@ def builds(root: Path) -> list[Task]:
     return [
         made(HOST_FIRMWARE, ("host", (HOST_PROGRAM,))),
         made(K64_FIRMWARE, ("k64", images)),
+        made(RECORDED_IMAGES, ("k64_calls", images)),
         made(VIRTUAL_BOARD, (BOARD_PRESET, (BOARD_PROGRAM,))),
         *(made(f"build ({name})", (name, (TESTS,))) for name in ("trace", "sanitize", "plain")),
         made("build (virtual K64)", (BOARD_PRESET, (BOARD_TESTS,))),
@@ -187,7 +199,7 @@ def measurements(root: Path) -> list[Task]:
             sizes,
             (*DESIGN, *BUILD_FILES, str(PRODUCT_LIST)),
             tuple(f"{RESULTS}/{name}.json" for name in ("size_k64", "image_k64", "products")),
-            inputs_from=(K64_FIRMWARE,),
+            inputs_from=(K64_FIRMWARE, RECORDED_IMAGES),
         ),
         Task(
             task_record.TESTS_TRACE,
@@ -201,7 +213,7 @@ def measurements(root: Path) -> list[Task]:
             tests(BOARD),
             (*DESIGN, *SCENARIOS),
             (f"{RESULTS}/board.json",),
-            inputs_from=("build (virtual K64)", K64_FIRMWARE),
+            inputs_from=("build (virtual K64)", K64_FIRMWARE, RECORDED_IMAGES),
         ),
         Task(
             task_record.COVERAGE,
@@ -228,7 +240,14 @@ def measurements(root: Path) -> list[Task]:
             partial(record_all, root),
             (*DESIGN, str(DECLARED_RECORDINGS), str(ALL_SCENARIOS), "design/frames.toml"),
             (str(CALL_RECORD),),
-            inputs_from=on_board,
+            inputs_from=(VIRTUAL_BOARD, RECORDED_IMAGES),
+        ),
+        Task(
+            task_record.PROOFS,
+            partial(prove_all, root),
+            PROOF_INPUTS,
+            (str(PROOFS),),
+            state=missing_program,
         ),
         Task(
             task_record.BASELINE,
@@ -263,7 +282,7 @@ def measurements(root: Path) -> list[Task]:
 
 def checks_of_tools(root: Path) -> list[Task]:
     """The tests of the tools, and the faults that are seeded to test the checks."""
-    built = (HOST_FIRMWARE, VIRTUAL_BOARD, K64_FIRMWARE, LIVE_MODULE)
+    built = (HOST_FIRMWARE, VIRTUAL_BOARD, K64_FIRMWARE, RECORDED_IMAGES, LIVE_MODULE)
 
     def tests(folder: str, others: tuple[str, ...]) -> Task:
         return Task(

@@ -740,6 +740,51 @@ class StateMachine:
 
 
 @dataclass(frozen=True)
+class ProofProperty:
+    """A property of the state machines and their composition, in linear temporal logic."""
+
+    name: str
+    requirement: str
+    says: str
+    formula: str
+    place: Place
+
+
+@dataclass(frozen=True)
+class ProofResult:
+    """Result of the proof of a property, and the size of the search."""
+
+    verdict: str  # "proven", "false", "incomplete"
+    states: int
+    depth: int
+    seconds: float
+    events: Sequence[str] = field(default_factory=list)  # lines of the counterexample
+    scenario: str = ""  # file that plays the counterexample, when its events can be played
+
+
+@dataclass(frozen=True)
+class Proofs:
+    """The properties, the model in Promela, and the results if they are of these sources."""
+
+    properties: Mapping[str, ProofProperty] = field(default_factory=dict)
+    results: Mapping[str, ProofResult] | None = None
+    text: str = ""  # the machines and their composition in Promela
+    words: Mapping[str, Sequence[tuple[str, Sequence[str]]]] = field(
+        default_factory=dict
+    )  # the rounds of each counterexample
+
+    def of(self, requirement: str) -> list[ProofProperty]:
+        """Returns the properties that formalise a requirement."""
+        return [one for one in self.properties.values() if one.requirement == requirement]
+
+    @property
+    def proven(self) -> int | None:
+        """How many properties are proven; None when nothing was proven with these sources."""
+        results = self.results
+        return None if results is None else sum(r.verdict == "proven" for r in results.values())
+
+
+@dataclass(frozen=True)
 class ExecutionContext:
     """Code that the hardware enters: an interrupt, the thread of a control system, or the start."""
 
@@ -776,6 +821,33 @@ class StackContext:
     priority: int | None
     bytes: int
     chain: Sequence[StackCall]
+
+
+@dataclass(frozen=True)
+class TimeBound:
+    """The most processor time that an interrupt, or a thread with all its handlers, needs."""
+
+    context: str
+    name: str
+    cycles: int
+    entries: int | None  # of an interrupt in so many ticks of 1 ms; none: once in a control cycle
+    ticks: int
+    why: str
+
+
+@dataclass(frozen=True)
+class TimeProof:
+    """The bounds of the times of the image of the robot."""
+
+    contexts: Sequence[TimeBound]
+    cycle_ms: float  # from the clock pulse to the end of the main thread, with all interrupts
+    seen_ms: float | None  # the longest to the report in a run of the bench
+    unbound: Sequence[tuple[str, Place]]  # loops and copies: function, place
+    unresolved: Sequence[tuple[str, Place]]  # calls: function, place
+
+    @property
+    def proven(self) -> bool:
+        return not (self.unbound or self.unresolved)
 
 
 @dataclass(frozen=True)

@@ -56,10 +56,10 @@ def hash_of(root: Path, paths: Iterable[Path]) -> str:
 def source_hash(root: Path) -> str:
     """Computes the hash of the files that test results depend on.
 
-    Tests and texts of the Python tools are not part of it.
+    Tests of the Python tools and records of campaigns are not part of it.
     """
     suffixes = (".cpp", ".hpp", ".h", ".cmake", ".txt", ".json", ".S", ".ld")
     paths = files_below(root, TESTED, suffixes)
-    python = root / "tests" / "python"
-    tested = [path for path in paths if python not in path.parents]
+    others = {root / "tests" / "python", root / "tests" / "records"}
+    tested = [path for path in paths if others.isdisjoint(path.parents)]
     return hash_of(root, [*tested, *files_below(root, FRAMES)])

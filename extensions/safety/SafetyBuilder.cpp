@@ -25,6 +25,7 @@ void SafetyBuilder::Ticks::execute() {
   if (contact_ != nullptr) {
     contact_->sample();
   }
+  // bound: kWheelCount + 1
   for (Command* command : std::span(commands_).first(count_)) {
     command->execute();
   }

@@ -199,7 +199,8 @@ void CycleMeter::write(std::ostream& output) const {
   }
   output << "},\n\"profile\": {";
   comma = "\n";
-  for (std::uint32_t address = 0; address < emulator::ExecutedCode::kEnd; address += 2) {
+  for (std::size_t half = 0; half < emulator::ExecutedCode::kHalves; ++half) {
+    const std::uint32_t address = emulator::ExecutedCode::addressOf(half);
     if (timesOf(address, false) + timesOf(address, true) != 0) {
       output << comma << '"' << address << "\": [" << timesOf(address, false) << ", "
              << timesOf(address, true) << ']';

@@ -7,13 +7,13 @@
 
 namespace wr::emulator {
 
-/// @brief How often each instruction of the flash was executed.
+/// @brief How often each instruction was executed that is in flash or in the lower RAM.
 class ExecutedCode {
  public:
-  /// @brief Counts an instruction; one outside of the flash is not counted.
+  /// @brief Counts an instruction; one in other memory is not counted.
   /// @param address its first address
   void note(std::uint32_t address) {
-    const std::size_t half = address / 2;
+    const std::size_t half = halfOf(address);
     if (half < counts_.size()) {
       ++counts_[half];
     }
@@ -24,15 +24,21 @@ class ExecutedCode {
 
   /// @brief Returns how often the instruction at an address was executed.
   [[nodiscard]] std::uint64_t timesOf(std::uint32_t address) const {
-    const std::size_t half = address / 2;
+    const std::size_t half = halfOf(address);
     return half < counts_.size() ? counts_[half] : 0;
+  }
+
+  /// @brief Returns the address of a half-word by its number, from 0 to kHalves - 1.
+  [[nodiscard]] static std::uint32_t addressOf(std::size_t half) {
+    const auto place = static_cast<std::uint32_t>(2 * half);
+    return place < kRamSize ? kRam + place : place - kRamSize;
   }
 
   /// @brief Forgets all.
   void clear() { std::ranges::fill(counts_, std::uint64_t{0}); }
 
-  /// @brief Which instructions were executed: one bit for each half-word from address 0, the lowest
-  /// bit of a byte first.
+  /// @brief Which instructions were executed: one bit for each half-word, those of the lower RAM first,
+  /// then those of the flash; the lowest bit of a byte first.
   [[nodiscard]] std::vector<std::uint8_t> bits() const {
     std::vector<std::uint8_t> bits(counts_.size() / 8);
     for (std::size_t half = 0; half < counts_.size(); ++half) {
@@ -42,11 +48,25 @@ class ExecutedCode {
     return bits;
   }
 
-  /// @brief First address after the flash.
-  static constexpr std::uint32_t kEnd = 0x100000;
+ private:
+  static constexpr std::uint32_t kRam = 0x1FFF0000;      // where the lower RAM begins
+  static constexpr std::uint32_t kRamSize = 0x10000;     // [byte]
+  static constexpr std::uint32_t kFlashSize = 0x100000;  // [byte]; it begins at 0
+
+ public:
+  /// @brief Number of half-words.
+  static constexpr std::size_t kHalves = (kRamSize + kFlashSize) / 2;
 
  private:
-  std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(kEnd / 2);
+  static std::size_t halfOf(std::uint32_t address) {
+    if (address < kFlashSize) {
+      return (kRamSize + address) / 2;
+    }
+    const std::uint32_t offset = address - kRam;
+    return offset < kRamSize ? offset / 2 : kHalves;
+  }
+
+  std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(kHalves);
 };
 
 }  // namespace wr::emulator

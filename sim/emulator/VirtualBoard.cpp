@@ -158,6 +158,7 @@ class VirtualBoard::Parts final : public Microcontroller {
   template <typename Done>
   bool runUntil(Time limit, Done done);
   void resetNow(Reset cause);
+  void hold(unsigned line, bool held);
   [[nodiscard]] PinState& port(char name) { return pins_.at(static_cast<std::size_t>(name - 'A')); }
   void drive(char name, unsigned pin, bool level);
 
@@ -252,6 +253,7 @@ class VirtualBoard::Parts final : public Microcontroller {
   bool sleeps_ = false;
   std::uint64_t sleptCycles_ = 0;
   std::bitset<128> lines_;
+  std::bitset<128> held_;  ///< lines that the processor does not see
   std::optional<Reset> wantedReset_;
   bool debugs_ = false;        ///< the access that is served is a debugger's: it causes no finding
   bool debugRefused_ = false;  ///< and was refused
@@ -268,8 +270,8 @@ void VirtualBoard::Parts::build() {
   std::vector<std::uint8_t> flash(kFlashSize, 0xFF);
   std::ranges::copy(image_, flash.begin());
   cpu_.mapMemory(0, kFlashSize, CortexM4::Access::ReadExecute);
-  cpu_.mapMemory(kRamLower, kRamLowerSize, CortexM4::Access::ReadWrite);
-  cpu_.mapMemory(kRamUpper, kRamUpperSize, CortexM4::Access::ReadWrite);
+  cpu_.mapMemory(kRamLower, kRamLowerSize, CortexM4::Access::ReadWriteExecute);
+  cpu_.mapMemory(kRamUpper, kRamUpperSize, CortexM4::Access::ReadWriteExecute);
   cpu_.load(0, flash);
   cpu_.mapWindow(
       kPeripherals, kPeripheralsSize,
@@ -608,7 +610,12 @@ void VirtualBoard::Parts::setLine(unsigned line, bool high) {
   if (rises) {
     tell(Event::Kind::LineRaised, kFirstLine + line, 0);
   }
-  cpu_.setLine(line, high);
+  cpu_.setLine(line, high && !held_[line]);
+}
+
+void VirtualBoard::Parts::hold(unsigned line, bool held) {
+  held_.set(line, held);
+  cpu_.setLine(line, lines_[line] && !held);
 }
 
 void VirtualBoard::Parts::report(std::string id, std::string what) {
@@ -804,6 +811,24 @@ bool VirtualBoard::isOutput(char port, int number) const {
 
 void VirtualBoard::raise(int exception) {
   parts_->cpu().raise(static_cast<unsigned>(exception));
+}
+
+void VirtualBoard::flipBit(std::uint32_t address, unsigned bit) {
+  const std::uint32_t byte = parts_->cpu().word(address & ~3U) >> 8 * (address & 3U);
+  const std::array flipped{static_cast<std::uint8_t>(byte ^ 1U << bit)};
+  parts_->cpu().load(address, flipped);
+}
+
+std::uint32_t VirtualBoard::core(unsigned number) const {
+  return parts_->cpu().core(number);
+}
+
+void VirtualBoard::setCore(unsigned number, std::uint32_t value) {
+  parts_->cpu().setCore(number, value);
+}
+
+void VirtualBoard::holdInterrupt(int irq, bool held) {
+  parts_->hold(static_cast<unsigned>(irq), held);
 }
 
 void VirtualBoard::setExternalClock(bool present) {

@@ -140,6 +140,22 @@ class VirtualBoard {
   /// @brief The hardware raises an exception before the next instruction, e.g. 3 HardFault.
   void raise(int exception);
 
+  /// @brief Inverts a bit of flash or RAM. Throws std::invalid_argument where neither is.
+  /// @param address of the byte
+  /// @param bit 0 to 7
+  void flipBit(std::uint32_t address, unsigned bit);
+
+  /// @brief A core register of the processor: 0 to 12, 13 stack, 14 link, 15 next instruction.
+  [[nodiscard]] std::uint32_t core(unsigned number) const;
+
+  /// @brief Sets a core register of the processor.
+  void setCore(unsigned number, std::uint32_t value);
+
+  /// @brief Keeps the processor from seeing an interrupt line, or lets it see the line again.
+  /// @param irq the line
+  /// @param held true: it is seen as low
+  void holdInterrupt(int irq, bool held);
+
   /// @brief Lets the external clock of 50 MHz come or go.
   void setExternalClock(bool present);
 

@@ -127,6 +127,10 @@ class Robot {
   /// @param drive duty, orientation, enable
   void setWheel(std::size_t wheel, const WheelDrive& drive);
 
+  /// @brief The firmware's signals on the driver of a wheel.
+  /// @param wheel 0 to 3
+  [[nodiscard]] const WheelDrive& drive(std::size_t wheel) const { return drives_.at(wheel); }
+
   /// @brief Switches the motor of the steering.
   /// @param enabled true for on
   void setSteeringEnabled(bool enabled) { steering_.enable(enabled && hasPower()); }

@@ -26,6 +26,7 @@ def bench(portal: Portal) -> dict[str, Any]:
     measured = portal.model.bench or {}
     runs = {name: scenario.runs for name, scenario in measured.items()}
     return {
+        "proof": portal.model.times,
         "record": bench_record,
         "runs": runs,
         "profiles": {name: scenario.profile for name, scenario in measured.items()},

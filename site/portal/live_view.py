@@ -16,7 +16,7 @@ from portal.writing import remove_others, write_changed
 from traceability.model.design_model import Model
 from traceability.reading.closed_loop_record import EXAMPLES
 from traceability.reading.live_record import MODULE, read_live
-from traceability.reading.products import DEFAULT, PAPER, PRODUCTS, image_of
+from traceability.reading.products import DEFAULT, PAPER, PRODUCTS, image_of, recorded_image_of
 from traceability.reading.traces import function_of, method_of
 from traceability.schema import Method, TreeNode
 from weeding_robot_client.layout import Field, Layout, read_frames
@@ -25,14 +25,17 @@ FOLDER = "live"  # of the site
 DATA = "live.json"
 RECORDED = "stop"  # the scenario whose recorded curves the page shows before the robot runs
 SAFETY = Path("sim/scenario/safety")
+CALLS = "_calls"  # ends the name of an image that keeps each method as a function
 SYMBOL = re.compile(r"([0-9a-f]+) [tTwWuV] (.*)")
 
 
 @dataclass
 class Image:
-    """The image of a product, as the page shows it."""
+    """An image of a product, as the page shows it."""
 
     name: str
+    product: str
+    flashed: bool  # else each method is a function of its own, so that its calls can be seen
     commands: str
     size: int
     sha256: str
@@ -43,12 +46,20 @@ def images(root: Path) -> list[Image]:
     if not (root / MODULE).exists():
         return []
     found = []
-    for name, commands in PRODUCTS.items():
-        path = root / image_of(name, ".bin")
-        if path.exists():
-            content = path.read_bytes()
-            found.append(Image(name, commands, len(content), hashlib.sha256(content).hexdigest()))
+    for product, commands in PRODUCTS.items():
+        for name, flashed in ((f"{product}{CALLS}", False), (product, True)):
+            path = root / file_of(name, ".bin")
+            if path.exists():
+                content = path.read_bytes()
+                digest = hashlib.sha256(content).hexdigest()
+                found.append(Image(name, product, flashed, commands, len(content), digest))
     return found
+
+
+def file_of(name: str, suffix: str) -> Path:
+    """The file of an image of the page."""
+    product = name.removesuffix(CALLS)
+    return image_of(product, suffix) if product == name else recorded_image_of(product, suffix)
 
 
 def run(portal: Portal) -> dict[str, Any]:
@@ -59,7 +70,7 @@ def run(portal: Portal) -> dict[str, Any]:
     shown = [one for one in ran if one.name == RECORDED] or ran[:1]
     return {
         "images": found,
-        "chosen": PAPER,
+        "chosen": f"{PAPER}{CALLS}",
         "scenarios": scenarios(portal.root, portal.model),
         "module_bytes": module.stat().st_size if found else 0,
         "recorded": shown,
@@ -84,7 +95,7 @@ def write_live(portal: Portal, site: Path) -> None:
         return
     write_changed(folder / MODULE.name, (root / MODULE).read_bytes())
     for one in found:
-        write_changed(folder / f"{one.name}.bin", (root / image_of(one.name, ".bin")).read_bytes())
+        write_changed(folder / f"{one.name}.bin", (root / file_of(one.name, ".bin")).read_bytes())
     write_changed(folder / DATA, json.dumps(facts(portal, found), separators=(",", ":")))
 
 
@@ -148,16 +159,16 @@ def entered_by_hardware(model: Model) -> set[str]:
     return set(model.functions) - called
 
 
-def functions(root: Path, product: str, numbers: dict[str, int]) -> list[list[int]]:
+def functions(root: Path, name: str, numbers: dict[str, int]) -> list[list[int]]:
     """The address and the number of each method that an image has, by rising address."""
-    words = ["arm-none-eabi-nm", "--demangle", str(root / image_of(product, ".elf"))]
+    words = ["arm-none-eabi-nm", "--demangle", str(root / file_of(name, ".elf"))]
     listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
     found = {}
     for line in listed.splitlines():
         match = SYMBOL.match(line)
-        name = match and (method_of(match[2]) or function_of(match[2]))
-        if match and name in numbers:
-            found[int(match[1], 16) & ~1] = numbers[name]
+        method = match and (method_of(match[2]) or function_of(match[2]))
+        if match and method in numbers:
+            found[int(match[1], 16) & ~1] = numbers[method]
     return [list(pair) for pair in sorted(found.items())]
 
 

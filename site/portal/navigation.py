@@ -150,6 +150,7 @@ def verify(model: Model, checks: int, faults: int) -> list[Entry]:
         *(safety if case.goals else []),
         Entry("trees", "Invocation trees", "trees.html", "", trees),
         Entry("tests", "Tests", "tests.html", "T", len(model.tests)),
+        Entry("proofs", "Proofs", "proofs.html", "", len(model.proofs.properties)),
         Entry("mutation", "Mutants", "mutation.html"),
         Entry("reverse", "Code without a requirement", "reverse.html"),
         Entry("closed_loop", "Control performance", "closed_loop.html", "", len(model.closed_loop)),

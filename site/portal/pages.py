@@ -242,6 +242,7 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
             "build_evidence",
             "patterns",
             "machines",
+            "proofs",
             "changes",
             "datatypes",
             "trees",

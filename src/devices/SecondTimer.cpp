@@ -21,6 +21,7 @@ void SecondTimer::start() {
 
 void SecondTimer::expired() {
   timer_.acknowledge();
+  // bound: tickCommands
   for (Command* const command : std::span(commands_).first(count_)) {
     command->execute();
   }

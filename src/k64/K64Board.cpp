@@ -180,6 +180,12 @@ void K64Board::enableGuards() {
   pmc::LVDSC1.write(pmc::LVDSC1_LVDRE | pmc::LVDSC1_LVDV_HIGH);
 }
 
+void K64Board::moveVectors(const std::uint32_t* table) {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the register holds an address
+  scb::VTOR.write({reinterpret_cast<std::uint32_t>(table)});
+  finishStores();
+}
+
 std::uint16_t K64Board::startClock() {
   sim::CLKDIV1.write(kDividers);
   // The core stays on the internal FLL until the external clock is known to run. The clock of the

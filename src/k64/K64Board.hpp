@@ -55,6 +55,11 @@ class K64Board {
   /// @satisfies FR-206
   static void enableGuards();
 
+  /// @brief Takes another table of vectors in place of the one in flash.
+  /// @param table its first word, at a multiple of 512 bytes
+  /// @isr{no}
+  static void moveVectors(const std::uint32_t* table);
+
   /// @brief Brings the core from the clock after reset to 120 MHz.
   /// @return 0 when the clock runs, else the number of the step that failed: 1 the external clock does
   /// not come, 2 the core does not change to it, 3 the PLL does not lock, 4 the core does not

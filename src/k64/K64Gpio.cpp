@@ -12,7 +12,8 @@ std::uint32_t offset(Port port) {
 
 }  // namespace
 
-void K64Gpio::makeSafe(const Pin& pin) {
+// The start calls it before the program stands in RAM: see the linker script.
+[[gnu::section(".start_up"), gnu::flatten]] void K64Gpio::makeSafe(const Pin& pin) {
   drive(pin.port, pin.number, pin.role == Role::HighOutput ? Level::High : Level::Low);
   const auto direction = gpio::PDDR.at(offset(pin.port));
   direction.set(direction.bit(pin.number));

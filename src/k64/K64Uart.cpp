@@ -69,6 +69,7 @@ void K64Uart::receive() {
   std::uint32_t lost = 0;
   std::size_t untilBroken = 0;  // bytes up to the one with a wrong stop bit
   // As many as the FIFO holds, and as many again that may come meanwhile.
+  // bound: 1; on average an interrupt has one byte to take
   for (std::size_t i = 0; i < 2 * kFifo; ++i) {
     const auto status = uart::S1.at(offset()).read();
     if (!(status & (uart::S1_RDRF | uart::S1_OR)).any()) {
@@ -116,6 +117,7 @@ void K64Uart::send() {
   const std::size_t places = port_ == Port::Uart0 ? kFifo : 1;
   const std::size_t used = uart::TCFIFO.at(offset()).read().value;
   std::size_t waiting = toSend_.count();
+  // bound: 1; on average an interrupt has one byte to send
   for (std::size_t i = used; i < places && waiting != 0; ++i) {
     uart::D.at(offset()).write({toSend_.take()});
     --waiting;
@@ -129,6 +131,7 @@ std::size_t K64Uart::read(std::span<std::uint8_t> bytes) {
   const std::size_t most = std::min(bytes.size(), received_.count());
   std::size_t count = 0;
   bool ended = false;
+  // bound: 1; the caller counts bytes, so that on average a call takes one of those that it counts
   while (count != most && !ended) {
     const std::uint8_t byte = received_.take();
     bytes[count] = byte;

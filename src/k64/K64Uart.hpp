@@ -63,7 +63,9 @@ class K64Uart final : public SerialPort {
       const auto place = std::span(elements_).subspan(at % kSize);
       const auto ahead = elements.first(std::min(elements.size(), place.size()));
       const auto rest = elements.subspan(ahead.size());
+      // bound: kMaxCoded + 1
       std::memcpy(place.data(), ahead.data(), ahead.size_bytes());
+      // bound: kMaxCoded + 1
       std::memcpy(elements_.data(), rest.data(), rest.size_bytes());
       store(written_, at + elements.size());
     }

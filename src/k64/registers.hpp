@@ -232,6 +232,7 @@ inline constexpr unsigned kPriorityLowest = 4;  // the part has the upper 4 of 8
 
 /// @brief System control block of the core.
 namespace scb {
+inline constexpr Register<std::uint32_t, 0xE000ED08> VTOR;
 inline constexpr Register<std::uint32_t, 0xE000ED0C, Access::Flags> AIRCR;
 inline constexpr auto AIRCR_SYSRESETREQ = AIRCR.bit(2);
 inline constexpr auto AIRCR_VECTKEY = AIRCR.field(0x05FA, 16);

@@ -104,6 +104,7 @@ void MainController::sendReport(OperationStateId state) {
 }
 
 void MainController::serveSources() {
+  // bound: 3
   for (Mode* mode : modes_) {
     mode->serve();
   }
@@ -111,6 +112,7 @@ void MainController::serveSources() {
 
 void MainController::noteStop() {
   std::uint32_t sources = 0;
+  // bound: 3
   for (const Mode* mode : modes_) {
     const std::uint32_t bit = 1U << static_cast<std::uint32_t>(mode->id());
     sources |= mode->stopOrdered() ? bit : 0;

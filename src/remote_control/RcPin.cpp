@@ -10,6 +10,7 @@ void RcPin::start() {
 
 void RcPin::serve() {
   if (input_.acknowledge()) {
+    // passes: 1; further edges that one interrupt serves count as interrupts of their own
     command_.execute();
   }
 }

@@ -162,6 +162,7 @@ void WheelController::lower() {
 }
 
 void WheelController::resetAlgorithms() {
+  // bound: 3
   for (WheelAlgorithm* algorithm : algorithms_) {
     algorithm->reset();
   }

@@ -57,6 +57,7 @@ void WheelSystem::note(WheelOrder& order) {
 }
 
 void WheelSystem::work() {
+  // bound: 4
   for (WheelOrder* order : std::span(orders_).first(count_)) {
     order->execute(work_);
   }

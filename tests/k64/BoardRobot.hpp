@@ -64,7 +64,7 @@ class BoardRobot : public SteppedRobot {
   }
 
   /// Lets the firmware start: then it listens to its line.
-  void startUp() { run(milliseconds(10)); }
+  void startUp() { run(milliseconds(20)); }
 
   /// Asks for a connection, and takes the answer.
   scenario::PcWelcome askForWelcome() {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -10,6 +12,7 @@
 #include <vector>
 
 #include "k64/BoardRobot.hpp"
+#include "support/LineBytes.hpp"
 
 namespace wr::test {
 namespace {
@@ -99,7 +102,8 @@ TEST(CyclesOfTheImage, EachInstructionIsCountedOnce) {
     charged.cycles += exception.whole.cycles;
   }
   std::uint64_t profiled = 0;
-  for (std::uint32_t address = 0; address < emulator::ExecutedCode::kEnd; address += 2) {
+  for (std::size_t half = 0; half < emulator::ExecutedCode::kHalves; ++half) {
+    const std::uint32_t address = emulator::ExecutedCode::addressOf(half);
     profiled += drive.meter->timesOf(address, false) + drive.meter->timesOf(address, true);
   }
   EXPECT_GE(charged.instructions, whole.instructions);
@@ -120,6 +124,33 @@ TEST(CyclesOfTheImage, ACycleBeginsReportsAndSleeps) {
     EXPECT_GT(cycle.whole.instructions, cycle.toReport.instructions);
     EXPECT_LT(cycle.whole.cycles, 12'000'000U);
   }
+}
+
+/// @brief A PC that sends without a pause makes the cycle longer, and each cycle still reports. The result has
+/// the longest one: the bound of the time must be above it.
+/// @verifies FR-244
+TEST(CyclesOfTheImage, FR244_ALineThatIsNeverIdleLeavesTimeForTheCycle) {
+  constexpr std::uint8_t kUnknownType = 99;
+  constexpr std::size_t kBytesInACycle = 1152;
+  std::uint64_t longest = 0;
+  for (const std::size_t payload : {0U, 1U, 3U, 95U}) {
+    Drive drive(3);
+    for (int cycle = 0; cycle < 8; ++cycle) {
+      scenario::Bytes flood;
+      while (flood.size() < kBytesInACycle) {
+        const auto frame = test::lineBytes(kUnknownType, 0, test::Bytes(payload, 3));
+        flood.insert(flood.end(), frame.begin(), frame.end());
+      }
+      drive.robot.arrive(flood);
+      drive.robot.cycle();
+      EXPECT_TRUE(drive.meter->cycles().back().reported);
+    }
+    for (const board_robot::CycleMeter::Cycle& cycle : drive.meter->cycles()) {
+      longest = std::max(longest, cycle.toReport.cycles);
+    }
+  }
+  RecordProperty("longest_cycle", static_cast<int>(longest));
+  EXPECT_LT(longest, 1'200'000U);
 }
 
 /// @brief Each interrupt has its priority and its latency; a thread, which no device raises, has no latency.

@@ -198,14 +198,14 @@ TEST(K64BoardOnBoard, FR73_StartIsTriedAgainUntilTheClockComes) {
   EXPECT_GE(robot.line.pulses().size(), 2U);
 }
 
-/// @brief A clock that comes 21 ms after the reset is too late: no cycle runs before the watchdog begins the
-/// start again, which reports the step.
+/// @brief A clock that comes 26 ms after the reset is too late: by then the start has waited 20 ms for it. No
+/// cycle runs before the watchdog begins the start again, which reports the step.
 /// @verifies FR-73
 TEST(K64BoardOnBoard, FR73_ClockThatComesAfter20MillisecondsWaitsForTheNextStart) {
   BoardRobot robot(emulator::Options{.externalClock = false});
-  robot.run(milliseconds(21));
+  robot.run(milliseconds(26));
   robot.board.setExternalClock(true);
-  robot.run(milliseconds(250));
+  robot.run(milliseconds(245));
   EXPECT_EQ(robot.unsafePins(), "");
   EXPECT_EQ(robot.board.resets(), 0);
   EXPECT_EQ(robot.line.pulses().size(), 0U);
@@ -340,7 +340,7 @@ TEST_P(K64BoardEnds, FR75_SafelyWithRecordAndReset) {
     EXPECT_EQ(welcome.faultAddress, *ending.address);
   } else {
     EXPECT_GE(welcome.faultAddress, 0x410U);
-    EXPECT_LT(welcome.faultAddress, unchanged().size());
+    EXPECT_EQ(welcome.faultAddress & 0xFFFF0000U, 0x1FFF0000U);  // the program runs there
   }
   EXPECT_EQ(robot.askForWelcome().fault, ending.kind) << "each Welcome of a start is the same";
 

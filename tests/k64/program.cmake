@@ -20,7 +20,8 @@ add_custom_command(OUTPUT ${drivers_program}
     -mfpu=fpv4-sp-d16 -Os -g -ffunction-sections -fdata-sections -fno-threadsafe-statics
     -fno-unwind-tables -fno-asynchronous-unwind-tables -fno-exceptions -fno-rtti -Wall -Wextra
     -Wconversion -Werror -I ${CMAKE_SOURCE_DIR}/src -nostdlib -T ${drivers_script}
-    -Wl,--gc-sections -Wl,--fatal-warnings ${drivers_sources} -lc_nano -lgcc
+    -fno-tree-loop-distribute-patterns -save-temps=obj
+    -Wl,--gc-sections -Wl,--fatal-warnings ${drivers_sources} -lc -lgcc
     -o ${CMAKE_BINARY_DIR}/drivers/drivers.elf
   COMMAND ${drivers_objcopy} -O binary ${CMAKE_BINARY_DIR}/drivers/drivers.elf ${drivers_program}
   DEPENDS ${drivers_sources} ${drivers_headers} ${drivers_script}

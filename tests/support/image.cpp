@@ -1,10 +1,10 @@
 // Boards with the image under test. With WR_GDB=PORT the firmware waits for GDB at this TCP port,
 // each time a test switches a board on.
 //
-// With the image of the paper's design alone the calls of the
+// With the image that is built to record calls, those of the
 // firmware are recorded as on the host: one file for each test in the folder WR_TRACE_DIR, see
-// trace.cpp. Which instructions it executed is in the file <suite>.<test>.bits there: one bit for
-// each half-word of the flash, up to the last one set.
+// trace.cpp. Which instructions it executed is in the file <suite>.<test>.bits there: the bits of
+// ExecutedCode, up to the last one set.
 
 #include "support/image.hpp"
 
@@ -61,12 +61,13 @@ void debugIfAsked(emulator::VirtualBoard& board) {
 
 // Recordings hold addresses: all are those of one image.
 bool isRecorded() {
-  return imageFile() == WR_IMAGE;
+  return imageFile() == WR_RECORDED_IMAGE;
 }
 
 // The results of the test name the image that it runs.
 void nameInResults(const std::filesystem::path& image) {
-  testing::Test::RecordProperty("image", image.stem().string());
+  const std::string recorded = image == WR_RECORDED_IMAGE ? "_calls" : "";
+  testing::Test::RecordProperty("image", image.stem().string() + recorded);
 }
 
 void writeBits(const std::filesystem::path& path) {

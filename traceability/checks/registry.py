@@ -47,10 +47,13 @@ WHY = {
     "tree": "A tree shows how the code fulfils a requirement: it must be possible "
     "in the code, and occur in a run.",
     "fsm": "A state machine is read instead of the code of its states: both must be equal.",
+    "proof": "A test shows some sequences of events; a proof of the model covers all of them.",
     "exec": "Contexts of different priorities share data: a call in the wrong place causes a fault "
     "only once in a thousand cycles.",
     "stack": "The threads and interrupts share one stack: it must be large enough for the worst "
     "moment, which may occur in no test.",
+    "time": "A cycle that comes too late is a fault of a control system; the longest one may occur "
+    "in no test.",
     "req": "A requirement counts as fulfilled only when code, tests and results show it.",
     "suspect": "A verdict holds for the texts that it was given for: the baseline shows which of "
     "them changed.",
@@ -400,6 +403,22 @@ _FIXED = [
         "raise stackSize in the linker script, or shorten the deepest chain.",
     ),
     Check(
+        "time-bound",
+        "Each loop of the image has a bound",
+        "Each loop and each copy of unknown size that a handler of the image reaches has a bound: "
+        "the constant in its head, or one that is declared beside it. Each indirect call is known.",
+        "whether a declared bound is right; loops that run only before the first interrupt.",
+        "write the bound above the loop.",
+    ),
+    Check(
+        "time-seen",
+        "No run needs more time than the bound",
+        "The longest time to the report in the runs of the bench is at most the bound of the "
+        "control cycle.",
+        "arrivals of interrupts that are more frequent than design/times.toml says.",
+        "correct the bound that is too small.",
+    ),
+    Check(
         "fsm-declared",
         "State machines name existing parts",
         "Every application of the State pattern has a machine in design/fsm. Its states are the "
@@ -436,6 +455,31 @@ _FIXED = [
         "nothing is compared while results are stale.",
         "test the transition through its Context, in a test of its requirement, or correct the "
         "machine.",
+    ),
+    Check(
+        "proof-composition",
+        "The proofs speak of the machines and the code of the design",
+        "Every machine of design/fsm has its step, its guards and its events in the composition "
+        "design/proofs/robot.pml. Each hand-written step of the composition names methods that "
+        "exist, and each of its numbers is that of the constants that it names.",
+        "whether a step does the same as its methods.",
+        "correct the composition, or the names of the code in it.",
+    ),
+    Check(
+        "proof-property",
+        "Properties formalise requirements that exist",
+        "Each property of design/proofs/properties.toml names a requirement that exists, and its "
+        "formula has only names that the observer of the composition sets.",
+        "whether the formula, its sentence and its requirement mean the same.",
+        "correct the property.",
+    ),
+    Check(
+        "proof-proven",
+        "Each property is proven",
+        "Spin explored every state of the model, and found no sequence of events that violates "
+        "the property.",
+        "nothing is compared while Spin did not run on the present design.",
+        "correct the design, or the formula; the page Proofs shows the counterexample.",
     ),
     Check(
         "uses-apart",

@@ -16,11 +16,13 @@ from traceability.model.execution import with_execution
 from traceability.model.likely_changes import changes_of
 from traceability.model.metrics import read_measured
 from traceability.model.orphan_methods import justify
+from traceability.model.promela import proofs_of
 from traceability.model.reviews import with_reviews
 from traceability.model.safety_case import safety_of
 from traceability.model.stack import prove
 from traceability.model.state_machines import machines_of
 from traceability.model.tests import with_board_findings, with_executed_modules, with_tests
+from traceability.model.time_bounds import prove_times
 from traceability.model.trees import with_trees
 from traceability.model.verification import with_verification
 from traceability.reading.ast_facts import BodyFact, CallFact, ClassFact, MethodFact
@@ -119,6 +121,7 @@ def _assemble(
         outcomes=read_record(root),
         last=_last(root, model.sources_hash),
         build=read_build(root),
+        proofs=proofs_of(root, declared),
     )
     model = replace(model, logic_modules=_logic_modules(model, facts))
     model = _with_calls(model, facts)
@@ -135,6 +138,7 @@ def _assemble(
         model, stack=prove(root, model, facts), connections=connections_of(model, facts)
     )
     model = _with_measures(with_dictionary(model, facts), root, coverage)
+    model = replace(model, times=prove_times(root, model, facts))
     model = with_trees(model, facts, traces, build_folder / "cache")
     model = justify(with_verification(model, facts, coverage), declared.justified)
     model = replace(model, safety=safety_of(model, facts))
@@ -150,7 +154,7 @@ def _last(root: Path, sources: str) -> dict[str, LastRecord]:
 
 
 def source_files(root: Path) -> list[str]:
-    suffixes = (".hpp", ".cpp", ".h", ".dox", ".toml", ".tree", ".S", ".ld")
+    suffixes = (".hpp", ".cpp", ".h", ".dox", ".toml", ".tree", ".pml", ".S", ".ld")
     paths = files_below(root, (*DESIGN, "sim", "tests", "requirements", "design"), suffixes)
     return [str(path.relative_to(root)) for path in paths]
 

@@ -43,6 +43,7 @@ from traceability.schema import (
     PaperStatement,
     PatternApplication,
     ProductImage,
+    Proofs,
     Requirement,
     SafetyCase,
     SharedMember,
@@ -50,6 +51,7 @@ from traceability.schema import (
     StackProof,
     StateMachine,
     Test,
+    TimeProof,
     Tuned,
     Use,
 )
@@ -73,6 +75,7 @@ class Model:
     mutation: Mutation | None = None  # of these sources
     machines: Mapping[str, StateMachine] = field(default_factory=dict)
     contexts: Mapping[str, ExecutionContext] = field(default_factory=dict)
+    times: TimeProof | None = None  # of the image, when it was built from the present sources
     stack: StackProof | None = None  # of the image, when it was built from the present sources
     pipes: Sequence[SharedPipe] = field(default_factory=list)
     shared: Sequence[SharedMember] = field(default_factory=list)
@@ -101,6 +104,7 @@ class Model:
     designed_applications: Mapping[str, str] = field(default_factory=dict)  # id -> pattern
     closed_loop: Sequence[LoopScenario] = field(default_factory=list)
     safety: SafetyCase = field(default_factory=SafetyCase)
+    proofs: Proofs = field(default_factory=Proofs)
     # Records of other steps; ``None`` when they are not of the present sources.
     bench: Mapping[str, BenchScenario] | None = None
     bench_paper: Mapping[str, BenchScenario] | None = None  # without safety functions

@@ -10,7 +10,7 @@ from typing import Any
 
 from traceability.model.design_model import Model
 from traceability.model.report import Report
-from traceability.reading.bench_record import bench_metrics
+from traceability.reading.bench_record import IMAGE, bench_metrics
 from traceability.reading.image_record import read_image
 from traceability.reading.live_record import KEYS as LIVE
 from traceability.reading.live_record import live_metrics
@@ -20,6 +20,7 @@ from traceability.reading.release_record import release_metrics
 from traceability.reading.results import read_recording_factor, read_totals
 from traceability.reading.traces import nodes_of
 from traceability.schema import HOST, Clause, Requirement, SafetyCase
+from traceability.sources import file_hash
 
 METHODS = ("test", "analysis", "measurement", "inspection")  # of verification
 OF_OTHER_STEPS = (  # metrics that are null until a step measures them
@@ -37,7 +38,9 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
     tests = {"tests.recording_factor": read_recording_factor(root, model.sources_hash)}
     if not model.stale_on(HOST):
         tests |= coverage(root)
-    times = {"bench.scenarios": bench_metrics(model.bench)}
+    times: dict[str, Any] = {"bench.scenarios": bench_metrics(model.bench)}
+    if model.bench is not None:
+        times["bench.image_sha256"] = file_hash(root / IMAGE)
     prose = {"prose.findings": read_prose(root)}
     live = live_metrics(root)
     release = release_metrics(root, model.commit)
@@ -125,8 +128,14 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
         "tests.passed": sum(run.result == "passed" for run in runs) if fresh else None,
         "coverage.drivers_on_board": _executed(model.board_lines),
         "firmware.stack_bytes": model.stack.total if model.stack and model.stack.proven else None,
+        "bench.wcet_cycle_ms": (
+            round(model.times.cycle_ms, 3) if model.times and model.times.proven else None
+        ),
+        "bench.seen_cycle_ms": model.times.seen_ms if model.times else None,
         "mutation.tried": len(model.mutation.tried) if model.mutation else None,
         "mutation.found": model.mutation.found if model.mutation else None,
+        "proofs.properties": len(model.proofs.properties),
+        "proofs.proven": model.proofs.proven,
         "last": {name: asdict(record) for name, record in model.last.items()},
         **dict.fromkeys(OF_OTHER_STEPS),
         **model.measured,

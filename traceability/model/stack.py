@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import fnmatch
 import tomllib
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -162,7 +163,7 @@ class Prover:
             return known[key]
         worst: list[StackCall] = []
         for target in self._callees(function):
-            if self._is_full(target, entered):
+            if self.is_full(target, entered):
                 continue
             way = [*path, symbol]
             if target in way and not self._in_chain(way, target):
@@ -174,7 +175,7 @@ class Prover:
         known[key] = [StackCall(method, function.frame, function.measured), *worst]
         return known[key]
 
-    def _is_full(self, symbol: str, entered: dict[str, int]) -> bool:
+    def is_full(self, symbol: str, entered: Mapping[str, int]) -> bool:
         method = short_name(self.graph[symbol].name)
         return method in self.most and entered.get(method, 0) >= self.most[method]
 
@@ -192,10 +193,10 @@ class Prover:
     def _callees(self, function: Function) -> list[str]:
         found = dict.fromkeys(symbol for symbol in function.calls if symbol in self.graph)
         for place in function.indirect:
-            found |= dict.fromkeys(self._indirect(function, place))
+            found |= dict.fromkeys(self.targets(function, place))
         return list(found)
 
-    def _indirect(self, function: Function, place: Place) -> list[str]:
+    def targets(self, function: Function, place: Place) -> list[str]:
         pattern = self.declared.calls.get(short_name(function.name))
         if pattern is not None:
             return [symbol for symbol in self.graph if fnmatch.fnmatch(symbol, pattern)]

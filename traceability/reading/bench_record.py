@@ -214,7 +214,7 @@ def profile_of(counts: dict[int, tuple[int, ...]], frames: dict[int, Frames]) ->
 def owner(frames: Frames) -> tuple[str, str]:
     """Module and function of an instruction: the innermost of the project that it belongs to."""
     for function, file in frames:
-        if {"src", "extensions"}.intersection(Path(file).parts):
+        if {"src", "extensions", "tests"}.intersection(Path(file).parts):
             return Path(file).name.split(".")[0], function
     return LIBRARY, frames[-1][0] if frames else "?"
 

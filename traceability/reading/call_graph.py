@@ -1,15 +1,15 @@
 """The functions of an image with their frames and calls, as the compiler reports them.
 
-The compiler writes a graph for each unit (``-fcallgraph-info=su``): frames, direct calls, and the
-places of indirect ones. A function of the toolchain's libraries has none; its frame and calls are
-read from its instructions.
+The compiler writes a graph for each unit, and for the units that are linked as a whole one beside
+the image (``-fcallgraph-info=su``): frames, direct calls, and the places of indirect ones. A
+function of the toolchain's libraries has none; its frame and calls are read from its instructions.
 """
 
 from __future__ import annotations
 
 import re
 import subprocess
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from traceability.schema import Place
@@ -51,12 +51,16 @@ def read_graph(root: Path, elf: Path) -> dict[str, Function]:
     ``root`` is the tree that the image was built from, below the folder of the image.
     """
     told: dict[str, Function] = {}
-    for file in sorted(elf.parent.rglob("*.ci")):
+    own = [*elf.parent.glob(f"{elf.stem}.*.ci"), *elf.parent.glob("*/**/*.ci")]
+    for file in sorted(own):
         _read_unit(root, elf.parent, file.read_text(encoding="utf-8"), told)
     listing = _run("arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(elf))
     held = _read_listing(listing)
+    for names in names_of_addresses(elf):
+        one = next((name for name in names if name in held), None)
+        held |= {name: held[one] for name in names if one is not None and name not in held}
     found = {
-        symbol: told.get(symbol) or told.get(_alias(symbol, told), function)
+        symbol: replace(told.get(symbol) or told.get(_alias(symbol, told), function))
         for symbol, function in held.items()
     }
     for function, name in zip(found.values(), _readable(list(found)), strict=True):
@@ -108,9 +112,9 @@ def _note_frame(told: dict[str, Function], symbol: str, frame: re.Match[str]) ->
 
 
 def _place(root: Path, folder: Path, label: str) -> Place:
-    """Compilers name files in full, or from the folder of the build that they run in."""
+    """The compiler names files in full or from the build folder, the linker from the root."""
     file, line, _column = label.rsplit(":", 2)
-    path = (folder / file).resolve()
+    path = root / file if (root / file).exists() else (folder / file).resolve()
     return Place(str(path.relative_to(root)) if path.is_relative_to(root) else file, int(line))
 
 
@@ -127,6 +131,16 @@ def _read_listing(listing: str) -> dict[str, Function]:
             function.blind |= INDIRECT_CALL.search(line) is not None
             function.frame += _pushed(line)
     return found
+
+
+def names_of_addresses(elf: Path) -> list[list[str]]:
+    """The names of each function: the compiler gives equal functions one address."""
+    found: dict[str, list[str]] = {}
+    for line in _run("arm-none-eabi-nm", str(elf)).splitlines():
+        address, kind, name = (*line.split(), "", "")[:3]
+        if kind in ("t", "T", "W"):
+            found.setdefault(address, []).append(name)
+    return [names for names in found.values() if len(names) > 1]
 
 
 def _pushed(line: str) -> int:

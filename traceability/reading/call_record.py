@@ -8,7 +8,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from traceability.reading.products import DEFAULT, image_of
+from traceability.reading.products import DEFAULT, recorded_image_of
 from traceability.reading.results import RESULTS, read_json
 from traceability.reading.task_record import CALLS, is_fresh
 from traceability.reading.toml_reader import Entries, Keys
@@ -17,7 +17,7 @@ from traceability.schema import Place
 DECLARED = Path("design/recordings.toml")
 SCENARIOS = Path("sim/scenario")
 RECORD = RESULTS / "calls.json"
-IMAGE, ELF = image_of(DEFAULT, ".bin"), image_of(DEFAULT, ".elf")
+IMAGE, ELF = (recorded_image_of(DEFAULT, suffix) for suffix in (".bin", ".elf"))
 FIRST_LINE = 16  # number of the exception of interrupt line 0
 KEPT_EVENTS = ("byte_received", "byte_sent", "pwm_changed")
 RECORDING: Keys = {"name": str, "scenario": str, "from": int, "to": int}

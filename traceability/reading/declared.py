@@ -9,6 +9,7 @@ from pathlib import Path
 from traceability.reading.change_texts import ChangeTexts, read_change_texts
 from traceability.reading.concordance import Concordance, read_concordance
 from traceability.reading.declared_safety import read_safety_case
+from traceability.reading.proof_record import ProofEvent, read_events, read_properties
 from traceability.reading.toml_reader import Entries, Problem
 from traceability.schema import (
     AllowedUse,
@@ -24,6 +25,7 @@ from traceability.schema import (
     Justified,
     NumbersWithout,
     Place,
+    ProofProperty,
     RequirementNumbers,
     SafetyCase,
     StateMachine,
@@ -135,6 +137,8 @@ class Declared:
     tuned: list[Tuned] = field(default_factory=list)
     changes: ChangeTexts = field(default_factory=ChangeTexts)
     safety: SafetyCase = field(default_factory=SafetyCase)
+    proofs: dict[str, ProofProperty] = field(default_factory=dict)
+    proof_events: dict[str, ProofEvent] = field(default_factory=dict)
 
 
 # The files of a whole design, besides its trees and state machines.
@@ -186,6 +190,8 @@ def read_declared(root: Path) -> Declared:
     declared.concordance = read_concordance(root, entries)
     declared.changes = read_change_texts(root, entries)
     declared.safety = read_safety_case(root, entries)
+    declared.proofs = read_properties(root, entries)
+    declared.proof_events = read_events(root, entries)
     _modules(design / "modules.toml", entries, declared)
     entries.others()
     for path in files_below(root, ("design", "requirements"), (".toml",)):

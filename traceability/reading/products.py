@@ -62,7 +62,13 @@ def intruders(held: Iterable[str], has: set[str]) -> set[str]:
 
 
 def image_of(product: str, suffix: str) -> Path:
+    """The released image: that which is flashed, measured and tested."""
     return Path("build/k64") / f"{product}{suffix}"
+
+
+def recorded_image_of(product: str, suffix: str) -> Path:
+    """The image of the same sources whose compiler inlined less: each call can be recorded."""
+    return Path("build/k64_calls") / f"{product}{suffix}"
 
 
 def module_names(root: Path) -> set[str]:

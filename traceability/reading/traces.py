@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator, Set
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from traceability.reading.products import PAPER, image_of
+from traceability.reading.products import PAPER, recorded_image_of
 from traceability.reading.results import RESULTS, RUNS
 from traceability.schema import HOST, VIRTUAL_K64, TraceRow, TreeNode
 from traceability.sources import file_hash
@@ -31,7 +31,7 @@ class Source:
 SOURCES = {
     HOST: Source(Path("build/trace/tests/firmware_tests"), Path("build/trace/traces"), "nm"),
     VIRTUAL_K64: Source(
-        image_of(PAPER, ".elf"), Path("build/host/traces-board"), "arm-none-eabi-nm"
+        recorded_image_of(PAPER, ".elf"), Path("build/host/traces-board"), "arm-none-eabi-nm"
     ),
 }
 EXIT = 1 << 63

@@ -147,7 +147,7 @@ void Core::note(std::uint32_t address) {
 // Where the decoded instruction of an address is, or will be.
 inline const Instruction* Core::placeOf(std::uint32_t address) const {
   const std::uint32_t offset = address - codeAddress_;
-  return offset < codeSize_ ? code_ + offset / 2 : &single_[1];
+  return offset < codeSize_ ? code_ + offset / 2 : &none_;
 }
 
 bool Core::fetchHalf(std::uint32_t address, std::uint32_t& half) {
@@ -165,21 +165,19 @@ bool Core::fetchHalf(std::uint32_t address, std::uint32_t& half) {
 }
 
 const Instruction* Core::decodeAt(std::uint32_t address) {
-  const Memory::Area* area = memory.find(address);
-  Instruction* place = single_.data();
-  if (area != nullptr && area->instructions != nullptr) {
-    codeAddress_ = area->address;
-    codeSize_ = area->size;
-    code_ = area->instructions.get();
-    place = code_ + (address - codeAddress_) / 2;
-  }
-  const bool inBlock = registers.it != 0;
-  if (place != single_.data() && place->isDecoded(inBlock)) {
-    return place;
-  }
   std::uint32_t first = 0;
   if (!fetchHalf(address, first)) {
     return nullptr;
+  }
+  const Memory::Area* area = memory.find(address);
+  codeAddress_ = area->address;
+  codeSize_ = area->size;
+  code_ = area->instructions.get();
+  codeIsSlow_ = area->isFlash();
+  Instruction* place = code_ + (address - codeAddress_) / 2;
+  const bool inBlock = registers.it != 0;
+  if (place->isDecoded(inBlock)) {
+    return place;
   }
   std::uint32_t bits = first;
   if (isWide(first)) {
@@ -189,6 +187,7 @@ const Instruction* Core::decodeAt(std::uint32_t address) {
     }
     bits = first << 16 | second;
   }
+  memory.decoded(address);
   *place = decode({.bits = bits, .inBlock = inBlock}, isWide(first));
   place->form = static_cast<std::uint8_t>(Instruction::place(inBlock) | (isWide(first) ? 4U : 2U));
   return place;
@@ -197,7 +196,7 @@ const Instruction* Core::decodeAt(std::uint32_t address) {
 void Core::fetchSlowly(std::uint32_t address, std::uint32_t size) {
   for (std::uint32_t at = address; at != address + size; at += 2) {
     const std::uint32_t phrase = at & ~(kPhrase - 1);
-    if (phrase != phrase_ && at - codeAddress_ < codeSize_) {
+    if (phrase != phrase_ && codeIsSlow_ && at - codeAddress_ < codeSize_) {
       phrase_ = phrase;
       spend(kFlashCycles);
     }
@@ -315,6 +314,7 @@ bool Core::storeElsewhere(std::uint32_t address, std::uint32_t size, std::uint32
     return false;
   }
   std::memcpy(area->at(address), &value, size);
+  Memory::forget(*area, address, size);
   memory.accessed(address, size, true);
   return true;
 }

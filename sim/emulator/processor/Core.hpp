@@ -204,16 +204,16 @@ class Core {
   std::uint64_t instructions_ = 0;
   std::uint64_t otherCycles_ = 0;
   std::uint64_t stopAt_ = 0;
-  std::uint32_t codeAddress_ = 0;  ///< flash that is executed
+  std::uint32_t codeAddress_ = 0;  ///< memory that is executed
   std::uint32_t codeSize_ = 0;
   Instruction* code_ = nullptr;
   std::uint32_t phrase_ = 1;  ///< last phrase from the flash; at first none
   std::uint32_t trapAddress_ = 0;
   Trap trap_ = Trap::None;
   bool slowFlash_;
+  bool codeIsSlow_ = false;  ///< what is executed is in flash
   bool branched_ = false;
-  /// One from memory that may change; behind it there is none, so that the next one is decoded too.
-  std::array<Instruction, 3> single_{};
+  Instruction none_{};  ///< outside of the memory that is executed
   ExecutedCode* executed_ = nullptr;
   std::uint32_t* lowestStack_ = nullptr;
   std::function<void(std::uint32_t)> blockCall_;

@@ -47,6 +47,9 @@ Memory::Direct Memory::directOf(const Area& area) const {
 
 void Memory::observe(std::function<void(std::uint32_t, std::uint32_t, bool)> call) {
   observer_ = std::move(call);
+  for (const Area& area : all_) {  // the direct stores begin anew, and so does what is decoded
+    forget(area, area.address, area.size);
+  }
   for (std::size_t i = 0; i < kMegabytes; ++i) {
     directs_[i] = areas_[i] == nullptr ? Direct{} : directOf(*areas_[i]);
   }
@@ -58,7 +61,7 @@ void Memory::map(std::uint32_t address, std::uint32_t size, Access access) {
             .mayWrite = access != Access::ReadExecute,
             .mayExecute = access != Access::ReadWrite,
             .bytes = zeros<std::uint8_t>(size)};
-  if (area.isFlash()) {
+  if (area.mayExecute) {
     area.instructions = zeros<Instruction>(size / 2 + 2);  // behind the last one there is none
   }
   add(std::move(area));
@@ -66,6 +69,25 @@ void Memory::map(std::uint32_t address, std::uint32_t size, Access access) {
 
 void Memory::map(std::uint32_t address, std::uint32_t size, Read read, Write write) {
   add({.address = address, .size = size, .read = std::move(read), .write = std::move(write)});
+}
+
+void Memory::decoded(std::uint32_t address) {
+  Direct& near = directs_[address / kMegabyte];
+  if (address - near.address < near.stores) {
+    near.stores = address - near.address;
+  }
+}
+
+void Memory::forget(const Area& area, std::uint32_t address, std::uint32_t size) {
+  if (area.instructions == nullptr) {
+    return;
+  }
+  // An instruction of two halves begins in front of its second one.
+  const std::uint32_t first = (address - area.address) / 2;
+  const std::uint32_t last = (address - area.address + size - 1) / 2;
+  for (std::uint32_t half = first == 0 ? 0 : first - 1; half <= last; ++half) {
+    area.instructions.get()[half] = Instruction{};
+  }
 }
 
 const Memory::Area* Memory::find(std::uint32_t address) const {
@@ -84,9 +106,7 @@ void Memory::load(std::uint32_t address, std::span<const std::uint8_t> bytes) {
     throw std::invalid_argument("there is no memory for the loaded image");
   }
   std::ranges::copy(bytes, area->at(address));
-  if (area->instructions != nullptr) {
-    std::fill_n(area->instructions.get(), area->size / 2, Instruction{});
-  }
+  forget(*area, address, static_cast<std::uint32_t>(bytes.size()));
 }
 
 std::uint8_t* Memory::stack(std::uint32_t address, std::uint32_t size) const {

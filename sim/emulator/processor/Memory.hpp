@@ -37,7 +37,8 @@ class Memory {
     bool mayWrite = false;
     bool mayExecute = false;
     std::unique_ptr<std::uint8_t, Release> bytes{};        ///< none of a window
-    std::unique_ptr<Instruction, Release> instructions{};  ///< one for each half-word, as decoded
+    std::unique_ptr<Instruction, Release> instructions{};  ///< one for each half-word, as decoded; none where
+                                                           ///< nothing may be executed
     Read read{};
     Write write{};
 
@@ -93,6 +94,13 @@ class Memory {
     const Direct& near = direct(address);
     return near.holds(near.stores, address, size) ? near.bytes + (address - near.address) : nullptr;
   }
+
+  /// @brief An instruction was decoded: from there on a store into this memory is a call, which forgets
+  /// what was decoded. What lies below it, as a stack, is stored as fast as before.
+  void decoded(std::uint32_t address);
+
+  /// @brief Forgets the decoded instructions that a store has changed.
+  static void forget(const Area& area, std::uint32_t address, std::uint32_t size);
 
   /// @brief Sets the callback of each load and store that the program does, after it was done. While
   /// there is one, no access is direct.

@@ -34,6 +34,7 @@ void Crc16::add(std::span<const std::uint8_t> bytes) {
   std::uint32_t value = swapped_;
   auto next = bytes.begin();
   do {
+    // bound: kMaxBody
     value = (value >> 8U) ^ kRemainders[(value ^ *next) & 0xFFU];
     ++next;
   } while (next != bytes.end());

@@ -44,7 +44,12 @@ Decoded FrameDecoder::end() {
     return Decoded::TooLong;
   }
   length_ = count_ - 1;
-  if (length_ < kMinBody || !removeStuffing() || !crcIsRight()) {
+  // passes: kMaxBytesPerService / 2
+  if (length_ < kMinBody) {
+    return Decoded::Damaged;
+  }
+  // passes: kMaxBytesPerService / (kMinBody + 2)
+  if (!removeStuffing() || !crcIsRight()) {
     return Decoded::Damaged;
   }
   return bytes_[kVersionAt] == kProtocolVersion ? Decoded::Whole : Decoded::UnknownVersion;
@@ -52,6 +57,7 @@ Decoded FrameDecoder::end() {
 
 bool FrameDecoder::removeStuffing() {
   std::size_t distance = bytes_[0];
+  // bound: kMaxBytesPerService in all
   for (std::size_t i = 1; i < count_; ++i) {
     const std::uint8_t byte = bytes_[i];
     --distance;
@@ -66,6 +72,7 @@ bool FrameDecoder::removeStuffing() {
 bool FrameDecoder::crcIsRight() const {
   const std::size_t checked = length_ - 2;
   Crc16 crc;
+  // bound: kMaxBytesPerService in all
   crc.add(std::span(bytes_).first(checked));
   return bytes_[checked] == (crc.value() & 0xFFU) && bytes_[checked + 1] == crc.value() >> 8U;
 }

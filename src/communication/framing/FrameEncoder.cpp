@@ -23,6 +23,7 @@ std::span<const std::uint8_t> FrameEncoder::encode(const Frame& frame) {
   body[1] = static_cast<std::uint8_t>(frame.type);
   body[2] = frame.sequence;
   if (!frame.payload.empty()) {
+    // bound: kMaxPayload
     std::memcpy(&body[kHead], frame.payload.data(), frame.payload.size());
   }
   const std::size_t checked = kHead + frame.payload.size();
@@ -36,6 +37,7 @@ std::span<const std::uint8_t> FrameEncoder::encode(const Frame& frame) {
   std::size_t code = 0;
   std::size_t i = 1;
   do {
+    // bound: kMaxBody
     if (coded_[i] == 0) {
       coded_[code] = static_cast<std::uint8_t>(i - code);
       code = i;

@@ -14,7 +14,7 @@ namespace wr {
 
 namespace {
 
-constexpr std::size_t kMaxBytesPerService = 4096;
+constexpr std::size_t kMaxBytesPerService = 1280;
 constexpr std::uint8_t kMaxSequenceStep = 127;
 
 static_assert(SerialWriter::kCapacity <= kMaxPayload, "the content of the writer fits in a frame");
@@ -54,9 +54,11 @@ void PcConnection::beginCycle(Instant clockPulse) {
 void PcConnection::service() {
   std::size_t left = kMaxBytesPerService;
   std::size_t received = chunk_.size();
+  // bound: kMaxBytesPerService in all
   while (left != 0 && received != 0) {
     received = port_.read(std::span(chunk_).first(std::min(left, chunk_.size())));
     left -= received;
+    // bound: kMaxBytesPerService in all
     for (const std::uint8_t byte : std::span(chunk_).first(received)) {
       receive(byte);
     }
@@ -135,6 +137,7 @@ void PcConnection::receive(std::uint8_t byte) {
     case Decoded::Nothing:
       break;
     case Decoded::Whole:
+      // passes: kMaxBytesPerService / (kMinBody + 2)
       handle(decoder_.frame());
       break;
     case Decoded::Damaged:

@@ -29,6 +29,7 @@ bool SerialReader::offer(std::span<const std::uint8_t, kOrderLength> payload, In
   position_ = 0;
   OrderMessage order;
   if (!order.readFrom(*this)) {
+    // bound: SerialReader::kOrderLength
     kept_ = before;
     return false;
   }

@@ -48,6 +48,7 @@ constinit const std::array<ControlSystemBuilder*, kWheelCount + 1> systemBuilder
 // Each handler ends when its stores have ended: see those of the devices.
 
 void hallSensorInterrupt() {
+  // bound: kWheelCount
   for (wr::WheelSystemBuilder& builder : wr::platform::wheelBuilders) {
     builder.sensor().serve();
   }

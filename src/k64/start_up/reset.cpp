@@ -1,18 +1,28 @@
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include "k64/K64Board.hpp"
 #include "k64/K64Watchdog.hpp"
+#include "k64/core.hpp"
 #include "k64/start_up/handlers.hpp"
 #include "k64/start_up/platform.hpp"
 
 // The linker script defines where things begin and end.
 extern "C" {
-extern std::uint32_t dataBegin[];
-extern std::uint32_t dataEnd[];
-extern const std::uint32_t dataInitial[];
-extern std::uint32_t bssBegin[];
-extern std::uint32_t bssEnd[];
+// Four words: the core loads and stores them with two instructions.
+using Words = std::array<std::uint32_t, 4>;
+extern Words codeBegin[];
+extern Words codeEnd[];
+extern const Words codeInitial[];
+extern Words ramVectors[];
+extern Words ramVectorsEnd[];
+extern const Words vectors[];
+extern Words dataBegin[];
+extern Words dataEnd[];
+extern const Words dataInitial[];
+extern Words bssBegin[];
+extern Words bssEnd[];
 using Constructor = void (*)();
 extern const Constructor constructorsBegin[];
 extern const Constructor constructorsEnd[];
@@ -22,11 +32,25 @@ namespace wr {
 
 namespace {
 
-void initialiseMemory() {
-  // The linker script makes one array of the words between a start and its end.
-  // NOLINTNEXTLINE(clang-analyzer-security.PointerSub)
-  std::copy(dataInitial, dataInitial + (dataEnd - dataBegin), dataBegin);
-  std::fill(bssBegin, bssEnd, 0);
+[[gnu::always_inline]] inline void copy(const Words* from, Words* to, const Words* end) {
+  for (; to != end; ++to) {
+    *to = *from;
+    ++from;
+  }
+}
+
+// No function may help that is copied itself, as those of the library. The linker script refuses such a
+// call from its section.
+[[gnu::section(".start_up"), gnu::noinline]] void initialiseMemory() {
+  copy(codeInitial, codeBegin, codeEnd);
+  copy(vectors, ramVectors, ramVectorsEnd);
+  copy(dataInitial, dataBegin, dataEnd);
+  for (Words* words = bssBegin; words != bssEnd; ++words) {
+    for (std::uint32_t& word : *words) {
+      word = 0;
+    }
+  }
+  finishInstructions();
 }
 
 void constructObjects() {
@@ -45,6 +69,7 @@ void resetHandler() {
   wr::K64Board::enableFloatingPoint();
   wr::K64Board::enableGuards();
   wr::initialiseMemory();
+  wr::K64Board::moveVectors(ramVectors->data());
   wr::constructObjects();
   wr::platform::calibrateConverters();
   if (const std::uint16_t failedStep = wr::K64Board::startClock(); failedStep != 0) {

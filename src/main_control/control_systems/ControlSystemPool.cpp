@@ -11,18 +11,21 @@ void ControlSystemPool::add(ControlSystem& system) {
 }
 
 void ControlSystemPool::control(const SetPoints& setPoints, std::uint32_t cycle) {
+  // bound: pooledSystems
   for (ControlSystem* system : systems()) {
     system->control(setPoints, cycle);
   }
 }
 
 void ControlSystemPool::hold(std::uint32_t cycle) {
+  // bound: pooledSystems
   for (ControlSystem* system : systems()) {
     system->hold(cycle);
   }
 }
 
 void ControlSystemPool::acknowledge(std::uint32_t cycle) {
+  // bound: pooledSystems
   for (ControlSystem* system : systems()) {
     system->acknowledge(cycle);
   }
@@ -30,6 +33,7 @@ void ControlSystemPool::acknowledge(std::uint32_t cycle) {
 
 bool ControlSystemPool::completed(std::uint32_t cycle) const {
   bool all = true;
+  // bound: pooledSystems
   for (const ControlSystem* system : systems()) {
     all = all && system->completed(cycle);
   }
@@ -37,6 +41,7 @@ bool ControlSystemPool::completed(std::uint32_t cycle) const {
 }
 
 void ControlSystemPool::collect(Measurements& measurements, Outputs& outputs) const {
+  // bound: pooledSystems
   for (const ControlSystem* system : systems()) {
     system->collect(measurements, outputs);
   }

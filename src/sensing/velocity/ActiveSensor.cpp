@@ -15,6 +15,7 @@ void ActiveSensor::serve() {
   const bool edgeOfA = a_.acknowledge();
   const bool edgeOfB = b_.acknowledge();
   if (edgeOfA || edgeOfB) {
+    // passes: 1; further edges that one interrupt serves count as interrupts of their own
     command_.execute();
   }
 }

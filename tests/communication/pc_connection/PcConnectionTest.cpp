@@ -767,11 +767,11 @@ TEST_F(PcConnectionTest, FR251_CountsSurviveTheConnection) {
   EXPECT_EQ(connection.counts().damaged, 1);
 }
 
-/// @brief At most 4096 bytes are taken in one cycle. The others are taken in the next.
+/// @brief At most 1280 bytes are taken in one cycle. The others are taken in the next.
 /// @verifies FR-244
 TEST_F(PcConnectionTest, FR244_TheBytesOfOneCycleAreBounded) {
-  receive(Bytes(5000, 0));
-  EXPECT_EQ(port.received.size(), 904U);
+  receive(Bytes(2000, 0));
+  EXPECT_EQ(port.received.size(), 720U);
   service();
   EXPECT_TRUE(port.received.empty());
 }

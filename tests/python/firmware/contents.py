@@ -69,6 +69,6 @@ def vector_problems(image: bytes) -> list[str]:
     for number, handler in enumerate(handlers, 1):
         if handler % 2 == 0:
             problems.append(f"vector {number} is 0x{handler:X}, not an address of Thumb code")
-        elif not CODE < handler < len(image):
+        elif not (CODE < handler < len(image) or SRAM_LOWER < handler < BORDER):
             problems.append(f"vector {number} is 0x{handler:X}, outside the code")
     return problems

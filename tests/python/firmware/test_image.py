@@ -27,6 +27,7 @@ from tests.python.firmware.contents import (
 )
 from tools.forbidden_parts import FORBIDDEN, forbidden
 from tools.image import lock_problems
+from tools.sizes import place_in_binary
 from weeding_robot_client.layout import SCHEMA_HASH
 
 ELF = BUILD / "weeding_robot.elf"
@@ -137,7 +138,8 @@ def test_the_image_names_the_version_and_the_sources_of_the_project(tmp_path: Pa
     (place,) = [one for one in symbols(ELF) if one.name.endswith("firmwareIdentityE")]
     expected = bytes(map(int, version.groups())) + build_id.encode()
     expected += bytes(1) + SCHEMA_HASH.to_bytes(4, "little")
-    assert BIN.read_bytes()[place.address :][: len(expected)] == expected, "build it again"
+    at = place_in_binary(ELF, place.address)
+    assert BIN.read_bytes()[at:][: len(expected)] == expected, "build it again"
 
 
 def test_the_binary_holds_what_the_program_does(image: bytes, tmp_path: Path) -> None:
@@ -145,9 +147,11 @@ def test_the_binary_holds_what_the_program_does(image: bytes, tmp_path: Path) ->
     copy = tmp_path / "copy.bin"
     output("arm-none-eabi-objcopy", "-O", "binary", ELF, copy)
     assert copy.read_bytes() == image
-    text, size = sections(ELF)[".text"]
-    assert text == CODE
-    assert text + size <= len(image) <= 0x100000
+    start, size = sections(ELF)[".start_up"]
+    assert start == CODE
+    assert start + size <= len(image) <= 0x100000
+    begin, code = sections(ELF)[".text"]
+    assert SRAM_LOWER < begin < begin + code < BORDER
 
 
 def test_the_image_has_nothing_that_the_firmware_must_not_have() -> None:

@@ -14,13 +14,15 @@ from tools.browser import find_browser, works
 from tools.live_runs import result_of
 from traceability.reading.closed_loop_record import EXAMPLES
 from traceability.reading.live_record import MODULE
-from traceability.reading.products import PAPER, image_of
+from traceability.reading.products import PAPER, image_of, recorded_image_of
 
 ROOT = Path(__file__).parents[3]
 COPIED = (
     MODULE,
     image_of(PAPER, ".bin"),
     image_of(PAPER, ".elf"),
+    recorded_image_of(PAPER, ".bin"),
+    recorded_image_of(PAPER, ".elf"),
     EXAMPLES / "loss_of_the_pc.scenario",
     EXAMPLES / "rc_drive.scenario",
     Path("design/frames.toml"),

@@ -11,22 +11,34 @@
 namespace wr::emulator {
 namespace {
 
-/// @brief Each half-word of the flash has its bit; other addresses have none.
+/// @brief Each half-word of the lower RAM and of the flash has its bit; other addresses have none.
 TEST(ExecutedCodeTest, EachHalfWordHasItsBit) {
+  constexpr std::size_t kRamBytes = 0x10000 / 16;
   ExecutedCode code;
-  code.note(0);
-  code.note(0x12);
-  code.note(0xFFFFE);
-  code.note(0x100000);
-  code.note(0x1FFF0000);
-  EXPECT_EQ(code.bits().size(), 0x10000U);
-  EXPECT_EQ(code.bits()[0], 0b1);
-  EXPECT_EQ(code.bits()[1], 0b10);
-  EXPECT_EQ(code.bits()[0xFFFF], 0b1000'0000);
-  EXPECT_EQ(std::ranges::count(code.bits(), 0), 0x10000 - 3);
+  for (const std::uint32_t address :
+       {0x1FFF0000U, 0x1FFFFFFEU, 0U, 0x12U, 0xFFFFEU, 0x100000U, 0x20000000U, 0x1FFEFFFEU}) {
+    code.note(address);
+  }
+  const auto bits = code.bits();
+  EXPECT_EQ(bits.size(), kRamBytes + 0x10000);
+  EXPECT_EQ(bits[0], 0b1);
+  EXPECT_EQ(bits[kRamBytes - 1], 0b1000'0000);
+  EXPECT_EQ(bits[kRamBytes], 0b1);
+  EXPECT_EQ(bits[kRamBytes + 1], 0b10);
+  EXPECT_EQ(bits.back(), 0b1000'0000);
+  EXPECT_EQ(std::ranges::count(bits, 0), static_cast<std::ptrdiff_t>(bits.size()) - 5);
   EXPECT_TRUE(code.noted(0x12));
+  EXPECT_TRUE(code.noted(0x1FFF0000));
   EXPECT_FALSE(code.noted(0x10));
   EXPECT_FALSE(code.noted(0x100000));
+  EXPECT_FALSE(code.noted(0x20000000));
+}
+
+/// @brief Each number of a half-word stands for one address.
+TEST(ExecutedCodeTest, EachHalfWordHasItsAddress) {
+  EXPECT_EQ(ExecutedCode::addressOf(0), 0x1FFF0000U);
+  EXPECT_EQ(ExecutedCode::addressOf(0x8000), 0U);
+  EXPECT_EQ(ExecutedCode::addressOf(ExecutedCode::kHalves - 1), 0xFFFFEU);
 }
 
 /// @brief The processor records executed instructions, and none that it jumps over.

@@ -56,10 +56,15 @@
 
   scenarioField.addEventListener("change", () => {
     const wanted = scenarioField.selectedOptions[0].dataset.product;
-    if (wanted) productField.value = wanted;
+    if (wanted) productField.value = imageOf(wanted);
     if (worker) begin(0);
   });
   productField.addEventListener("change", () => worker && begin(0));
+
+  /* The image of a product: of the kind that is chosen. */
+  function imageOf(product) {
+    return "flashed" in productField.selectedOptions[0].dataset ? product : `${product}_calls`;
+  }
   loadButton.addEventListener("click", () => (worker ? begin(0) : load(0)));
 
   function unavailable(why) {
@@ -135,7 +140,10 @@
     note(found ? found.says : "Move the set-point. A product with safety functions follows when it has had neutral orders for 1.5 s.");
     const option = productField.selectedOptions[0];
     one("[data-image]").textContent =
-      `image ${option.dataset.hash.slice(0, 7)}, ${Number(option.dataset.size).toLocaleString("en")} B, unmodified`;
+      `image ${option.dataset.hash.slice(0, 7)}, ${Number(option.dataset.size).toLocaleString("en")} B, ` +
+      ("flashed" in option.dataset
+        ? "as it is flashed: calls that the compiler has inlined cannot be seen"
+        : "the same sources with other options of the compiler: each call can be seen");
     resetHands();
     send("start", {
       folder: new URL(live.dataset.folder, location.href).href,
@@ -893,7 +901,7 @@
   if (!loadButton.disabled && (asked.has("s") || asked.has("t"))) {
     scenarioField.value = asked.get("s") || "";
     const wanted = scenarioField.selectedOptions[0];
-    if (wanted && wanted.dataset.product) productField.value = wanted.dataset.product;
+    if (wanted && wanted.dataset.product) productField.value = imageOf(wanted.dataset.product);
     if (asked.has("p")) productField.value = asked.get("p");
     load(Number(asked.get("t")) || 0);
   }

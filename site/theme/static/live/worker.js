@@ -36,7 +36,7 @@ async function choose(folder, name) {
   product.methodAt = new Map(product.functions);
   product.has = new Set(product.functions.map(([, method]) => method));
   trees = facts.trees
-    .filter((tree) => tree.products.includes("all") || tree.products.includes(name) || !tree.products.length)
+    .filter((tree) => tree.products.includes("all") || tree.products.includes(product.product) || !tree.products.length)
     .map((tree) => LiveTrees.prepared(tree, product.has));
 }
 
@@ -233,7 +233,7 @@ function seek(time) {
 async function find({ folder, id }) {
   pause();
   for (const scenario of facts.scenarios) {
-    await choose(folder, scenario.product);
+    await choose(folder, `${scenario.product}_calls`);
     const tree = trees.find((one) => one.id === id);
     if (!tree || !tree.possible) continue;
     post({ kind: "plays", title: scenario.title });
@@ -270,8 +270,8 @@ async function count({ folder, modules }) {
   pause();
   const modulesOf = (one) => new Set(one.functions.map(([, method]) => facts.methods[method].split("::")[0]));
   const held = (one) => modules.filter((name) => modulesOf(one).has(name)).length;
-  const rank = (one) => [PAPER, DEFAULT].indexOf(one.name) + 1 || 3;
-  const sorted = [...facts.products].sort((a, b) => held(b) - held(a) || rank(a) - rank(b));
+  const rank = (one) => [PAPER, DEFAULT].indexOf(one.product) + 1 || 3;
+  const sorted = facts.products.filter((one) => !one.flashed).sort((a, b) => held(b) - held(a) || rank(a) - rank(b));
   await choose(folder, sorted[0].name);
   const wanted = modulesOf(product).has("ProtectiveStop") ? "hall_dead" : "loss_of_the_pc";
   const scenario = facts.scenarios.find((one) => one.name === wanted) || facts.scenarios[0];

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "sim/board_robot/BoardSession.hpp"
+#include "sim/faults/Random.hpp"
+
+namespace wr::faults {
+
+/// @brief Part of the robot that a fault hits.
+enum class Kind : std::uint8_t {
+  Ram,        ///< a bit of .data or .bss
+  Stack,      ///< a bit of the stack in use
+  Register,   ///< a bit of a core register
+  Flash,      ///< a bit of the image
+  Interrupt,  ///< an interrupt that is lost, late or raised without cause
+  Sensor,     ///< a sensor that is stuck, off or noisy
+  Serial,     ///< noise on the line from the PC
+  Clock,      ///< another clock of the PC; the external clock or the lock of the PLL is lost
+  Supply      ///< low voltage, power cycle, reset pin
+};
+inline constexpr std::uint32_t kKinds = 9;
+
+/// @brief Name of a kind in the record.
+[[nodiscard]] std::string_view nameOf(Kind kind);
+
+/// @brief Memory of the image that faults can hit.
+struct Places {
+  std::uint32_t dataBegin;
+  std::uint32_t dataEnd;   ///< of .data and .bss
+  std::uint32_t stackEnd;  ///< the stack begins there and grows downwards
+  std::uint32_t flashEnd;
+  std::vector<int> interrupts;  ///< lines that the firmware uses
+};
+
+/// @brief A fault.
+struct Fault {
+  Kind kind = Kind::Ram;
+  std::uint32_t place = 0;  ///< address, register, line, or which fault of the kind
+  std::uint32_t bit = 0;    ///< bit of the place; or which wheel
+  int value = 0;            ///< how much, where the fault has a value
+};
+
+/// @brief Returns whether the fault needs an instant at which the processor does not sleep.
+[[nodiscard]] inline bool needsAwake(Kind kind) {
+  return kind == Kind::Stack || kind == Kind::Register;
+}
+
+/// @brief Returns whether memory can be as without the fault, some time after it.
+[[nodiscard]] inline bool passes(Kind kind) {
+  return kind == Kind::Ram || kind == Kind::Stack || kind == Kind::Register;
+}
+
+/// @brief Returns how long the run with the fault is observed [ms]. A wheel without Hall edges is
+/// reported after 1 s.
+[[nodiscard]] inline int windowOf(Kind kind) {
+  return kind == Kind::Sensor || kind == Kind::Serial || kind == Kind::Clock ? 1800 : 1000;
+}
+
+/// @brief Chooses a kind; bits of RAM are the most frequent.
+[[nodiscard]] Kind chooseKind(Random& random);
+
+/// @brief Chooses a fault of a kind.
+/// @param kind the kind
+/// @param random chooses
+/// @param places what can be hit
+/// @param stack stack pointer at the instant
+[[nodiscard]] Fault choose(Kind kind, Random& random, const Places& places, std::uint32_t stack);
+
+/// @brief Injects a fault now. Noise on the line is not injected here: see noiseOf.
+void inject(const Fault& fault, board_robot::BoardSession& robot);
+
+/// @brief Ends a fault that lasts a limited time.
+/// @param fault the fault
+/// @param ms time since the injection
+void endIfDue(const Fault& fault, int ms, board_robot::BoardSession& robot);
+
+/// @brief Wrong bits in a thousand of the line from the PC; 0 without noise.
+[[nodiscard]] int noiseOf(const Fault& fault);
+
+}  // namespace wr::faults

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/board_robot/BoardSession.hpp"
+#include "sim/faults/Fault.hpp"
+#include "sim/faults/Verdict.hpp"
+#include "sim/scenario/PcFrames.hpp"
+
+namespace wr::faults {
+
+/// @brief A fault that was injected.
+struct Result {
+  Fault fault;
+  int at = 0;            ///< ms since the drive began
+  std::uint32_t pc = 0;  ///< instruction at the injection
+  Verdict verdict;
+  std::string stop;  ///< finding of the virtual board, of an outcome Stopped
+};
+
+/// @brief A random drive of an image on the virtual board, and copies of it with one fault each.
+///
+/// Each copy is a process of its own: the part of the drive before the fault is run once.
+class FaultRun {
+ public:
+  static constexpr int kFirst = 1500;  ///< ms of the drive before the first fault
+  static constexpr int kLast = 6500;   ///< ms of the drive before the last fault
+
+  /// @brief Runs the drive without a fault. Throws std::runtime_error when the robot does not drive.
+  /// @param image content of the flash
+  /// @param elf its file with symbols
+  /// @param seed chooses the drive
+  FaultRun(std::vector<std::uint8_t> image, const std::filesystem::path& elf, std::uint64_t seed);
+
+  /// @brief Returns the memory that faults can hit.
+  [[nodiscard]] const Places& places() const { return places_; }
+
+  /// @brief Injects random faults.
+  /// @param count their number
+  /// @param random chooses them
+  /// @param take gets each result, by rising time of the injection
+  void injectAll(int count, Random& random, const std::function<void(const Result&)>& take);
+
+  /// @brief Injects one fault.
+  /// @param fault the fault
+  /// @param at ms since the drive began, kFirst to kLast
+  [[nodiscard]] Result injectOne(const Fault& fault, int at);
+
+ private:
+  class Robot;
+  using Choice = std::function<Fault(Robot&)>;
+
+  /// Runs a copy of the robot with a fault, which is chosen in the copy.
+  [[nodiscard]] Result observe(Robot& robot, const Choice& choice) const;
+  [[nodiscard]] Verdict runCopy(Robot& robot, const Fault& fault, int at, bool silentPc) const;
+
+  std::vector<std::uint8_t> image_;
+  std::uint64_t seed_;
+  Places places_;
+  std::vector<Outputs> reference_;
+  std::vector<std::uint64_t> states_;        ///< of the reference, each 100 ms
+  std::vector<scenario::PcReport> reports_;  ///< of the reference
+};
+
+}  // namespace wr::faults

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+
+namespace wr::faults {
+
+/// @brief Random numbers that are the same on each machine: the generator splitmix64.
+class Random {
+ public:
+  /// @brief Starts a sequence.
+  /// @param seed chooses the sequence
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+
+  /// @brief Returns a number from 0 on.
+  /// @param end the numbers are less than this, which is more than 0
+  [[nodiscard]] std::uint32_t below(std::uint32_t end) {
+    state_ += 0x9E3779B97F4A7C15U;
+    std::uint64_t mixed = (state_ ^ state_ >> 30U) * 0xBF58476D1CE4E5B9U;
+    mixed = (mixed ^ mixed >> 27U) * 0x94D049BB133111EBU;
+    return static_cast<std::uint32_t>((mixed ^ mixed >> 31U) % end);
+  }
+
+  /// @brief Returns a number of a range.
+  /// @param first least number
+  /// @param last greatest number
+  [[nodiscard]] int between(int first, int last) {
+    return first + static_cast<int>(below(static_cast<std::uint32_t>(last - first + 1)));
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace wr::faults

@@ -1,0 +1,78 @@
+#include "sim/faults/Verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wr::faults {
+
+namespace {
+
+bool differs(const Outputs& faulty, const Outputs& reference) {
+  for (std::size_t wheel = 0; wheel < faulty.drive.size(); ++wheel) {
+    if (std::abs(faulty.drive.at(wheel) - reference.drive.at(wheel)) > kWrongDrive) {
+      return true;
+    }
+  }
+  return std::abs(faulty.steering - reference.steering) > kWrongAngle;
+}
+
+struct Wrong {
+  int before = 0;  // ms up to the detection
+  int total = 0;   // ms in runs that are long enough to count
+  int after = 0;   // ms with power after a reset
+};
+
+// A robot whose wheels have no voltage is safe, whatever the reference does.
+Wrong countWrong(const Observation& faulty, const Outputs* reference, int detectedAt) {
+  Wrong wrong;
+  int run = 0;
+  const auto resetAt = static_cast<std::size_t>(std::max(faulty.resetAt, 0));
+  for (int ms = 0; ms < static_cast<int>(faulty.outputs.size()); ++ms) {
+    const Outputs& now = faulty.outputs[static_cast<std::size_t>(ms)];
+    if (faulty.resetAt != Observation::kNever && ms > faulty.resetAt) {
+      const float moved = now.steering - faulty.outputs.at(resetAt).steering;
+      wrong.after += now.wheelsOff() && std::abs(moved) <= kWrongAngle ? 0 : 1;
+      continue;
+    }
+    run = differs(now, reference[ms]) && !now.wheelsOff() ? run + 1 : 0;
+    if (run == 0 || run <= kShort) {
+      continue;
+    }
+    const int added = run == kShort + 1 ? run : 1;
+    wrong.total += added;
+    wrong.before += detectedAt == Observation::kNever || ms <= detectedAt ? added : 0;
+  }
+  return wrong;
+}
+
+int firstOf(int a, int b) {
+  if (a == Observation::kNever || b == Observation::kNever) {
+    return std::max(a, b);
+  }
+  return std::min(a, b);
+}
+
+}  // namespace
+
+std::string_view nameOf(Outcome outcome) {
+  constexpr std::array<std::string_view, 6> kNames{"harmless", "detected", "late",
+                                                   "silent",   "hung",     "stopped"};
+  return kNames.at(static_cast<std::size_t>(outcome));
+}
+
+Verdict judge(const Observation& faulty, const Outputs* reference) {
+  const int detectedAt = firstOf(faulty.resetAt, faulty.toldAt);
+  const Wrong wrong = countWrong(faulty, reference, detectedAt);
+  Verdict verdict{.safeAfter = detectedAt, .wrongFor = wrong.total + wrong.after};
+  if (detectedAt != Observation::kNever) {
+    verdict.outcome =
+        wrong.before > kSafeWithin || wrong.after > 0 ? Outcome::Late : Outcome::Detected;
+  } else if (!faulty.answers) {
+    verdict.outcome = Outcome::Hung;
+  } else if (wrong.total > 0) {
+    verdict.outcome = Outcome::Silent;
+  }
+  return verdict;
+}
+
+}  // namespace wr::faults

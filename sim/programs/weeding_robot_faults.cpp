@@ -1,0 +1,71 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "sim/emulator/Image.hpp"
+#include "sim/faults/FaultRun.hpp"
+#include "sim/programs/Program.hpp"
+
+namespace wr::programs {
+
+namespace {
+
+struct Settings {
+  std::string image;
+  std::string elf;
+  std::uint64_t seed = 1;
+  int count = 1;
+};
+
+// One line of JSON; no text has a character that JSON would have to escape.
+void print(const faults::Result& result) {
+  std::printf(
+      R"({"kind": "%s", "at": %d, "place": %u, "bit": %u, "value": %d, "pc": %u, "outcome": "%s", )"
+      R"("safe_after": %d, "wrong_for": %d, "stop": "%s"})"
+      "\n",
+      nameOf(result.fault.kind).data(), result.at, result.fault.place, result.fault.bit,
+      result.fault.value, result.pc, nameOf(result.verdict.outcome).data(),
+      result.verdict.safeAfter, result.verdict.wrongFor, result.stop.c_str());
+  std::fflush(stdout);  // a copy of this process must not print it again
+}
+
+Exit run(const Settings& settings) {
+  faults::FaultRun drive(emulator::readImage(settings.image), settings.elf, settings.seed);
+  faults::Random random(settings.seed);
+  drive.injectAll(settings.count, random, print);
+  return Exit::Done;
+}
+
+}  // namespace
+
+}  // namespace wr::programs
+
+int main(int count, char** arguments) try {
+  wr::programs::Settings settings;
+  CLI::App app(
+      "Runs a random drive of a raw image of a K64 on the virtual board, and copies of it with "
+      "one\n"
+      "injected fault each. Prints a line of JSON for each fault.",
+      "weeding_robot_faults");
+  app.add_option("--image", settings.image, "content of the flash from address 0")
+      ->required()
+      ->type_name("PATH")
+      ->check(CLI::ExistingFile);
+  app.add_option("--elf", settings.elf, "file with the symbols of the image")
+      ->required()
+      ->type_name("PATH")
+      ->check(CLI::ExistingFile);
+  app.add_option("--seed", settings.seed, "chooses the drive and the faults [1]")
+      ->type_name("NUMBER");
+  app.add_option("--count", settings.count, "number of faults [1]")
+      ->type_name("NUMBER")
+      ->check(wr::programs::greaterThanZero());
+  return wr::programs::runProgram(app, count, arguments,
+                                  [&settings] { return wr::programs::run(settings); });
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "weeding_robot_faults: %s\n", error.what());
+  return EXIT_FAILURE;
+} catch (...) {
+  return EXIT_FAILURE;
+}

@@ -1,0 +1,82 @@
+"""The chunks of a campaign, and the files of those that are finished.
+
+A chunk is a pure function of its seed and its count: it has the same result wherever it runs.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+FOLDER = Path("build/campaign")
+SEEDS = 1 << 20  # seeds of chunks of one campaign
+
+
+@dataclass(frozen=True)
+class Chunk:
+    """A part of a campaign: its number, the seed of its random choices, the number of its cases."""
+
+    number: int
+    seed: int
+    count: int
+
+
+def chunks_of(seed: int, count: int, size: int) -> list[Chunk]:
+    """Divides a campaign into chunks. Chunks of a longer campaign begin with those of a shorter."""
+    if count < 1 or count > size * SEEDS:
+        raise ValueError(f"a campaign has from 1 to {size * SEEDS} cases")
+    number = -(-count // size)
+    return [Chunk(n, seed * SEEDS + n, min(size, count - n * size)) for n in range(number)]
+
+
+def identity_of(files: Iterable[Path]) -> str:
+    """The hash of the files that a chunk executes: the image and the program."""
+    digest = hashlib.sha256()
+    for path in files:
+        digest.update(hashlib.sha256(path.read_bytes()).digest())
+    return digest.hexdigest()[:16]
+
+
+class Store:
+    """The finished chunks of one campaign, a file each."""
+
+    def __init__(self, root: Path, kind: str, identity: str, seed: int) -> None:
+        self.identity = identity
+        self.folder = root / FOLDER / kind / f"{identity}-{seed}"
+
+    def keep(self, chunk: Chunk, cases: list[dict[str, Any]]) -> None:
+        """Writes the result of a chunk at once: its file is whole, or it does not exist."""
+        self.folder.mkdir(parents=True, exist_ok=True)
+        path = self.folder / f"{chunk.number:06}-{chunk.count}.json"
+        draft = path.with_suffix(f".{os.getpid()}.draft")
+        content = {"identity": self.identity, "seed": chunk.seed, "cases": cases}
+        with draft.open("w", encoding="utf-8") as file:
+            json.dump(content, file)
+            file.flush()
+            os.fsync(file.fileno())
+        draft.replace(path)
+
+    def read(self, chunk: Chunk) -> list[dict[str, Any]] | None:
+        """The cases of a chunk; None while it is not finished. Another program's are refused."""
+        path = self.folder / f"{chunk.number:06}-{chunk.count}.json"
+        if not path.is_file():
+            return None
+        content = json.loads(path.read_text(encoding="utf-8"))
+        if (content["identity"], content["seed"]) != (self.identity, chunk.seed):
+            raise ValueError(f"{path} belongs to another campaign: remove it")
+        cases: list[dict[str, Any]] = content["cases"]
+        return cases
+
+    def finished(self) -> list[Chunk]:
+        """The chunks that are finished, by number; of one number the longest."""
+        seed = int(self.folder.name.rpartition("-")[2])
+        longest: dict[int, int] = {}
+        for path in self.folder.glob("*-*.json"):
+            number, count = (int(part) for part in path.stem.split("-"))
+            longest[number] = max(longest.get(number, 0), count)
+        return [Chunk(n, seed * SEEDS + n, count) for n, count in sorted(longest.items())]

@@ -1,0 +1,136 @@
+"""./wr campaign: a long run of random cases, in chunks that are kept when they are finished."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import time
+from pathlib import Path
+from typing import Any
+
+from tools.campaign.chunks import Chunk, Store, chunks_of, identity_of
+from tools.campaign.kinds import KINDS, Kind
+from tools.campaign.workers import run_here, run_on_dask
+from tools.cmake_build import build
+from tools.lock import only_one
+from tools.steps import FailureError, Steps
+from traceability.model.build import commit
+from traceability.reading.published import publish
+
+SHOWN_EVERY = 10.0  # seconds
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "campaign",
+        description="Runs many random cases, in chunks on all cores. Each finished chunk is kept "
+        "in build/campaign: a campaign that was ended continues with --resume, and has the same "
+        "result as one that was not ended.",
+    )
+    parser.add_argument("kind", choices=sorted(KINDS), help="kind of the cases")
+    parser.add_argument("--count", type=positive, help="number of cases; each kind has a usual one")
+    parser.add_argument("--seed", type=int, default=1, help="chooses the cases; by default 1")
+    parser.add_argument(
+        "--workers", type=positive, default=os.cpu_count() or 1, help="by default one for each core"
+    )
+    parser.add_argument("--scheduler", help="address of a Dask scheduler, such as tcp://HOST:8786")
+    parser.add_argument("--resume", action="store_true", help="keep the chunks that are finished")
+    parser.add_argument(
+        "--publish",
+        action="store_true",
+        help="write the result of the finished chunks to tests/records; without --count nothing "
+        "more is run",
+    )
+    parser.set_defaults(run=campaign)
+
+
+def positive(text: str) -> int:
+    value = int(text)
+    if value < 1:
+        raise argparse.ArgumentTypeError("at least 1")
+    return value
+
+
+def campaign(root: Path, options: argparse.Namespace) -> int:
+    kind = KINDS[options.kind]
+    with only_one(root, "campaign"):
+        steps = Steps(root, 1)
+        if not steps.run("build of the campaign", lambda log: build_all(root, kind, log)):
+            return 1
+    store = Store(root, kind.name, identity_of(root / file for file in kind.files), options.seed)
+    if options.count or not options.publish:
+        run(root, kind, store, options)
+    chunks = store.finished()
+    if not chunks:
+        raise FailureError("no chunk of this program and this seed is finished")
+    result = merged(root, kind, store, chunks)
+    print(json.dumps(result["outcomes"]))
+    if options.publish:
+        command = f"./wr campaign {kind.name} --count {result['cases']} --seed {options.seed}"
+        path = publish(root, kind.name, command, commit(root), result)
+        print(f"{result['cases']} {kind.unit} published in {path.relative_to(root)}")
+    return 0
+
+
+def build_all(root: Path, kind: Kind, log: Any) -> None:
+    for preset, targets in kind.targets:
+        build(root, preset, log, *targets)
+
+
+def run(root: Path, kind: Kind, store: Store, options: argparse.Namespace) -> None:
+    """Runs the chunks that are not finished."""
+    chunks = chunks_of(options.seed, options.count or kind.usual, kind.size)
+    finished = set(store.finished())
+    if finished and not options.resume:
+        raise FailureError(
+            f"{len(finished)} chunks of this campaign are finished: --resume keeps them. "
+            f"To run them again remove {store.folder.relative_to(root)}"
+        )
+    left = [chunk for chunk in chunks if chunk not in finished]
+    progress = Progress(kind, len(chunks), sum(chunk.count for chunk in left))
+    results = (
+        run_on_dask(kind, root, left, options.scheduler, store.identity)
+        if options.scheduler
+        else run_here(kind, root, left, options.workers)
+    )
+    for chunk, cases in results:
+        if len(cases) != chunk.count:
+            raise FailureError(f"chunk {chunk.number} has {len(cases)} cases, not {chunk.count}")
+        store.keep(chunk, cases)
+        progress.show(chunk)
+
+
+def merged(root: Path, kind: Kind, store: Store, chunks: list[Chunk]) -> dict[str, Any]:
+    """The summary of the chunks, each counted once."""
+    cases = [case for chunk in chunks for case in store.read(chunk) or []]
+    return {
+        "identity": store.identity,
+        "chunks": len(chunks),
+        "cases": len(cases),
+        **kind.summarise(root, cases),
+    }
+
+
+class Progress:
+    """Prints now and then how many cases are done, and when the last one will be."""
+
+    def __init__(self, kind: Kind, chunks: int, cases: int) -> None:
+        self.kind, self.chunks, self.cases = kind, chunks, cases
+        self.done = 0
+        self.start = self.shown = time.monotonic()
+        print(f"{cases} {kind.unit} to run, in {chunks} chunks with the finished ones", flush=True)
+
+    def show(self, chunk: Chunk) -> None:
+        self.done += chunk.count
+        now = time.monotonic()
+        if now - self.shown < SHOWN_EVERY and self.done < self.cases:
+            return
+        self.shown = now
+        rate = self.done / (now - self.start)
+        left = round((self.cases - self.done) / rate)
+        print(
+            f"  {self.done} of {self.cases} {self.kind.unit}, {rate:.1f} a second, "
+            f"{left // 3600}:{left // 60 % 60:02}:{left % 60:02} left",
+            flush=True,
+        )

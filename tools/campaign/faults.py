@@ -1,0 +1,67 @@
+"""The campaign of injected faults: its program, and the summary of its cases."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+from traceability.reading.fault_record import OUTCOMES
+from traceability.reading.products import DEFAULT, image_of
+
+PROGRAM = Path("build/host/sim/weeding_robot_faults")
+IMAGE, ELF = image_of(DEFAULT, ".bin"), image_of(DEFAULT, ".elf")
+BY_ADDRESS = ("ram", "flash")  # kinds whose place is an address with a module
+BY_INSTRUCTION = ("register", "stack")  # kinds that hit the module that runs
+LISTED = 40  # silent faults in the record
+
+Case = dict[str, Any]
+
+
+def summarise(root: Path, cases: Sequence[Case]) -> dict[str, Any]:
+    """Counts the cases by outcome, by kind and by module."""
+    from tools.campaign.places import Places
+
+    places = Places(root, root / ELF)
+    named = [(case, module_of(places, case)) for case in cases]
+    kinds = {case["kind"] for case in cases}
+    modules = {module for _, module in named if module}
+    silent = [(case, module) for case, module in named if case["outcome"] in ("silent", "hung")]
+    return {
+        "outcomes": counted(cases),
+        "kinds": {kind: counted(c for c in cases if c["kind"] == kind) for kind in sorted(kinds)},
+        "modules": {
+            name: counted(case for case, module in named if module == name)
+            for name in sorted(modules)
+        },
+        "safe_after": times([c["safe_after"] for c in cases if c["outcome"] == "detected"]),
+        "stops": dict(Counter(case["stop"] for case in cases if case["stop"])),
+        "silent": [{**case, "module": module} for case, module in silent[:LISTED]],
+    }
+
+
+def counted(cases: Iterable[Case]) -> dict[str, int]:
+    """How many cases have each outcome."""
+    counts = Counter(case["outcome"] for case in cases)
+    return {outcome: counts[outcome] for outcome in OUTCOMES}
+
+
+def times(values: Sequence[int]) -> dict[str, float]:
+    """Median, 95th of a hundred, and greatest [ms]."""
+    ordered = sorted(values)
+    if not ordered:
+        return {}
+    return {
+        "median": median(ordered),
+        "p95": ordered[int(0.95 * (len(ordered) - 1))],
+        "most": ordered[-1],
+    }
+
+
+def module_of(places: Any, case: Case) -> str:
+    """The module that a fault hit; empty if it hit no module."""
+    if case["kind"] in BY_ADDRESS:
+        return str(places.of(case["place"]))
+    return str(places.of(case["pc"])) if case["kind"] in BY_INSTRUCTION else ""

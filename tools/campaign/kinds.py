@@ -1,0 +1,49 @@
+"""The kinds of campaigns: what a chunk executes, and the summary of all cases."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from tools.campaign.chunks import Chunk
+from tools.campaign.faults import ELF, IMAGE, PROGRAM, summarise
+
+Cases = Sequence[dict[str, Any]]
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of campaign. Its program prints a line of JSON for each case."""
+
+    name: str
+    unit: str  # name of a case
+    size: int  # cases of a chunk
+    usual: int  # cases of a campaign, unless another number is given
+    targets: tuple[tuple[str, tuple[str, ...]], ...]  # preset and its targets to build
+    files: tuple[Path, ...]  # that a chunk executes and reads; the first is the program
+    options: Callable[[Sequence[Path]], list[str]]  # the options for these files
+    summarise: Callable[[Path, Cases], dict[str, Any]]
+
+    def words(self, files: Sequence[Path], chunk: Chunk) -> list[str]:
+        """The command of a chunk."""
+        seeded = ["--seed", str(chunk.seed), "--count", str(chunk.count)]
+        return [str(files[0]), *self.options(files), *seeded]
+
+
+KINDS = {
+    kind.name: kind
+    for kind in (
+        Kind(
+            "faults",
+            "faults",
+            200,
+            10_000,
+            (("k64", (ELF.name,)), ("host", (PROGRAM.name,))),
+            (PROGRAM, IMAGE, ELF),
+            lambda files: ["--image", str(files[1]), "--elf", str(files[2])],
+            summarise,
+        ),
+    )
+}

@@ -1,0 +1,200 @@
+"""The module that an address of the image belongs to, by its debug information."""
+
+from __future__ import annotations
+
+import bisect
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from elftools.dwarf.die import DIE
+from elftools.elf.elffile import ELFFile
+
+from traceability.sources import files_below
+
+NOWHERE = "other"  # padding, libraries, tables of the compiler
+_ADDRESS = 0x03  # DW_OP_addr
+_WRAPPERS = {"DW_TAG_typedef", "DW_TAG_const_type", "DW_TAG_volatile_type"}
+_CLASSES = {"DW_TAG_structure_type", "DW_TAG_class_type", "DW_TAG_union_type"}
+
+
+class Places:
+    """Names the module of an address in flash or RAM: the innermost class or the source file."""
+
+    def __init__(self, root: Path, elf: Path) -> None:
+        self._modules = {
+            path.stem for path in files_below(root, ("src", "extensions"), (".hpp", ".cpp"))
+        }
+        self._objects: list[tuple[int, int, DIE, str]] = []  # address, end, type, source
+        self._functions: list[tuple[int, int, str]] = []
+        with elf.open("rb") as file:
+            self._read(ELFFile(file))
+            self._file = file
+            self._cache: dict[int, str] = {}
+            self._objects.sort(key=lambda item: item[:2])
+            self._functions.sort()
+            self._starts = [item[0] for item in self._objects]
+            self._first = [item[0] for item in self._functions]
+            # A type is read when it is asked for, as long as the file is open.
+            self._members = {
+                address: dict(self._spread(address, die, source))
+                for address, _, die, source in self._objects
+            }
+
+    def of(self, address: int) -> str:
+        """The module of an address; NOWHERE without one."""
+        for starts, items in ((self._starts, self._objects), (self._first, self._functions)):
+            at = bisect.bisect_right(starts, address) - 1
+            if at < 0 or address >= items[at][1]:
+                continue
+            if items is self._functions:
+                return self._functions[at][2]
+            spread = self._members[self._objects[at][0]]
+            return spread.get(address - self._objects[at][0], self._objects[at][3])
+        return NOWHERE
+
+    def _read(self, elf: ELFFile) -> None:
+        for unit in elf.get_dwarf_info().iter_CUs():
+            top = unit.get_top_DIE()
+            source = self._module_of_file(_text(top, "DW_AT_name"))
+            for die in _variables_and_functions(top):
+                if die.tag == "DW_TAG_variable":
+                    self._add_variable(die, source)
+                else:
+                    self._add_function(die, source)
+
+    def _add_variable(self, die: DIE, source: str) -> None:
+        location = die.attributes.get("DW_AT_location")
+        kind = _type_of(die)
+        if location is None or kind is None or not isinstance(location.value, list):
+            return
+        if len(location.value) != 5 or location.value[0] != _ADDRESS:
+            return
+        address = int.from_bytes(bytes(location.value[1:]), "little")
+        size = _size_of(kind)
+        if size:
+            self._objects.append((address, address + size, kind, source))
+
+    def _add_function(self, die: DIE, source: str) -> None:
+        low, high = die.attributes.get("DW_AT_low_pc"), die.attributes.get("DW_AT_high_pc")
+        if low is None or high is None or low.value == 0:
+            return
+        end = high.value if high.form == "DW_FORM_addr" else low.value + high.value
+        self._functions.append((low.value, end, self._module_of_function(die, source)))
+
+    def _module_of_function(self, die: DIE, source: str) -> str:
+        declared = die
+        for name in ("DW_AT_abstract_origin", "DW_AT_specification"):
+            if name in declared.attributes:
+                declared = declared.get_DIE_from_attribute(name)
+        if "DW_AT_specification" in declared.attributes:
+            declared = declared.get_DIE_from_attribute("DW_AT_specification")
+        parent = declared.get_parent()
+        while parent is not None and parent.tag != "DW_TAG_compile_unit":
+            if (
+                parent.tag in _CLASSES
+                and (name := _plain(_text(parent, "DW_AT_name"))) in self._modules
+            ):
+                return name
+            parent = parent.get_parent()
+        return source
+
+    def _module_of_file(self, name: str) -> str:
+        stem = Path(name).stem
+        return stem if stem in self._modules else NOWHERE
+
+    def _spread(self, start: int, die: DIE, source: str) -> Iterator[tuple[int, str]]:
+        """The module of each byte of an object."""
+        yield from self._bytes(die, 0, source, 0)
+
+    def _bytes(self, die: DIE, offset: int, module: str, depth: int) -> Iterator[tuple[int, str]]:
+        kind = _resolved(die)
+        if kind.tag == "DW_TAG_array_type":
+            element = _type_of(kind)
+            size = _size_of(element) if element else 0
+            for index in range(_count_of(kind) if size else 0):
+                assert element is not None
+                yield from self._bytes(element, offset + index * size, module, depth + 1)
+            return
+        if kind.tag in _CLASSES:
+            name = _plain(_text(kind, "DW_AT_name"))
+            module = name if name in self._modules else module
+        size = _size_of(kind)
+        yield from ((offset + byte, module) for byte in range(size))
+        if kind.tag in _CLASSES:
+            for child in kind.iter_children():
+                if child.tag not in ("DW_TAG_member", "DW_TAG_inheritance"):
+                    continue
+                place = child.attributes.get("DW_AT_data_member_location")
+                member = _type_of(child)
+                if member is not None and (place is not None or kind.tag == "DW_TAG_union_type"):
+                    at = place.value if place is not None else 0
+                    if "DW_AT_bit_size" not in child.attributes and isinstance(at, int):
+                        # A base class is a part of the derived class: it has no place of its own.
+                        inner = self._bytes(member, offset + at, module, depth + 1)
+                        yield from inner
+
+
+def _variables_and_functions(die: DIE) -> Iterator[DIE]:
+    for child in die.iter_children():
+        if child.tag in ("DW_TAG_namespace", *_CLASSES):
+            yield from _variables_and_functions(child)
+        elif child.tag == "DW_TAG_variable":
+            yield child
+        elif child.tag == "DW_TAG_subprogram":
+            yield child
+            yield from (one for one in child.iter_children() if one.tag == "DW_TAG_variable")
+
+
+def _text(die: DIE, name: str) -> str:
+    found: Any = die.attributes.get(name)
+    return found.value.decode() if found is not None else ""
+
+
+def _plain(name: str) -> str:
+    """The name of a class without the arguments of its template."""
+    return re.sub(r"<.*", "", name)
+
+
+def _type_of(die: DIE) -> DIE | None:
+    while "DW_AT_type" not in die.attributes:
+        for name in ("DW_AT_specification", "DW_AT_abstract_origin"):
+            if name in die.attributes:
+                die = die.get_DIE_from_attribute(name)
+                break
+        else:
+            return None
+    return die.get_DIE_from_attribute("DW_AT_type")
+
+
+def _resolved(die: DIE) -> DIE:
+    while die.tag in _WRAPPERS:
+        inner = _type_of(die)
+        if inner is None:
+            return die
+        die = inner
+    return die
+
+
+def _size_of(die: DIE) -> int:
+    kind = _resolved(die)
+    if "DW_AT_byte_size" in kind.attributes:
+        return int(kind.attributes["DW_AT_byte_size"].value)
+    if kind.tag == "DW_TAG_array_type" and (element := _type_of(kind)) is not None:
+        return _count_of(kind) * _size_of(element)
+    return 4 if kind.tag in ("DW_TAG_pointer_type", "DW_TAG_reference_type") else 0
+
+
+def _count_of(array: DIE) -> int:
+    count = 1
+    for child in array.iter_children():
+        if child.tag == "DW_TAG_subrange_type":
+            attributes = child.attributes
+            if "DW_AT_count" in attributes:
+                count *= attributes["DW_AT_count"].value
+            elif "DW_AT_upper_bound" in attributes and isinstance(
+                attributes["DW_AT_upper_bound"].value, int
+            ):
+                count *= attributes["DW_AT_upper_bound"].value + 1
+    return count

@@ -1,0 +1,151 @@
+"""Runs the model checker Spin for each property of the state machines."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+import time
+from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict
+from functools import partial
+from pathlib import Path
+from typing import TextIO
+
+from tools.steps import FailureError
+from tools.task_graph import Outcome
+from traceability.model.promela import COMPOSITION, whole
+from traceability.reading.declared import Declared, read_declared
+from traceability.reading.proof_record import FOLDER, PROOFS, SCENARIOS
+from traceability.reading.proof_record import scenario as scenario_of
+from traceability.schema import ProofProperty, ProofResult
+
+SPIN, COMPILER = "spin", "cc"
+SECONDS = 300  # for each step of a proof
+DEPTH = 5_000_000  # steps
+# Depths at which a shorter counterexample is searched; a person reads it.
+SHORT = (100, 200, 300, 400, 600, 800, 1200, 2000, 4000)
+MEMORY_MB = 6000
+WORKERS = 2
+OPTIONS = ("-O2", "-w", "-DNOFAIR", "-DVECTORSZ=512", f"-DMEMLIM={MEMORY_MB}")
+STATES = re.compile(r"^\s*(\d+) states, stored", re.MULTILINE)
+REACHED = re.compile(r"depth reached (\d+), errors: (\d+)")
+EVENT = re.compile(
+    r"(?:^|\s)(round|event [\w-]+|transition [\w-]+ \w+ \w+)$|(START OF CYCLE)", re.MULTILINE
+)
+
+
+def missing_program() -> str:
+    """Returns the first program that a proof needs and this machine does not have."""
+    return next((name for name in (SPIN, COMPILER) if shutil.which(name) is None), "")
+
+
+def prove_all(root: Path, log: TextIO) -> Outcome:
+    """Proves all properties, and records the results."""
+    if missing := missing_program():
+        return Outcome(f"not run in this build: {missing} is not installed")
+    declared = read_declared(root)
+    if declared.entries.unreadable:
+        raise FailureError(f"{declared.entries.unreadable[0]} cannot be read")
+
+    def said(text: str) -> None:
+        log.write(f"{text}\n")
+        log.flush()
+
+    results = prove(root, declared, declared.proofs.values(), said)
+    path = root / PROOFS
+    path.parent.mkdir(parents=True, exist_ok=True)
+    content = {name: asdict(result) for name, result in results.items()}
+    path.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+    proven = sum(one.verdict == "proven" for one in results.values())
+    states = sum(one.states for one in results.values())
+    note = f"{proven} of {len(results)} properties proven, {states} states"
+    return Outcome(note, failed=proven < len(results))
+
+
+def prove(
+    root: Path, declared: Declared, wanted: Iterable[ProofProperty], say: Callable[[str], None]
+) -> dict[str, ProofResult]:
+    """Proves properties, some at the same time; each gets a line when it ends."""
+    asked = list(wanted)
+    found: dict[str, ProofResult] = {}
+    with ThreadPoolExecutor(WORKERS) as pool:
+        made = pool.map(partial(prove_one, root, declared), asked)
+        for number, (one, result) in enumerate(zip(asked, made, strict=True), 1):
+            found[one.name] = result
+            say(
+                f"[{number}/{len(asked)}] {one.name}: {result.verdict}, "
+                f"{result.states} states, depth {result.depth}, {result.seconds:.1f} s"
+            )
+            for line in result.events:
+                say(f"        {line}")
+    return found
+
+
+def prove_one(root: Path, declared: Declared, proof: ProofProperty) -> ProofResult:
+    folder = root / FOLDER / proof.name
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    composition = (root / COMPOSITION).read_text(encoding="utf-8")
+    model = whole(declared.machines, composition, proof)
+    (folder / "model.pml").write_text(model, encoding="utf-8")
+    begin = time.monotonic()
+    call(folder, proof, [SPIN, "-a", "model.pml"])
+    call(folder, proof, [COMPILER, *OPTIONS, "-o", "pan", "pan.c"])
+    said = call(folder, proof, ["./pan", "-a", "-n", f"-m{DEPTH}"])
+    return judged(root, declared, proof, said, time.monotonic() - begin)
+
+
+def judged(
+    root: Path, declared: Declared, proof: ProofProperty, said: str, seconds: float
+) -> ProofResult:
+    """Returns the result that the verifier printed."""
+    states, reached = STATES.search(said), REACHED.search(said)
+    if not states or not reached:
+        raise FailureError(f"{proof.name}: the verifier printed no result: {said[-300:]}")
+    count, depth = int(states[1]), int(reached[1])
+    if reached[2] != "0":
+        events = counterexample(root, proof)
+        text = scenario_of(proof, events, declared.proof_events)
+        file = ""
+        if text:
+            path = root / SCENARIOS / f"{proof.name}.scenario"
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+            file = str(path.relative_to(root))
+        return ProofResult("false", count, depth, round(seconds, 1), events, file)
+    limited = "max search depth too small" in said or "out of memory" in said
+    verdict = "incomplete" if limited or "Search not completed" in said else "proven"
+    return ProofResult(verdict, count, depth, round(seconds, 1))
+
+
+def counterexample(root: Path, proof: ProofProperty) -> list[str]:
+    """Returns the rounds, events and transitions that lead to the violation of a property."""
+    folder = root / FOLDER / proof.name
+    call(folder, proof, [COMPILER, *OPTIONS, "-DREACH", "-o", "pan", "pan.c"])
+    for depth in SHORT:
+        said = call(folder, proof, ["./pan", "-a", "-n", f"-m{depth}"])
+        reached = REACHED.search(said)
+        if reached and reached[2] != "0":
+            break
+    said = call(folder, proof, [SPIN, "-t", "model.pml"])
+    found = [match[1] or "from here on for ever:" for match in EVENT.finditer(said)]
+    return found or ["the counterexample has no event"]
+
+
+def call(folder: Path, proof: ProofProperty, words: Sequence[str]) -> str:
+    """Runs a program of a proof; returns its output."""
+    try:
+        done = subprocess.run(
+            words, cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False
+        )
+    except subprocess.TimeoutExpired as error:
+        text = f"{proof.name}: {words[0]} did not end within {SECONDS} s"
+        raise FailureError(text) from error
+    said = done.stdout + done.stderr
+    if done.returncode != 0 and words[0] != "./pan":
+        errors = [line for line in said.splitlines() if "rror" in line]
+        raise FailureError(f"{proof.name}: {words[0]}: {'; '.join(errors[:3]) or said[-300:]}")
+    return said

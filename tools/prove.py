@@ -1,0 +1,44 @@
+"""./wr prove: proves the properties of the state machines with the model checker Spin."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from tools.lock import only_one
+from tools.proof_runs import missing_program, prove
+from tools.steps import MissingError
+from tools.tasks import graph
+from traceability.reading.declared import read_declared
+from traceability.reading.task_record import PROOFS
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "prove",
+        description="Generates a model of the state machines of design/fsm and of their "
+        "composition in design/proofs/robot.pml, and proves the properties of "
+        "design/proofs/properties.toml with the model checker Spin. The results are in "
+        "build/results/proofs.json and on the page Proofs of the portal. Exit code 3: Spin or a C "
+        "compiler is missing.",
+    )
+    parser.add_argument(
+        "properties", nargs="*", metavar="PROPERTY", help="prove only these, and record nothing"
+    )
+    parser.set_defaults(run=lambda root, options: run(root, options, parser))
+
+
+def run(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+    declared = read_declared(root)
+    unknown = set(options.properties) - set(declared.proofs)
+    if unknown:
+        known = ", ".join(declared.proofs)
+        parser.error(f"there is no property {min(unknown)}; the properties are {known}")
+    if missing := missing_program():
+        raise MissingError(f"{missing} is not installed; ./wr setup installs it")
+    with only_one(root, "prove"):
+        if options.properties:
+            wanted = [declared.proofs[name] for name in options.properties]
+            results = prove(root, declared, wanted, print)
+            return 0 if all(one.verdict == "proven" for one in results.values()) else 1
+        return 1 if graph(root).run([PROOFS]).failed else 0

@@ -1,0 +1,116 @@
+"""proof-*: the properties are proven, and their model is that of the design."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from traceability.model.design_model import Model
+from traceability.model.promela import COMPOSITION, guards_of, name_of, observed, slug
+from traceability.reading.source_facts import Facts
+from traceability.schema import Finding, Place
+
+INLINE = re.compile(r"^inline (\w+)\(")
+CODE = re.compile(r"^// code: (.+)$")
+APART = ("// environment", "// observer")
+NUMBER = re.compile(r"^#define (\w+) (\d+)\s+// ([\w:]+)(?: / ([\w:]+))?$")
+WORD = re.compile(r"[a-z_]\w*")
+LTL = {"ltl", "always", "eventually", "until"}
+
+
+@dataclass
+class Line:
+    text: str
+    place: Place
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    path = facts.root / COMPOSITION
+    if not model.proofs.properties or not path.exists():
+        return []
+    text = path.read_text(encoding="utf-8")
+    lines = [
+        Line(line, Place(str(COMPOSITION), number))
+        for number, line in enumerate(text.splitlines(), 1)
+    ]
+    return [
+        *_machines(model, text),
+        *_steps(model, facts, lines),
+        *_numbers(model, lines),
+        *_properties(model, text),
+    ]
+
+
+def _machines(model: Model, text: str) -> Iterator[Finding]:
+    words = set(re.findall(r"\w+", text))
+    for machine in model.machines.values():
+        if f"{name_of(machine)}_step" not in words:
+            said = f"the machine {machine.id} is in no composition"
+            yield Finding(
+                machine.place, "proof-composition", said, f"call its step in {COMPOSITION}"
+            )
+            continue
+        missing = [one for one in guards_of(machine) if one not in words]
+        missing += [
+            name
+            for event in dict.fromkeys(step.event for step in machine.transitions)
+            if (name := f"{name_of(machine)}_on_{slug(event)}") not in words
+        ]
+        for name in missing:
+            said = f"the composition never uses {name} of the machine {machine.id}"
+            yield Finding(machine.place, "proof-composition", said, f"set it in {COMPOSITION}")
+
+
+def _steps(model: Model, facts: Facts, lines: list[Line]) -> Iterator[Finding]:
+    """Each hand-written step names the methods that it models, and they exist."""
+    known = {method.id for module in model.modules.values() for method in module.methods}
+    known |= set(facts.bodies)
+    for above, line in zip([Line("", lines[0].place), *lines], lines, strict=False):
+        match, named = INLINE.match(line.text), CODE.match(above.text)
+        if match and not named and above.text not in APART:
+            said = f"the step {match[1]} names no code that it models"
+            fix = "write // code: and the methods above it"
+            yield Finding(line.place, "proof-composition", said, fix)
+        for name in [one.strip() for one in named[1].split(",")] if match and named else []:
+            if name not in known:
+                said = f"the step {match[1] if match else ''} models {name}, which does not exist"
+                yield Finding(above.place, "proof-composition", said, "write its present name")
+
+
+def _numbers(model: Model, lines: list[Line]) -> Iterator[Finding]:
+    """The numbers of the composition are those of the code."""
+    for line in lines:
+        match = NUMBER.match(line.text)
+        if not match:
+            continue
+        found = [model.constants.get(name) for name in match.groups()[2:] if name]
+        if None in found:
+            said = f"{match[1]} names a constant that does not exist"
+            yield Finding(line.place, "proof-composition", said, "write its present name")
+            continue
+        first, *rest = [one.number for one in found if one]
+        value = first // rest[0] if rest else first
+        if value != int(match[2]):
+            said = f"{match[1]} is {match[2]}, and the code has {value}"
+            yield Finding(line.place, "proof-composition", said, "write the number of the code")
+
+
+def _properties(model: Model, text: str) -> Iterator[Finding]:
+    names = observed(text)
+    results = model.proofs.results
+    for proof in model.proofs.properties.values():
+        if proof.requirement not in model.requirements:
+            said = f"{proof.name} formalises {proof.requirement}, which does not exist"
+            yield Finding(proof.place, "proof-property", said, "correct the id")
+        for word in dict.fromkeys(WORD.findall(proof.formula)):
+            if word not in names:
+                said = f"the formula of {proof.name} has {word}, which observe() does not set"
+                yield Finding(proof.place, "proof-property", said, f"set it in {COMPOSITION}")
+        if results is None:
+            continue
+        verdict = results[proof.name].verdict if proof.name in results else "not tried"
+        if verdict != "proven":
+            said = f"the property {proof.name} of {proof.requirement} is {verdict}"
+            fix = "correct the design, or the formula; the page Proofs shows the counterexample"
+            yield Finding(proof.place, "proof-proven", said, fix)

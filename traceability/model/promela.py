@@ -1,0 +1,152 @@
+"""The state machines of the design as Promela, the language of the model checker Spin.
+
+Each machine of ``design/fsm`` becomes a variable for its state, and a step that makes the first
+transition whose guard is true at an event. The guards are inputs: ``design/proofs/robot.pml`` sets
+them, calls the steps and reads the actions.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from traceability.reading.declared import Declared
+from traceability.reading.proof_record import read_proofs, readable
+from traceability.schema import ProofProperty, Proofs, StateMachine, Transition
+
+COMPOSITION = Path("design/proofs/robot.pml")
+HEAD = """\
+// Generated from design/fsm. Event 0 sets the initial state.
+#define machine_reset 0
+"""
+OBSERVED, OBSERVED_END = "// ---- observed", "// ---- environment"  # lines around the variables
+WORD = re.compile(r"[a-z_]\w*")
+SIGNS = {"<": " below ", ">": " above ", "=": " is "}
+
+
+def slug(text: str) -> str:
+    """Returns a text as a part of a name."""
+    for sign, word in SIGNS.items():
+        text = text.replace(sign, word)
+    return re.sub(r"\W+", "_", text).strip("_")
+
+
+def name_of(machine: StateMachine) -> str:
+    return slug(machine.id)
+
+
+def guards_of(machine: StateMachine) -> list[str]:
+    """The variables of the guards: the inputs of the process."""
+    found = dict.fromkeys(step.guard for step in machine.transitions if step.guard)
+    return [f"{name_of(machine)}_if_{slug(guard)}" for guard in found]
+
+
+def whole(
+    machines: Mapping[str, StateMachine], composition: str, proof: ProofProperty | None = None
+) -> str:
+    """Returns the model that Spin reads: the machines, the composition, and one property.
+
+    Variables that only observe, and that the property does not need, are no part of its states.
+    """
+    claim = f"ltl {proof.name} {{ {' '.join(proof.formula.split())} }}\n" if proof else ""
+    text = without(composition, proof.formula) if proof else composition
+    return "\n".join([HEAD, *map(step_of, machines.values()), text, claim])
+
+
+def observed(composition: str) -> dict[str, set[str]]:
+    """Returns each observed name with the variables that its value is made of."""
+    body = composition.partition("inline observe() {")[2].partition("\n}")[0]
+    values = re.findall(r"^    (\w+) = ([^;]+);", body, re.MULTILINE)
+    return {name: set(WORD.findall(value)) for name, value in values}
+
+
+def without(composition: str, formula: str) -> str:
+    """Hides the observing variables that a formula does not need."""
+    head, mark, rest = composition.partition(OBSERVED)
+    block, end, rest = rest.partition(OBSERVED_END)
+    needed = set(WORD.findall(formula))
+    needed |= {
+        word for name, words in observed(composition).items() if name in needed for word in words
+    }
+
+    def hide(match: re.Match[str]) -> str:
+        return match[0] if match["name"] in needed else f"hidden byte {match['name']}"
+
+    return (
+        head + mark + re.sub(r"^bool (?P<name>\w+)", hide, block, flags=re.MULTILINE) + end + rest
+    )
+
+
+def step_of(machine: StateMachine) -> str:
+    """Returns the step of a machine, with the names that the composition uses."""
+    name = name_of(machine)
+    actions = dict.fromkeys(step.action for step in machine.transitions if step.action)
+    lines = [f"// {machine.title}, from {machine.place.file}"]
+    lines += _numbers(f"{name}_", machine.states)
+    lines += _numbers(f"{name}_on_", machine.events)
+    lines += _numbers(f"{name}_does_", actions)
+    lines += [f"bool {guard};" for guard in guards_of(machine)]
+    lines += [
+        f"byte {name} = {name}_{machine.initial};",
+        f"byte {name}_did;  // the action of the last step, 0: none",
+        f"inline {name}_step(event) {{",
+        f"  {name}_did = 0;",
+        "  if",
+        f"  :: event == machine_reset -> {name} = {name}_{machine.initial}",
+    ]
+    for (source, event), steps in _grouped(machine).items():
+        at = f"{name} == {name}_{source} && event == {name}_on_{slug(event)}"
+        lines += [f"  :: {at} ->", *_choice(machine, steps, "     ")]
+    lines += ["  :: else", "  fi", "}", ""]
+    return "\n".join(lines)
+
+
+def _numbers(begin: str, names: Iterable[str]) -> list[str]:
+    return [f"#define {begin}{slug(name)} {number}" for number, name in enumerate(names, 1)]
+
+
+def _grouped(machine: StateMachine) -> dict[tuple[str, str], list[Transition]]:
+    found: dict[tuple[str, str], list[Transition]] = {}
+    for step in machine.transitions:
+        found.setdefault((step.source, step.event), []).append(step)
+    return found
+
+
+def _choice(machine: StateMachine, steps: list[Transition], indent: str) -> list[str]:
+    """The transitions of a state at an event: the guards are looked at from the top."""
+    name, first = name_of(machine), steps[0]
+    effects = [f"{name} = {name}_{first.target}"]
+    if first.action:
+        effects.append(f"{name}_did = {name}_does_{slug(first.action)}")
+    if first.source != first.target:
+        effects.append(f'printf("transition {machine.id} {first.source} {first.target}\\n")')
+    done = "; ".join(effects)
+    if not first.guard:
+        return [f"{indent}{done}"]
+    below = _choice(machine, steps[1:], indent + "   ") if steps[1:] else []
+    return [
+        f"{indent}if",
+        f"{indent}:: {name}_if_{slug(first.guard)} -> {done}",
+        f"{indent}:: else{' ->' if below else ''}",
+        *below,
+        f"{indent}fi",
+    ]
+
+
+def proofs_of(root: Path, declared: Declared) -> Proofs:
+    """The properties, with their results and the model that they are proven of."""
+    path = root / COMPOSITION
+    if not path.exists():
+        return Proofs()
+    results = read_proofs(root)
+    return Proofs(
+        declared.proofs,
+        results,
+        whole(declared.machines, path.read_text(encoding="utf-8")),
+        {
+            name: readable(one.events, declared.proof_events)
+            for name, one in (results or {}).items()
+            if one.events
+        },
+    )

@@ -1,0 +1,487 @@
+"""Bounds of the times that the image needs: of each interrupt and thread, and of the control cycle.
+
+The bound of a function is the greatest sum of cycles over its paths: a linear program over the
+edges between its blocks, as in the implicit path enumeration of Li and Malik. The bound of a loop
+is declared beside it (``// bound:``), or is the constant in its head.
+"""
+
+from __future__ import annotations
+
+import ast
+import operator
+import re
+import tomllib
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+import highspy
+
+from traceability.model.design_model import Model
+from traceability.model.stack import BUILD, PRODUCT, Prover, read_declared
+from traceability.reading.call_graph import names_of_addresses, read_graph, short_name
+from traceability.reading.image_record import read_image
+from traceability.reading.machine_code import (
+    REFILL,
+    VENEER,
+    Block,
+    Code,
+    Instruction,
+    Loop,
+    places,
+    read_code,
+)
+from traceability.reading.results import numbers_told
+from traceability.reading.source_facts import Facts
+from traceability.schema import VIRTUAL_K64, ExecutionContext, TimeBound, TimeProof
+from traceability.schema import Place as SourcePlace
+
+PASSES = re.compile(r"//\s*passes:\s*([^;]+?)\s*(?:;|$)")
+DECLARED = re.compile(r"//\s*bound:\s*([^;]+?)(\s+in all)?\s*(?:;|$)")
+HEAD = re.compile(r"for \(std::size_t (\w+) = \d+; \1 <=? ([\w:]+);")
+OPERATIONS: dict[type, Callable[[int, int], int]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.floordiv,
+}
+
+Place = tuple[str, int]
+
+
+@dataclass(frozen=True)
+class Bound:
+    """At most so many rounds for each entry of the loop, or in all of a call of its function."""
+
+    rounds: int
+    in_all: bool
+
+
+class Bounds:
+    """The bounds that the sources declare."""
+
+    def __init__(self, root: Path, values: Mapping[str, int]) -> None:
+        self.root, self.values = root, values
+        self.lines: dict[str, list[str]] = {}
+
+    def at(self, place: Place) -> Bound | None:
+        """The bound of the loop, or of the call, in a line."""
+        lines = self._lines(place[0])
+        if not 0 < place[1] <= len(lines):
+            return None
+        text = lines[place[1] - 1]
+        before = lines[place[1] - 2].strip() if place[1] > 1 else ""
+        found = DECLARED.search(text) or (DECLARED.match(before) if before else None)
+        head = HEAD.search(text)
+        if not found and not head:
+            return None
+        try:
+            rounds = self.value(found[1] if found else head[2] if head else "")
+        except (KeyError, SyntaxError, ValueError):
+            return None  # a name that no constant has: the loop counts as one without a bound
+        return Bound(rounds, found is not None and found[2] is not None)
+
+    def passes(self, place: Place) -> int | None:
+        """How often a line is passed at most in all of a call of its function."""
+        lines = self._lines(place[0])
+        before = lines[place[1] - 2].strip() if 1 < place[1] <= len(lines) else ""
+        found = PASSES.match(before)
+        return self.value(found[1]) if found else None
+
+    def value(self, text: str) -> int:
+        """The number that an expression of constants gives."""
+        return self._of(ast.parse(text.replace("::", "__"), mode="eval").body)
+
+    def _lines(self, file: str) -> list[str]:
+        if file not in self.lines:
+            path = self.root / file
+            self.lines[file] = (
+                path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+            )
+        return self.lines[file]
+
+    def _of(self, node: ast.expr) -> int:
+        if isinstance(node, ast.Constant) and isinstance(node.value, int):
+            return node.value
+        if isinstance(node, ast.Name):
+            return self.values[node.id.replace("__", "::")]
+        if isinstance(node, ast.BinOp) and type(node.op) in OPERATIONS:
+            return OPERATIONS[type(node.op)](self._of(node.left), self._of(node.right))
+        raise ValueError(f"no bound of a loop: {ast.unparse(node)}")
+
+
+@dataclass
+class Problem:
+    """The paths of a function as a linear program: a variable for each edge between blocks."""
+
+    code: Code
+    cost: Mapping[int, int]  # of each block
+    rounds: Iterable[tuple[Loop, Bound]]
+    counted: Iterable[tuple[int, int]]  # block, and how often it is executed at most
+
+    def solve(self) -> int:
+        """The greatest cost of a path; -1 when there is none."""
+        solver = highspy.Highs()  # type: ignore[no-untyped-call]
+        solver.silent()
+        entry = next(iter(self.code.blocks))
+        ways = {(-1, entry): solver.addVariable(lb=1, ub=1)}
+        ends = {}
+        for block in self.code.blocks.values():
+            for after in block.exits():
+                ways.setdefault((block.start, after), solver.addVariable(lb=0))
+            if not block.exits() or (block.instructions[-1].ends and block.jump is None):
+                ends[block.start] = solver.addVariable(lb=0, ub=1)
+        into: dict[int, list[highspy.highs.highs_var]] = {start: [] for start in self.code.blocks}
+        out: dict[int, list[highspy.highs.highs_var]] = {start: [] for start in self.code.blocks}
+        for (begin, end), variable in ways.items():
+            into[end].append(variable)
+            if begin != -1:
+                out[begin].append(variable)
+        for start, variable in ends.items():
+            out[start].append(variable)
+        times = {start: solver.qsum(variables) for start, variables in into.items()}
+        for start in self.code.blocks:
+            solver.addConstr(times[start] == solver.qsum(out[start]))
+        for loop, bound in self.rounds:
+            inside = [ways[begin, loop.head] for begin in loop.back]
+            # A loop that leaves only behind its body jumps back once less than it has rounds.
+            exits = self.code.blocks[loop.head].exits()
+            leaves = loop.head not in loop.back and any(one not in loop.blocks for one in exits)
+            jumps = bound.rounds if leaves or bound.in_all else max(bound.rounds - 1, 0)
+            outside = [v for (b, e), v in ways.items() if e == loop.head and b not in loop.back]
+            most = jumps * (1 if bound.in_all else solver.qsum(outside))
+            solver.addConstr(solver.qsum(inside) <= most)
+        for start, most in self.counted:
+            solver.addConstr(times[start] <= most)
+        taken = [
+            REFILL * ways[block.start, block.jump]
+            for block in self.code.blocks.values()
+            if block.jump is not None
+        ]
+        spent = [self.cost[start] * times[start] for start in self.code.blocks]
+        solver.maximize(solver.qsum([*spent, *taken]))
+        if solver.getModelStatus() != highspy.HighsModelStatus.kOptimal:
+            return -1
+        return round(solver.getObjectiveValue() + 0.4999)
+
+
+# Functions that never return: a way that calls one ends the firmware, and takes no part in a bound.
+DECLARED_IN = Path("design/times.toml")
+ENTRY_AND_EXIT = 12 + 10 + 6  # cycles of the hardware around an interrupt, with one that follows
+RETRY = 12  # cycles of a loop with LDREX and STREX that an interrupt has made go round again
+CYCLE_TIMER = "cycle-timer"
+MOST_ROUNDS = 100
+CLOCK = 120_000  # cycles in a tick of 1 ms
+ENDS = ("assertionFailed", "endWithFault", "endWithoutClock", "endOfProgram", "__aeabi_idiv0")
+COPIES = ("memcpy", "memmove", "memset")
+UNALIGNED = 2  # cycles that an unaligned access needs besides
+
+
+@dataclass(frozen=True)
+class Limit:
+    """A method that is called at most so often in all below another one."""
+
+    method: str
+    within: str
+    most: int
+
+
+@dataclass(frozen=True)
+class Program:
+    """The instructions of an image, with their places in the sources."""
+
+    codes: Mapping[str, Code]
+    places: Mapping[int, list[Place]]
+    shared: Mapping[str, str]  # each of several names of one function -> that of its code
+
+
+def read_program(elf: Path) -> Program:
+    codes = read_code(elf)
+    addresses = [
+        one.address
+        for code in codes.values()
+        for block in code.blocks.values()
+        for one in block.instructions
+    ]
+    shared = {
+        name: home
+        for names in names_of_addresses(elf)
+        for home in names
+        if home in codes
+        for name in names
+    }
+    return Program(codes, places(elf, addresses), shared)
+
+
+class Times:
+    """The bound of each function, with all that it calls [cycle]."""
+
+    def __init__(
+        self,
+        program: Program,
+        bounds: Bounds,
+        prover: Prover,
+        once: Iterable[str] = (),  # methods that a function calls once for each object
+        limited: Iterable[Limit] = (),
+    ) -> None:
+        self.codes, self.places, self.shared = program.codes, program.places, program.shared
+        self.bounds, self.prover = bounds, prover
+        self.once = frozenset(once)
+        self.limited = {one.method: one for one in limited}
+        self.known: dict[tuple[str, tuple[tuple[str, int], ...]], int] = {}
+        self.unbound: set[tuple[str, Place]] = set()  # loops without a bound: function and place
+        self.unresolved: set[tuple[str, Place]] = set()  # calls without a known target
+
+    def use_body(self, body: str) -> None:
+        """The command that the next thread executes."""
+        self.prover.body = body
+        self.known.clear()
+
+    def of(self, symbol: str, entered: Mapping[str, int] = MappingProxyType({})) -> int:
+        symbol = self._home(symbol)
+        function = self.prover.graph.get(symbol)
+        method = short_name(function.name) if function else symbol
+        if method in self.prover.most:
+            entered = {**entered, method: entered.get(method, 0) + 1}
+        key = (symbol, tuple(sorted(entered.items())))
+        if key not in self.known:
+            self.known[key] = 0  # a cycle of calls is a finding of the stack proof
+            code = self.codes[symbol]
+            single: dict[str, int] = {}  # callee -> cycles, of those that are called once
+            cost = {}
+            for start, block in code.blocks.items():
+                calls = (
+                    self._call(symbol, block, one, entered, single) for one in block.instructions
+                )
+                cost[start] = block.cycles + sum(calls)
+            inside = [one for one in self.limited.values() if one.within == method]
+            self.known[key] = (
+                self._longest(code, cost)
+                + sum(single.values())
+                + sum(one.most * self._each(one.method) for one in inside)
+            )
+        return self.known[key]
+
+    def _each(self, method: str) -> int:
+        """The cycles of a call of a method that is limited."""
+        rest = {name: one for name, one in self.limited.items() if name != method}
+        self.limited, kept = rest, self.limited
+        found = max((self.of(one) for one in self.prover.symbols.get(method, [])), default=0)
+        self.limited = kept
+        return found
+
+    def copy(self, symbol: str, count: int) -> int:
+        """The bound of a function that copies or fills so many bytes."""
+        code = self.codes[symbol]
+        steps = {loop.head: _stored(code, loop) for loop in code.loops}
+        larger = sorted({step for step in steps.values() if step > 1}, reverse=True)
+        rounds = []
+        for loop in code.loops:
+            step = steps[loop.head]
+            if step == 1:
+                most = count if symbol == "memmove" else 2 * 4
+            else:
+                above = larger[: larger.index(step)]
+                most = above[-1] // step if above else count // step
+            rounds.append((loop, Bound(most, False)))
+        cost = {start: block.cycles for start, block in code.blocks.items()}
+        return Problem(code, cost, rounds, []).solve() + UNALIGNED * (count // 4 + 2)
+
+    def _home(self, symbol: str) -> str:
+        """The symbol with the code: a veneer leads to another, and equal functions share one."""
+        veneer = VENEER.match(symbol)
+        name = veneer["name"] if veneer else symbol
+        return self.shared.get(name, name)
+
+    def _call(
+        self,
+        symbol: str,
+        block: Block,
+        one: Instruction,
+        entered: Mapping[str, int],
+        single: dict[str, int],
+    ) -> int:
+        if any(end in one.call for end in ENDS):
+            return 0
+        if one.call:
+            if one.call in COPIES:
+                return self.copy(one.call, self._count(symbol, block, one))
+            return self._target(one.call, entered)
+        if not one.indirect:
+            return 0
+        place = self._place(one.address)
+        function = self.prover.graph[symbol]
+        targets = self.prover.targets(function, SourcePlace(*place)) if place else []
+        if not targets:
+            self.unresolved.add((symbol, place or ("?", 0)))
+        most = 0
+        for target in targets:
+            cycles = self._target(target, entered)
+            if short_name(self.prover.graph[target].name) in self.once:
+                single[target] = cycles
+            else:
+                most = max(most, cycles)
+        return most
+
+    def _target(self, symbol: str, entered: Mapping[str, int]) -> int:
+        home = self._home(symbol)
+        if home in self.prover.graph and short_name(self.prover.graph[home].name) in self.limited:
+            return 0  # counted where its limit is
+        if home not in self.codes or self.prover.is_full(home, entered):
+            return 0
+        return self.of(home, entered)
+
+    def _count(self, symbol: str, block: Block, call: Instruction) -> int:
+        for one in reversed(block.instructions[: block.instructions.index(call)]):
+            if one.operands.startswith("r2,"):
+                number = re.match(r"r2, #(\d+)", one.operands)
+                if number and one.name.startswith("mov"):
+                    return int(number[1])
+                break
+        found = [
+            bound for place in self.places.get(call.address, []) if (bound := self.bounds.at(place))
+        ]
+        if not found:
+            self.unbound.add((symbol, self._place(call.address) or ("?", 0)))
+            return 0
+        return found[0].rounds
+
+    def _longest(self, code: Code, cost: Mapping[int, int]) -> int:
+        rounds = [(loop, self._bound(code, loop)) for loop in code.loops]
+        counted = []
+        for start, block in code.blocks.items():
+            if any(any(end in one.call for end in ENDS) for one in block.instructions):
+                counted.append((start, 0))
+                continue
+            lines = {
+                place[0] for one in block.instructions if (place := self.places.get(one.address))
+            }
+            counted += [
+                (start, most) for one in lines if (most := self.bounds.passes(one)) is not None
+            ]
+        return Problem(code, cost, rounds, counted).solve()
+
+    def _bound(self, code: Code, loop: Loop) -> Bound:
+        """The bound of a loop: that of the innermost line that has one, or one for all rounds."""
+        instructions = [one for start in loop.blocks for one in code.blocks[start].instructions]
+        if any(one.name.startswith("strex") for one in instructions):
+            return Bound(1, False)  # again only after an interrupt, which pays for it
+        ways = [
+            self.places.get(code.blocks[start].instructions[-1].address, []) for start in loop.back
+        ]
+        ways.append(self.places.get(loop.head, []))
+        found = [bound for way in ways for place in way[:1] if (bound := self.bounds.at(place))]
+        outer = [
+            bound
+            for way in ways
+            for place in way[1:]
+            if (bound := self.bounds.at(place)) and bound.in_all
+        ]
+        if found or outer:
+            return min(outer, key=lambda one: one.rounds) if outer else found[0]
+        inner = set().union(*(one.blocks for one in code.loops if one.blocks < loop.blocks))
+        ways = [
+            self.places.get(one.address, [])
+            for start in loop.blocks - inner
+            for one in code.blocks[start].instructions
+        ]
+        found = [bound for way in ways for place in way[:1] if (bound := self.bounds.at(place))]
+        if not found:
+            self.unbound.add((code.symbol, next((way[0] for way in ways if way), ("?", 0))))
+            return Bound(0, False)
+        return found[0]
+
+    def _place(self, address: int) -> Place | None:
+        found = self.places.get(address)
+        return found[0] if found else None
+
+
+def _stored(code: Code, loop: Loop) -> int:
+    """The bytes that a round of a loop stores."""
+    return sum(
+        1 if one.name.startswith("strb") else 4
+        for start in loop.blocks
+        for one in code.blocks[start].instructions
+        if one.name.startswith("str")
+    )
+
+
+# ---- the control cycle --------------------------------------------------------
+
+
+def prove_times(root: Path, model: Model, facts: Facts) -> TimeProof | None:
+    """The bounds of the image of the robot; nothing when it was not built from these sources."""
+    elf = root / BUILD / f"{PRODUCT}.elf"
+    if read_image(root) is None or not elf.exists() or not (root / DECLARED_IN).exists():
+        return None
+    declared = tomllib.loads((root / DECLARED_IN).read_text(encoding="utf-8"))
+    prover = Prover(read_graph(root, elf), facts, model, read_declared(root))
+    values = {name: one.number for name, one in model.constants.items()} | declared["values"]
+    once = [name for entry in declared["once"] for name in entry["methods"]]
+    bounds = Bounds(root, values)
+    limits = [
+        Limit(one["method"], one["within"], bounds.value(one["most"]))
+        for one in declared["limited"]
+    ]
+    times = Times(read_program(elf), bounds, prover, once, limits)
+    contexts = [
+        one
+        for context in model.contexts.values()
+        if context.kind != "start"
+        and (one := _of_context(context, times, {e["context"]: e for e in declared["arrival"]}))
+    ]
+    return TimeProof(
+        contexts=contexts,
+        cycle_ms=_response(contexts) / CLOCK,
+        seen_ms=_seen(root, model),
+        unbound=sorted((name, SourcePlace(*place)) for name, place in times.unbound),
+        unresolved=sorted((name, SourcePlace(*place)) for name, place in times.unresolved),
+    )
+
+
+def _of_context(
+    context: ExecutionContext, times: Times, arrivals: Mapping[str, Mapping[str, Any]]
+) -> TimeBound | None:
+    """The sum over the handlers of a thread, which all run in a cycle; else the longest handler."""
+    times.use_body(context.body)
+    held = [handler for handler in context.handlers if handler in times.codes]
+    found = [times.of(handler) + ENTRY_AND_EXIT for handler in held]
+    if not found or (context.kind == "interrupt" and context.id not in (*arrivals, CYCLE_TIMER)):
+        return None
+    arrival = arrivals.get(context.id)
+    return TimeBound(
+        context=context.id,
+        name=context.name,
+        cycles=sum(found) if context.kind == "thread" else max(found),
+        entries=arrival["entries"] if arrival else None,
+        ticks=arrival.get("ticks", 1) if arrival else 1,
+        why=arrival["why"] if arrival else "once in a control cycle",
+    )
+
+
+def _response(contexts: Iterable[TimeBound]) -> float:
+    """Cycles from the clock pulse to the end of the main thread, with all interrupts meanwhile."""
+    known = list(contexts)
+    own = sum(one.cycles for one in known if one.entries is None)
+    found = own
+    for _ in range(MOST_ROUNDS):
+        now = own
+        for one in known:
+            if one.entries is not None:  # a tick may have begun just before
+                ticks = -(-found // (CLOCK * one.ticks)) + 1
+                now += ticks * one.entries * (one.cycles + RETRY)
+        if now == found:
+            return found
+        found = now
+    return float("inf")
+
+
+def _seen(root: Path, model: Model) -> float | None:
+    """The longest time to the report, in the runs of the bench and in tests of the image [ms]."""
+    runs = [run for scenario in (model.bench or {}).values() for run in scenario.runs.values()]
+    found = [run.report_ms.maximum for run in runs]
+    if not model.stale_on(VIRTUAL_K64):
+        found += [cycles / CLOCK for cycles in numbers_told(root, VIRTUAL_K64, "longest_cycle")]
+    return round(max(found), 3) if found else None

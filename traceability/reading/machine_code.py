@@ -1,0 +1,239 @@
+"""The instructions of an image: blocks, jumps, calls, loops, and what each instruction costs.
+
+The cycles are those of the virtual board (``sim/emulator/Timing.hpp``): the Cortex-M4 manual,
+tables 3-1 and 7-1, where it gives a range the upper end, and a slow flash without a cache.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+FLASH_END = 0x100000
+REFILL, ACCESS, DIVIDE, SPECIAL, FP_DIVIDE, FP_ACCUMULATE, PHRASE = 3, 1, 11, 1, 13, 2, 5
+FUNCTION = re.compile(r"^([0-9a-f]+) <(.+)>:$")
+LINE = re.compile(r"^\s*([0-9a-f]+):\t(\S+)(?:\t(.*))?$")
+TARGET = re.compile(r"([0-9a-f]+) <([^>+]+)(\+0x[0-9a-f]+)?>")
+CONDITION = r"(?:eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le|hs|lo)"
+JUMP = re.compile(rf"^(?:b(?P<condition>{CONDITION})?(?:\.[nw])?|(?P<compare>cbn?z))$")
+MANY = re.compile(r"^(?:push|pop|ldm|stm|vpush|vpop|vldm|vstm)")
+MEMORY = re.compile(r"^(?:v?ldr|v?str)")
+PLACE = re.compile(r"((?:src|extensions)/[^:]+):(\d+)")  # of the project
+VENEER = re.compile(r"^_+(?P<name>\w+)_veneer$")
+
+
+@dataclass
+class Instruction:
+    """``cycles``: without those of a jump that is taken, and of what is called."""
+
+    address: int
+    name: str
+    operands: str
+    cycles: int
+    call: str = ""  # symbol
+    indirect: bool = False
+    jumps: int | None = None  # address
+    ends: bool = False  # nothing follows: a jump or a return
+
+
+@dataclass
+class Block:
+    """Instructions of which either all are executed or none."""
+
+    start: int
+    instructions: list[Instruction]
+    next: int | None = None  # the block that follows without a jump
+    jump: int | None = None
+
+    @property
+    def cycles(self) -> int:
+        return sum(one.cycles for one in self.instructions)
+
+    def exits(self) -> list[int]:
+        return [one for one in (self.next, self.jump) if one is not None]
+
+
+@dataclass
+class Loop:
+    """The blocks between a block and the jumps back to it."""
+
+    head: int
+    blocks: set[int]
+    back: set[int]  # blocks that jump back
+
+
+@dataclass
+class Code:
+    """A function: its blocks by their addresses."""
+
+    symbol: str
+    blocks: dict[int, Block] = field(default_factory=dict)
+    loops: list[Loop] = field(default_factory=list)
+
+
+def read_code(elf: Path) -> dict[str, Code]:
+    """Symbol -> its code."""
+    words = ["arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(elf)]
+    listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
+    functions: dict[str, list[Instruction]] = {}
+    current: list[Instruction] = []
+    for line in listed.splitlines():
+        if start := FUNCTION.match(line):
+            current = functions.setdefault(start[2], [])
+        elif (found := LINE.match(line)) and not found[2].startswith("."):
+            current.append(_instruction(int(found[1], 16), found[2], found[3] or ""))
+    codes = {}
+    for symbol, instructions in functions.items():
+        if instructions:
+            code = codes[symbol] = Code(symbol, _blocks(instructions))
+            code.loops = _loops(code)
+    return codes
+
+
+def places(elf: Path, addresses: Iterable[int]) -> dict[int, list[tuple[str, int]]]:
+    """File and line of each instruction: its own, then those of the functions that inlined it."""
+    words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-i"]
+    asked = "\n".join(f"{address:#x}" for address in addresses)
+    said = subprocess.run(words, input=asked, capture_output=True, text=True, check=True).stdout
+    found: dict[int, list[tuple[str, int]]] = {}
+    current: list[tuple[str, int]] = []
+    for text in said.splitlines():
+        if text.startswith("0x"):
+            current = found.setdefault(int(text, 16), [])
+        elif place := PLACE.search(text):
+            current.append((place[1], int(place[2])))
+    return found
+
+
+def _instruction(address: int, name: str, operands: str) -> Instruction:
+    made = Instruction(address, name, operands, _cycles(address, name, operands))
+    plain = name.removesuffix(".n").removesuffix(".w")
+    target = TARGET.search(operands)
+    into_pc = bool(re.search(r"\bpc\b", operands.partition(";")[0].partition("[")[0]))
+    if plain == "bl" and target:
+        made.call, made.cycles = target[2], made.cycles + REFILL
+    elif plain == "blx":
+        made.indirect, made.cycles = True, made.cycles + REFILL
+    elif jump := JUMP.match(name):
+        made.ends = jump["condition"] is None and jump["compare"] is None
+        if target:
+            made.jumps, made.call = int(target[1], 16), target[2]
+    elif plain.startswith("bx"):
+        made.ends, made.cycles = True, made.cycles + REFILL
+        made.indirect = "lr" not in operands
+    elif (plain.startswith(("pop", "ldm", "ldr", "mov")) and into_pc) and not plain.startswith(
+        "str"
+    ):
+        made.ends, made.cycles = True, made.cycles + REFILL
+    return made
+
+
+def _cycles(address: int, name: str, operands: str) -> int:
+    cycles = 1
+    if MANY.match(name):
+        cycles += _registers(operands)
+    elif MEMORY.match(name):
+        double = (
+            name.startswith(("ldrd", "strd")) or re.match(r"v\w+(?:\.64)?\t?d?", name) is not None
+        )
+        cycles += ACCESS * (2 if double else 1)
+    elif name.startswith(("sdiv", "udiv")):
+        cycles += DIVIDE
+    elif name.startswith(("mrs", "msr", "cps")):
+        cycles += SPECIAL
+    elif name.startswith("isb"):
+        cycles += REFILL
+    elif name.startswith(("vdiv", "vsqrt")):
+        cycles += FP_DIVIDE
+    elif name.startswith(("vmla", "vmls", "vfma", "vfms", "vnm", "vfnm")):
+        cycles += FP_ACCUMULATE
+    if address < FLASH_END:  # each may begin a phrase, and read a word of flash
+        cycles += 2 * PHRASE
+    return cycles
+
+
+def _registers(operands: str) -> int:
+    """The words of a list of registers."""
+    count = 0
+    for part in operands.partition("{")[2].partition("}")[0].split(","):
+        first, _, last = part.strip().partition("-")
+        number = int(last[1:]) - int(first[1:]) + 1 if last else 1
+        count += number * (2 if first.startswith("d") else 1)
+    return count
+
+
+def _blocks(instructions: list[Instruction]) -> dict[int, Block]:
+    known = {one.address for one in instructions}
+    starts = {instructions[0].address}
+    for one, after in zip(instructions, [*instructions[1:], None], strict=True):
+        if one.jumps in known:
+            starts.add(one.jumps)
+        if after and (one.ends or one.jumps is not None):
+            starts.add(after.address)
+    blocks: dict[int, Block] = {}
+    block = None
+    for one in instructions:
+        if one.address in starts:
+            if block is not None and block.instructions and not block.instructions[-1].ends:
+                block.next = one.address
+            block = blocks[one.address] = Block(one.address, [])
+        assert block is not None
+        block.instructions.append(one)
+        if one.jumps in known:
+            block.jump, one.call = one.jumps, ""
+        elif one.jumps is not None:  # into another function, which returns for this one
+            one.cycles += REFILL
+    return blocks
+
+
+def _loops(code: Code) -> list[Loop]:
+    """The natural loops: jumps to a block that is on each way to the jump."""
+    entry = next(iter(code.blocks))
+    before: dict[int, list[int]] = {start: [] for start in code.blocks}
+    for block in code.blocks.values():
+        for after in block.exits():
+            before[after].append(block.start)
+    dominators = _dominators(code, entry, before)
+    found: dict[int, Loop] = {}
+    for block in code.blocks.values():
+        for head in block.exits():
+            if head in dominators[block.start]:
+                loop = found.setdefault(head, Loop(head, {head}, set()))
+                loop.back.add(block.start)
+                waiting = [block.start]
+                while waiting:
+                    one = waiting.pop()
+                    if one not in loop.blocks:
+                        loop.blocks.add(one)
+                        waiting += before[one]
+    return list(found.values())
+
+
+def _dominators(code: Code, entry: int, before: dict[int, list[int]]) -> dict[int, set[int]]:
+    reached = _reached(code, entry)
+    all_of = set(reached)
+    found = {start: ({start} if start == entry else set(all_of)) for start in reached}
+    changed = True
+    while changed:
+        changed = False
+        for start in reached:
+            if start == entry:
+                continue
+            ways = [found[one] for one in before[start] if one in found]
+            now = {start} | (set.intersection(*ways) if ways else set())
+            if now != found[start]:
+                found[start], changed = now, True
+    return {start: found.get(start, {start}) for start in code.blocks}
+
+
+def _reached(code: Code, entry: int) -> list[int]:
+    seen, waiting = {entry: None}, [entry]
+    while waiting:
+        for after in code.blocks[waiting.pop()].exits():
+            if after not in seen:
+                seen[after] = None
+                waiting.append(after)
+    return list(seen)

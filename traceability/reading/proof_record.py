@@ -1,0 +1,105 @@
+"""Reads the properties of the state machines, and the results of their proofs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from traceability.reading.results import RESULTS, read_record
+from traceability.reading.task_record import PROOFS as TASK
+from traceability.reading.task_record import is_fresh
+from traceability.reading.toml_reader import Entries
+from traceability.schema import ProofProperty, ProofResult
+
+PROPERTIES = Path("design/proofs/properties.toml")
+PROOFS = RESULTS / "proofs.json"
+SCENARIOS = RESULTS / "proofs"  # counterexamples that can be played
+FOLDER = Path("build/proofs")
+ROUND_MS = 100
+START_MS = 50  # of the first round: before its clock pulse
+AFTER_MS = 10  # between two events of a round
+
+
+@dataclass(frozen=True)
+class ProofEvent:
+    """An event of the environment in the model, and the actions of a scenario that make it."""
+
+    id: str
+    says: str
+    actions: Sequence[str]  # none: it cannot be played
+    ends: str  # action of the next round without the event
+    wait: int  # [ms] that pass when it occurs
+
+
+def read_properties(root: Path, entries: Entries) -> dict[str, ProofProperty]:
+    needs = dict.fromkeys(("name", "requirement", "says", "formula"), str)
+    tables = entries.tables(root / PROPERTIES, "property", needs, own="name")
+    return {item["name"]: ProofProperty(place=place, **item) for item, place in tables}
+
+
+def read_events(root: Path, entries: Entries) -> dict[str, ProofEvent]:
+    may: dict[str, type] = {"action": str, "without": str, "wait": int}
+    tables = entries.tables(root / PROPERTIES, "event", {"id": str, "says": str}, may, own="id")
+    return {
+        item["id"]: ProofEvent(
+            item["id"],
+            item["says"],
+            [one.strip() for one in item.get("action", "").split(";") if one.strip()],
+            item.get("without", ""),
+            item.get("wait", 0),
+        )
+        for item, _ in tables
+    }
+
+
+def read_proofs(root: Path) -> dict[str, ProofResult] | None:
+    """The results, when they belong to the present machines, composition and properties."""
+    if not is_fresh(root, TASK):
+        return None
+    return read_record(root / PROOFS, dict[str, ProofResult])
+
+
+def readable(events: Sequence[str], known: Mapping[str, ProofEvent]) -> list[tuple[str, list[str]]]:
+    """Returns the rounds of a counterexample, each with its events and transitions in words."""
+    rounds: list[tuple[str, list[str]]] = []
+    for line in events:
+        kind, _, rest = line.partition(" ")
+        if kind == "round":
+            rounds.append((f"round {len(rounds) + 1}", []))
+        elif kind == "event" and rounds:
+            rounds[-1][1].append(known[rest].says if rest in known else rest)
+        elif kind == "transition" and rounds:
+            machine, source, target = rest.split(" ")
+            rounds[-1][1].append(f"{machine}: {source} \N{RIGHTWARDS ARROW} {target}")
+        elif rounds:
+            rounds[-1][1].append(line)
+    return rounds
+
+
+def scenario(proof: ProofProperty, events: Sequence[str], known: Mapping[str, ProofEvent]) -> str:
+    """Returns a scenario that plays a counterexample; "" when no action makes one of its events."""
+    lines, at, number, lasting = [], START_MS, 0, dict[str, str]()
+    ending: dict[str, str] = {}
+    for line in events:
+        kind, _, rest = line.partition(" ")
+        if kind == "round":
+            at += ROUND_MS if number else 0
+            number, after = number + 1, 0
+            lines += [f"at {at} {action}" for action in ending.values()]
+            ending = {}
+        elif kind == "event" and rest in known:
+            event = known[rest]
+            if not event.actions and not event.wait:
+                return ""
+            at += event.wait
+            for action in event.actions:
+                word = action.rpartition(" ")[0]
+                if lasting.get(word) != action or not rest.startswith("rc-"):
+                    lines.append(f"at {at + after} {action}")
+                    lasting[word] = action
+            after += AFTER_MS
+            if event.ends:
+                ending[rest] = event.ends
+    head = f"# Counterexample of the property {proof.name}: {proof.says}"
+    return "\n".join([head, "seed 1", *lines, f"at {at + 2 * ROUND_MS} end"]) + "\n"

@@ -1,0 +1,39 @@
+"""Committed records of runs that take too long for each build."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from traceability.reading.results import read_json
+
+RECORDS = Path("tests/records")
+
+
+@dataclass(frozen=True)
+class Published:
+    """Result of the last published run of a command."""
+
+    command: str
+    commit: str  # empty without git
+    date: str  # YYYY-MM-DD
+    result: Mapping[str, Any]
+
+
+def publish(root: Path, name: str, command: str, commit: str, result: Mapping[str, Any]) -> Path:
+    """Writes the record of a run that ends today; returns its file."""
+    record = Published(command, commit, time.strftime("%Y-%m-%d", time.gmtime()), result)
+    path = root / RECORDS / f"{name}.json"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(asdict(record), indent=1) + "\n", encoding="utf-8")
+    return path
+
+
+def read_published(root: Path, name: str) -> Published | None:
+    """Returns the last published record; None if the command was never published."""
+    data = read_json(root / RECORDS / f"{name}.json")
+    return Published(**data) if isinstance(data, dict) else None
