@@ -14,7 +14,7 @@ import pytest
 
 ROOT = Path(__file__).parents[3]
 PROGRAM = ROOT / "build" / "host" / "sim" / "weeding_robot_board"
-IMAGE = ROOT / "build" / "k64" / "weeding_robot.bin"
+IMAGE = ROOT / "build" / "k64_calls" / "weeding_robot.bin"
 ELF = IMAGE.with_suffix(".elf")
 SCENARIO = ROOT / "sim" / "scenario" / "examples" / "velocity_step.scenario"
 GDB = shutil.which("gdb-multiarch") or shutil.which("arm-none-eabi-gdb")
@@ -28,7 +28,7 @@ pytestmark = pytest.mark.skipif(GDB is None, reason="there is no GDB for Arm")
 @pytest.fixture(scope="module", autouse=True)
 def built(build: Callable[..., None]) -> None:
     build("host", "weeding_robot_board")
-    build("k64", "weeding_robot")
+    build("k64_calls", "weeding_robot")
 
 
 Board = subprocess.Popen[str]

@@ -42,10 +42,10 @@ def test_a_test_of_the_board_is_debugged_in_the_firmware(
     shown: type[Shown], words: list[str]
 ) -> None:
     server, gdb = shown(*words).lines
-    port = re.match(r"WR_GDB=(\d+) \S+/build/host/tests/board_tests ", server)
+    port = re.match(r"WR_GDB=(\d+) WR_IMAGE=\S+ \S+/build/host/tests/board_tests ", server)
     assert port
     assert gdb.startswith("gdb-multiarch -q ")
-    assert "/build/k64/weeding_robot_paper.elf" in gdb
+    assert "/build/k64_calls/weeding_robot_paper.elf" in gdb
     assert gdb.endswith(f"'target remote :{port[1]}'")
 
 
