@@ -18,9 +18,9 @@ from tools.cmake_build import BOARD_PROGRAM, BOARD_TESTS, TESTS, build
 from tools.firmware import add_product
 from tools.lock import only_one
 from tools.steps import FailureError, MissingError, log_of
-from tools.tasks import K64_FIRMWARE, VIRTUAL_BOARD, graph
+from tools.tasks import RECORDED_IMAGES, VIRTUAL_BOARD, graph
 from traceability.reading.gtest_cases import read_tests
-from traceability.reading.products import PAPER, image_of
+from traceability.reading.products import PAPER, recorded_image_of
 from traceability.reading.results import BOARD_ONLY, HOST_ONLY
 from traceability.sources import files_below
 
@@ -140,14 +140,14 @@ def images(root: Path, *, shows: bool) -> None:
     if shows:
         return
     with only_one(root, "debug"):
-        if graph(root).run((K64_FIRMWARE, VIRTUAL_BOARD)).failed:
+        if graph(root).run((RECORDED_IMAGES, VIRTUAL_BOARD)).failed:
             raise FailureError("the build failed")
 
 
 def board_target(root: Path, product: str, scenario: str | None, shows: bool) -> Target:
     images(root, shows=shows)
     port = free_port()
-    image, elf = (root / image_of(product, suffix) for suffix in (".bin", ".elf"))
+    image, elf = (root / recorded_image_of(product, suffix) for suffix in (".bin", ".elf"))
     program = root / "build" / "host" / "sim" / BOARD_PROGRAM
     world = ["--scenario", scenario] if scenario else ["--link", str(root / "build" / "pc-link")]
     words = [str(program), "--image", str(image), "--elf", str(elf), "--robot", *world]
@@ -159,9 +159,10 @@ def board_test(root: Path, name: str, shows: bool) -> Target:
     built(root, "host", BOARD_TESTS, shows=shows)
     port = free_port()
     program = root / "build" / "host" / "tests" / BOARD_TESTS
-    elf = root / image_of(PAPER, ".elf")
+    elf = root / recorded_image_of(PAPER, ".elf")
+    variables = {"WR_GDB": str(port), "WR_IMAGE": str(elf.with_suffix(".bin"))}
     words = [str(program), filter_of(name)]
-    return Target(gdb_of_board(elf, port), words, port, {"WR_GDB": str(port)})
+    return Target(gdb_of_board(elf, port), words, port, variables)
 
 
 def host_test(root: Path, name: str, file: str, shows: bool) -> Target:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import xml.etree.ElementTree as ET
 from dataclasses import replace
 from pathlib import Path
 from typing import TextIO
@@ -35,7 +36,17 @@ def run_pytest(root: Path, folder: str, log: TextIO, *options: str) -> Outcome:
     if counts.failed and folder == WAITING:  # a busy machine may be late: once more, one by one
         again = counted(log, [*words, "--lf", "-n", "0"], results)
         counts = replace(again, passed=counts.passed + again.passed, skipped=counts.skipped)
+    log.writelines(f"to debug it: ./wr debug {name}\n" for name in failed_tests(results))
     return outcome_of(counts)
+
+
+def failed_tests(results: Path) -> list[str]:
+    """The names of the failed tests, in the form of pytest and ./wr debug."""
+    return [
+        f"{case.get('classname', '').replace('.', '/')}.py::{case.get('name')}"
+        for case in ET.parse(results).iter("testcase")
+        if case.find("failure") is not None or case.find("error") is not None
+    ]
 
 
 def counted(log: TextIO, words: list[str | Path], results: Path) -> Counts:

@@ -10,8 +10,8 @@ from tools.cmake_build import BOARD_PROGRAM
 from tools.firmware import add_product
 from tools.lock import only_one
 from tools.steps import FailureError
-from tools.tasks import HOST_FIRMWARE, K64_FIRMWARE, VIRTUAL_BOARD, graph
-from traceability.reading.products import DEFAULT, PAPER, image_of
+from tools.tasks import HOST_FIRMWARE, K64_FIRMWARE, RECORDED_IMAGES, VIRTUAL_BOARD, graph
+from traceability.reading.products import DEFAULT, PAPER, image_of, recorded_image_of
 from weeding_robot_client.options import positive
 
 PROGRAM = "weeding_robot_host"
@@ -96,7 +96,8 @@ def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
     if options.reports and not options.scenario:
         parser.error(f"--reports {options.reports} needs --scenario")
     with only_one(root, "sim"):
-        needed = (K64_FIRMWARE, VIRTUAL_BOARD) if options.board else (HOST_FIRMWARE,)
+        images = K64_FIRMWARE if options.gdb is None else RECORDED_IMAGES
+        needed = (images, VIRTUAL_BOARD) if options.board else (HOST_FIRMWARE,)
         if graph(root).run(needed).failed:
             return 1
     words = command(root, options)
@@ -112,7 +113,8 @@ def command(root: Path, options: argparse.Namespace) -> list[str]:
     program = BOARD_PROGRAM if options.board else PROGRAM
     words = [str(root / "build" / "host" / "sim" / program)]
     if options.board:
-        image, elf = (root / image_of(options.product, suffix) for suffix in (".bin", ".elf"))
+        of = image_of if options.gdb is None else recorded_image_of
+        image, elf = (root / of(options.product, suffix) for suffix in (".bin", ".elf"))
         words += ["--image", str(image), "--elf", str(elf), "--robot"]
     elif options.product == PAPER:
         words.append("--paper")

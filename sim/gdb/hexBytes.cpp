@@ -1,6 +1,7 @@
 #include "sim/gdb/hexBytes.hpp"
 
 #include <charconv>
+#include <memory>
 
 namespace wr::gdb {
 
@@ -11,9 +12,11 @@ constexpr int kHex = 16;
 template <typename Value>
 std::optional<Value> parsed(std::string_view digits) {
   Value value = 0;
-  const char* end = digits.data() + digits.size();
-  const auto result = std::from_chars(digits.data(), end, value, kHex);
-  return result.ec == std::errc() && result.ptr == end ? std::optional(value) : std::nullopt;
+  const auto result =
+      std::from_chars(std::to_address(digits.begin()), std::to_address(digits.end()), value, kHex);
+  return result.ec == std::errc() && result.ptr == std::to_address(digits.end())
+             ? std::optional(value)
+             : std::nullopt;
 }
 
 }  // namespace

@@ -8,12 +8,13 @@ import subprocess
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from threading import Timer
 
 import pytest
 
 ROOT = Path(__file__).parents[3]
 PROGRAM = ROOT / "build" / "host" / "sim" / "weeding_robot_board"
-IMAGE = ROOT / "build" / "k64" / "weeding_robot.bin"
+IMAGE = ROOT / "build" / "k64_calls" / "weeding_robot.bin"
 ELF = IMAGE.with_suffix(".elf")
 SCENARIO = ROOT / "sim" / "scenario" / "examples" / "velocity_step.scenario"
 GDB = shutil.which("gdb-multiarch") or shutil.which("arm-none-eabi-gdb")
@@ -27,7 +28,7 @@ pytestmark = pytest.mark.skipif(GDB is None, reason="there is no GDB for Arm")
 @pytest.fixture(scope="module", autouse=True)
 def built(build: Callable[..., None]) -> None:
     build("host", "weeding_robot_board")
-    build("k64", "weeding_robot")
+    build("k64_calls", "weeding_robot")
 
 
 Board = subprocess.Popen[str]
@@ -266,6 +267,39 @@ def test_the_time_stands_still_while_the_program_is_stopped(start: Start) -> Non
     assert stopped == waited
     assert stepped[0] - stopped[0] < 2
     assert 300 < stopped[0] < 1000 * (time.monotonic() - began)
+
+
+def test_bytes_of_the_pc_come_again_at_the_same_instant(start: Start) -> None:
+    """A run that begins again gets the input of the first one, though the PC sends no more."""
+    board, port = start("--robot", "--uart0", "tcp:0")
+    assert board.stdout is not None
+    line = board.stdout.readline()
+    assert line.startswith("PC link: tcp:127.0.0.1:")
+    commands = (
+        *("monitor run-to 500", FLUSH, "break wr::K64Uart::receive"),
+        *("continue", "continue", "continue", "monitor time"),
+        *("reverse-continue", "monitor time", "monitor reset", FLUSH),
+        *("continue", "continue", "monitor time", "continue", "monitor time"),
+    )
+    words = gdb_words(port, *commands)
+    shown = []
+    with (
+        socket.create_connection(("127.0.0.1", int(line.rpartition(":")[2])), timeout=5) as pc,
+        subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as run,
+    ):
+        assert run.stdout is not None
+        guard = Timer(40, run.kill)
+        guard.start()
+        for said in run.stdout:
+            shown.append(said)
+            if len(instants("".join(shown))) == 1 and instants(said):  # its port is open
+                for number in range(3):  # each byte comes in an interrupt of its own
+                    Timer(0.2 * number, pc.sendall, [b"x"]).start()
+    guard.cancel()
+    _, third, second, start_again, second_again, third_again = instants("".join(shown))
+    assert 0 < second[0] < third[0]
+    assert start_again == (0.0, 0)
+    assert (second_again, third_again) == (second, third)
 
 
 def received(line: socket.socket, count: int) -> bytes:

@@ -104,7 +104,8 @@ def test_failures_of_googletest_are_told_with_their_seed(tmp_path: Path) -> None
     results, log = tmp_path / "results.json", io.StringIO()
     results.write_text(gtest_json(PASSED, {**FAILED, "seed": "42"}))
     cmake_build.write_failures(results, log)
-    assert log.getvalue() == "\nFAILED Wheel.Falls, WR_SEED=42\nx\n"
+    command = "to debug it: ./wr debug Wheel.Falls"
+    assert log.getvalue() == f"\nFAILED Wheel.Falls, WR_SEED=42\n{command}\nx\n"
 
 
 def test_counts_of_pytest(tmp_path: Path) -> None:

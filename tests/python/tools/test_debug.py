@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from tools import cli, debug
+from tools.python_tests import failed_tests
 
 ROOT = Path(__file__).parents[3]
 ON_BOTH = "OrdersOfRobot.FR20_OnlyTheNewestOrderIsReadAndOnce"
@@ -41,10 +42,10 @@ def test_a_test_of_the_board_is_debugged_in_the_firmware(
     shown: type[Shown], words: list[str]
 ) -> None:
     server, gdb = shown(*words).lines
-    port = re.match(r"WR_GDB=(\d+) \S+/build/host/tests/board_tests ", server)
+    port = re.match(r"WR_GDB=(\d+) WR_IMAGE=\S+ \S+/build/host/tests/board_tests ", server)
     assert port
     assert gdb.startswith("gdb-multiarch -q ")
-    assert "/build/k64/weeding_robot_paper.elf" in gdb
+    assert "/build/k64_calls/weeding_robot_paper.elf" in gdb
     assert gdb.endswith(f"'target remote :{port[1]}'")
 
 
@@ -72,6 +73,13 @@ def test_a_test_of_the_tools_is_debugged_in_python(shown: type[Shown]) -> None:
 def test_an_unknown_test_is_an_error(capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
     assert cli.main(["debug", *words]) == 1
     assert "there is no test" in capsys.readouterr().err
+
+
+def test_a_failed_test_of_the_tools_has_its_command(tmp_path: Path) -> None:
+    case = '<testcase classname="tests.python.tools.test_x" name="test_y[1]">{}</testcase>'
+    inside = case.format("<failure/>") + case.format("").replace("test_y", "test_z")
+    (tmp_path / "r.xml").write_text(f"<testsuites><testsuite>{inside}</testsuite></testsuites>")
+    assert failed_tests(tmp_path / "r.xml") == ["tests/python/tools/test_x.py::test_y[1]"]
 
 
 def test_the_editor_finds_its_tasks_and_files() -> None:

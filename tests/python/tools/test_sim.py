@@ -12,7 +12,7 @@ from tools import cli, sim
 from tools.cmake_build import BOARD_PROGRAM
 from tools.steps import FailureError
 from tools.task_graph import Graph, Task
-from tools.tasks import HOST_FIRMWARE, K64_FIRMWARE, VIRTUAL_BOARD
+from tools.tasks import HOST_FIRMWARE, K64_FIRMWARE, RECORDED_IMAGES, VIRTUAL_BOARD
 
 
 @pytest.fixture
@@ -37,7 +37,7 @@ def replace_builds(monkeypatch: pytest.MonkeyPatch, root: Path, broken: str = ""
         if name == broken:
             raise FailureError("no library")
 
-    names = (HOST_FIRMWARE, K64_FIRMWARE, VIRTUAL_BOARD)
+    names = (HOST_FIRMWARE, K64_FIRMWARE, RECORDED_IMAGES, VIRTUAL_BOARD)
     tasks = [Task(name, partial(action, name), always=True) for name in names]
     monkeypatch.setattr(sim, "graph", lambda _root: Graph(root, tasks))
 
@@ -79,12 +79,12 @@ def called(root: Path) -> list[str]:
         ),
         (
             "--board --scenario a.scenario --gdb 0",
-            "weeding_robot_board --image {image}.bin --elf {image}.elf"
+            "weeding_robot_board --image {debugged}.bin --elf {debugged}.elf"
             " --robot --scenario a.scenario --gdb 0",
         ),
         (
             "--board --gdb 7777",
-            "weeding_robot_board --image {image}.bin --elf {image}.elf"
+            "weeding_robot_board --image {debugged}.bin --elf {debugged}.elf"
             " --robot --link {root}/build/pc-link --gdb 7777",
         ),
         (
@@ -97,7 +97,8 @@ def called(root: Path) -> list[str]:
 def test_options_choose_the_program_and_its_words(root: Path, options: str, words: str) -> None:
     assert cli.main(["sim", *options.split()]) == 0
     image = root / "build/k64/weeding_robot"
-    assert called(root) == words.format(root=root, image=image).split()
+    debugged = root / "build/k64_calls/weeding_robot"
+    assert called(root) == words.format(root=root, image=image, debugged=debugged).split()
 
 
 @pytest.mark.parametrize(
