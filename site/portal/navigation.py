@@ -143,6 +143,7 @@ def verify(model: Model, checks: int, faults: int) -> list[Entry]:
         Entry("trees", "Invocation trees", "trees.html", "", trees),
         Entry("tests", "Tests", "tests.html", "T", len(model.tests)),
         Entry("mutation", "Mutants", "mutation.html"),
+        Entry("robustness", "Evidence of robustness", "robustness.html"),
         Entry("reverse", "Code without a requirement", "reverse.html"),
         Entry("closed_loop", "Control performance", "closed_loop.html", "", len(model.closed_loop)),
         Entry("bench", "Bench", "bench.html"),

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from tools.campaign.faults import ELF, IMAGE, PROGRAM, summarise
 from tools.campaign.chunks import Chunk
+from tools.campaign.faults import ELF, IMAGE, PROGRAM, summarise
 
 Cases = Sequence[dict[str, Any]]
 

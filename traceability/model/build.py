@@ -32,6 +32,7 @@ from traceability.reading.coverage import Coverage, read_coverage
 from traceability.reading.declared import read_declared
 from traceability.reading.declared_safety import read_sources, words_of
 from traceability.reading.doxygen_run import doxygen_beside
+from traceability.reading.fault_record import read_campaigns
 from traceability.reading.mutation_record import last_mutation, read_mutation
 from traceability.reading.products import read_products
 from traceability.reading.results import read_sizes
@@ -118,6 +119,7 @@ def _assemble(
         faults=read_faults(root),
         outcomes=read_record(root),
         last=_last(root, model.sources_hash),
+        campaigns=read_campaigns(root),
         build=read_build(root),
     )
     model = replace(model, logic_modules=_logic_modules(model, facts))
