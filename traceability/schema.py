@@ -709,6 +709,7 @@ class LastRecord:
     found: int
     tried: int
     current: bool  # whether it was run with the present sources
+    date: str = ""  # YYYY-MM-DD, of a published record
 
 
 @dataclass(frozen=True)

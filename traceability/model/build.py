@@ -16,10 +16,10 @@ from traceability.model.execution import with_execution
 from traceability.model.likely_changes import changes_of
 from traceability.model.metrics import read_measured
 from traceability.model.orphan_methods import justify
+from traceability.model.pattern_price import prices
 from traceability.model.promela import proofs_of
 from traceability.model.reviews import with_reviews
 from traceability.model.safety_case import safety_of
-from traceability.model.pattern_price import prices
 from traceability.model.stack import prove
 from traceability.model.state_machines import machines_of
 from traceability.model.tests import with_board_findings, with_executed_modules, with_tests
@@ -35,6 +35,7 @@ from traceability.reading.coverage import Coverage, read_coverage
 from traceability.reading.declared import read_declared
 from traceability.reading.declared_safety import read_sources, words_of
 from traceability.reading.doxygen_run import doxygen_beside
+from traceability.reading.fault_record import read_campaigns
 from traceability.reading.mutation_record import last_mutation, read_mutation
 from traceability.reading.products import read_products
 from traceability.reading.results import read_sizes
@@ -121,6 +122,7 @@ def _assemble(
         faults=read_faults(root),
         outcomes=read_record(root),
         last=_last(root, model.sources_hash),
+        campaigns=read_campaigns(root),
         build=read_build(root),
         proofs=proofs_of(root, declared),
     )

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from traceability.reading.published import Published
 from traceability.reading.seeded_fault_record import Outcome
 from traceability.reading.seeded_faults import Fault
 from traceability.schema import (
@@ -42,13 +43,13 @@ from traceability.schema import (
     PaperPlace,
     PaperStatement,
     PatternApplication,
+    PatternPrice,
     ProductImage,
     Proofs,
     Requirement,
     SafetyCase,
     SharedMember,
     SharedPipe,
-    PatternPrice,
     StackProof,
     StateMachine,
     Test,
@@ -114,6 +115,7 @@ class Model:
     faults: Sequence[Fault] = field(default_factory=list)  # that are seeded to test the checks
     outcomes: Sequence[Outcome] | None = None  # their results
     last: Mapping[str, LastRecord] = field(default_factory=dict)  # "mutation", "drift"
+    campaigns: Mapping[str, Published] = field(default_factory=dict)  # the published records
     build: BuildEvidence | None = None
     measured: Mapping[str, Any] = field(default_factory=dict)  # metrics of other steps
     files: Sequence[str] = field(default_factory=list)  # sources that get a source page

@@ -1,4 +1,4 @@
-"""The price of each application of a pattern in the image: the virtual calls that the compiler left."""
+"""The price of each application of a pattern: the virtual calls that the image still has."""
 
 from __future__ import annotations
 
