@@ -63,8 +63,12 @@ def read_times(root: Path) -> dict[str, float]:
 
 def write_time(root: Path, name: str, seconds: float) -> None:
     """Records how long a command took, and adds it to the metrics."""
-    value = {name: round(seconds, 1)}
-    for path in (root / TIMES, root / METRICS):
+    add_metrics(root, {name: round(seconds, 1)}, TIMES, METRICS)
+
+
+def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
+    """Adds figures to the metrics that were measured after the documents were made."""
+    for path in (root / name for name in files or (METRICS,)):
         known = read_json(path)
         path.parent.mkdir(parents=True, exist_ok=True)
         text = json.dumps((known or {}) | value, indent=1, sort_keys=True)

@@ -30,12 +30,12 @@ from tools.cmake_build import (
     sources_of,
 )
 from tools.coverage_run import count_coverage
-from tools.documents import FINDINGS, make_documents
+from tools.documents import FINDINGS, add_metrics, make_documents
 from tools.live_runs import PRESET as WEB
 from tools.live_runs import SCRIPT as LIVE_SCRIPT
 from tools.live_runs import build_module, measure_live
 from tools.proof_runs import missing_program, prove_all
-from tools.python_tests import run_pytest
+from tools.python_tests import run_pytest, told
 from tools.sizes import write_products, write_sizes
 from tools.task_graph import Graph, Outcome, Task
 from traceability.model.build import commit
@@ -328,7 +328,9 @@ def documents(root: Path, out: TextIO) -> list[Task]:
         if not works(find_browser()):
             log.write("There is no browser: the tests that need one are left out.\n")
             return run_pytest(root, "site", log, "-m", "not browser")
-        return run_pytest(root, "site", log)
+        outcome = run_pytest(root, "site", log)
+        add_metrics(root, told(root / RESULTS / "pytest_site.xml"))
+        return outcome
 
     results = tuple(name for one in SHOWN_RESULTS if (root / (name := f"{RESULTS}/{one}")).exists())
     return [

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -145,7 +145,10 @@ def violations(site: Site) -> Iterator[dict[str, list[str]]]:
     (SITE / "probe_2.html").unlink()
 
 
-def test_pages_are_accessible(violations: dict[str, list[str]]) -> None:
+def test_pages_are_accessible(
+    violations: dict[str, list[str]], record_property: Callable[[str, object], None]
+) -> None:
+    record_property("portal.axe_violations", sum(map(len, violations.values())))
     assert {page: found for page, found in violations.items() if found} == {}
 
 

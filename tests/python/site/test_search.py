@@ -7,6 +7,7 @@ import json
 import re
 import subprocess
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -73,13 +74,16 @@ def test_each_expected_hit_is_a_place() -> None:
 
 @pytest.mark.browser
 @pytest.mark.skipif(not BROWSER, reason="there is no browser on this machine")
-def test_each_search_shows_the_answer_on_the_first_screen(tmp_path: Path) -> None:
+def test_each_search_shows_the_answer_on_the_first_screen(
+    tmp_path: Path, record_property: Callable[[str, object], None]
+) -> None:
     found = asked(tmp_path, list(SEARCHES))
     absent = {text: found[text][:3] for text in SEARCHES if not expects(text, found[text])}
     first = [text for text in SEARCHES if expects(text, found[text][:1])]
     share = len(first) / len(SEARCHES)
     others = {text: found[text][:1] for text in SEARCHES if text not in first}
     print(f"first hit as expected: {share:.0%} of {len(SEARCHES)} searches; others: {others}")
+    record_property("portal.search_first_hit", round(share, 3))
     assert absent == {}
     assert share >= LEAST, others
 
