@@ -10,7 +10,7 @@ from typing import Any
 
 from traceability.model.design_model import Model
 from traceability.model.report import Report
-from traceability.reading.bench_record import IMAGE, bench_metrics
+from traceability.reading.bench_record import IMAGE, MANUAL, bench_metrics
 from traceability.reading.fault_record import METRICS as CAMPAIGNS
 from traceability.reading.fault_record import campaign_metrics
 from traceability.reading.image_record import read_image
@@ -28,7 +28,8 @@ METHODS = ("test", "analysis", "measurement", "inspection")  # of verification
 OF_OTHER_STEPS = (  # metrics that are null until a step measures them
     *("coverage.line", "coverage.branch", "firmware.flash_bytes"),
     *("firmware.ram_bytes", "firmware.forbidden_parts", "firmware.needless_modules"),
-    *("bench.scenarios", "drift.seeded", "drift.caught"),
+    *("bench.scenarios", "bench.image_sha256", "sim.real_time_factor"),
+    *("drift.seeded", "drift.caught", "portal.axe_violations", "portal.search_first_hit"),
     *("site.pages", "site.dead_links", "build.first_page_s"),
     *("build.cold_s", "build.edit_s", "release.reproducible"),
     *(f"live.{key}" for key in LIVE),
@@ -43,7 +44,11 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
         tests |= coverage(root)
     times: dict[str, Any] = {"bench.scenarios": bench_metrics(model.bench)}
     if model.bench is not None:
-        times["bench.image_sha256"] = file_hash(root / IMAGE)
+        speeds = (one.runs[MANUAL].speed for one in model.bench.values())
+        times |= {
+            "bench.image_sha256": file_hash(root / IMAGE),
+            "sim.real_time_factor": min((one for one in speeds if one), default=None),
+        }
     prose = {"prose.findings": read_prose(root)}
     live = live_metrics(root)
     release = release_metrics(root, model.commit)
