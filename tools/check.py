@@ -10,6 +10,8 @@ from pathlib import Path
 from tools.documents import counted, read_findings, write_time
 from tools.lock import only_one
 from tools.tasks import DOCUMENTS, graph, pages_graph
+from traceability.reading.published import publish
+from traceability.reading.seeded_fault_record import last_seeded
 from traceability.reading.task_record import SEEDED_FAULTS
 from traceability.schema import Finding
 
@@ -27,13 +29,23 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="first seed each fault of tests/drift in a copy, and see whether the checks find it; "
         "with names of checks: seed only the faults of these, and check nothing else",
     )
+    parser.add_argument(
+        "--publish",
+        action="store_true",
+        help="with --drift: write the result to tests/records, to be committed",
+    )
     parser.set_defaults(run=run)
 
 
 def run(root: Path, options: argparse.Namespace) -> int:
     if options.drift:
         return seed_some(root, options.drift)
-    return check(root, drift=options.drift is not None)
+    drift = options.drift is not None
+    code = check(root, drift=drift)
+    if drift and options.publish and (record := last_seeded(root)):
+        score = {"found": record.found, "tried": record.tried}
+        publish(root, "drift", "./wr check --drift", record.commit, score)
+    return code
 
 
 def seed_some(root: Path, checks: list[str]) -> int:

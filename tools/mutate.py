@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, TextIO
 from tools.lock import only_one
 from tools.steps import FailureError, Steps
 from tools.tasks import graph
+from traceability.reading.published import publish
 from traceability.reading.task_record import TESTS_TRACE
 
 if TYPE_CHECKING:
@@ -39,6 +40,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help=f"how long faults are tried, at most and by default {LONGEST:g}",
     )
     parser.add_argument("--seed", type=int, help="which faults come first; by default a new one")
+    parser.add_argument(
+        "--publish", action="store_true", help="write the score to tests/records, to be committed"
+    )
     parser.set_defaults(run=mutate)
 
 
@@ -78,6 +82,10 @@ def _mutate(root: Path, options: argparse.Namespace) -> int:
     origin = {"sources": run.model.sources_hash, "commit": run.model.commit}
     result = record(run.tried, origin, seed, len(run.mutants), run.took)
     (root / RESULT).write_text(json.dumps(result, indent=1), encoding="utf-8")
+    if options.publish:
+        command = f"./wr mutate --minutes {options.minutes:g} --seed {seed}"
+        score = {"found": run.killed(), "tried": len(run.tried)}
+        publish(root, "mutation", command, run.model.commit, score)
     for one in run.tried:
         if not one.killed_by:
             print(f"{one.mutant.file}:{one.mutant.line}: no test finds: {one.mutant.change}")

@@ -36,7 +36,7 @@ PARTS = (VECTORS, CONFIGURATION, LIBRARY, STACK, PADDING)
 
 SRAM = 0x1FFF0000  # RAM begins here
 HEADER = re.compile(r"^\s*\d+\s+(\S+)\s+([0-9a-f]+)\s+([0-9a-f]+)\s+([0-9a-f]+)\s")
-# An object: address, size, name, and the file of its source where the compiler tells it.
+# An object: address, size, name, and the file of its source where the compiler writes it.
 OBJECT = re.compile(
     r"^([0-9a-f]+) ([0-9a-f]+) [bdrvBDRV] (\S+)(?:\t.*?(\w+)\.[ch]pp:\d+)?$", re.MULTILINE
 )
@@ -68,7 +68,7 @@ class Section:
 
 
 def image_sizes(elf: Path, recorded: Path | None = None) -> dict[str, Size]:
-    """Part -> size. The flash is what arm-none-eabi-size reports for the whole image.
+    """Part -> size. The flash is that which arm-none-eabi-size reports for the whole image.
 
     An instruction belongs to the module that its line of source is in, wherever it was inlined.
     An object belongs to the module that defines it, by the ``recorded`` image: an image that was
@@ -139,7 +139,7 @@ def sections(elf: Path) -> list[Section]:
 
 
 def place_in_binary(elf: Path, address: int) -> int:
-    """Where the binary of an image has what is at an address while the program runs."""
+    """The place in the binary of the byte that is at an address while the program runs."""
     for section in sections(elf):
         if section.in_flash and section.holds(address):
             return section.load + address - section.address

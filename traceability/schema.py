@@ -227,6 +227,15 @@ class PatternApplication:
 
 
 @dataclass(frozen=True)
+class PatternPrice:
+    """The price of an application: of the calls through tables of methods that the image has."""
+
+    instructions: float  # in a cycle, on average
+    flash: int  # bytes: the tables of its modules, and the instructions of the calls
+    virtual_calls: int  # places in the image
+
+
+@dataclass(frozen=True)
 class TreeNode:
     """A node of a requirement's tree; ``resolved`` is the method that has the body."""
 
@@ -700,6 +709,7 @@ class LastRecord:
     found: int
     tried: int
     current: bool  # whether it was run with the present sources
+    date: str = ""  # YYYY-MM-DD, of a published record
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from typing import Any
 from portal import plots
 from portal.portal import Portal
 from traceability.reading import baseline_record
+from traceability.reading.fault_record import FAULTS, FUZZ, OUTCOMES
 from traceability.schema import Place
 
 TORTURE = "tests/torture/"
@@ -80,6 +81,24 @@ def mutation(portal: Portal) -> dict[str, Any]:
         "kinds": Counter(mutant.kind for mutant in tried),
         "survivors": [mutant for mutant in tried if not mutant.killed_by],
     }
+
+
+def robustness(portal: Portal) -> dict[str, Any]:
+    faults = portal.model.campaigns.get(FAULTS)
+    return {
+        "faults": faults,
+        "fuzz": portal.model.campaigns.get(FUZZ),
+        "outcomes": OUTCOMES,
+        "judged": Place("sim/faults/Verdict.hpp", 1),
+        "modules": by_silence(faults.result["modules"]) if faults else [],
+    }
+
+
+def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, int]]]:
+    """The modules with the most silent faults first, then those with the most faults."""
+    return sorted(
+        modules.items(), key=lambda one: (-one[1]["silent"], -sum(one[1].values()), one[0])
+    )
 
 
 def usual_design(portal: Portal) -> dict[str, Any]:

@@ -152,6 +152,7 @@ def verify(model: Model, checks: int, faults: int) -> list[Entry]:
         Entry("tests", "Tests", "tests.html", "T", len(model.tests)),
         Entry("proofs", "Proofs", "proofs.html", "", len(model.proofs.properties)),
         Entry("mutation", "Mutants", "mutation.html"),
+        Entry("robustness", "Evidence of robustness", "robustness.html"),
         Entry("reverse", "Code without a requirement", "reverse.html"),
         Entry("closed_loop", "Control performance", "closed_loop.html", "", len(model.closed_loop)),
         Entry("bench", "Bench", "bench.html"),

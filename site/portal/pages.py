@@ -18,7 +18,7 @@ from portal.diagrams import DIAGRAMS, role_family
 from portal.dossier import dossier, dossier_page
 from portal.links import logic_anchor
 from portal.live_view import run
-from portal.measured_pages import closed_loop, mutation, usual_design, virtual_k64
+from portal.measured_pages import closed_loop, mutation, robustness, usual_design, virtual_k64
 from portal.module_page import module_page
 from portal.paper_views import change_page, concordance, families, hidden_names
 from portal.portal import Page, Portal
@@ -272,6 +272,7 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
     "dossier": dossier,
     "tests": lambda portal: {"suites": suites(portal)},
     "mutation": mutation,
+    "robustness": robustness,
     "reverse": lambda portal: {"rows": reverse_rows(portal)},
     "closed_loop": closed_loop,
     "bench": bench,

@@ -8,7 +8,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -73,10 +73,22 @@ class Store:
         return cases
 
     def finished(self) -> list[Chunk]:
-        """The chunks that are finished, by number; of one number the longest."""
+        """The chunks that are finished, by number, each once: the longest of its number."""
         seed = int(self.folder.name.rpartition("-")[2])
         longest: dict[int, int] = {}
         for path in self.folder.glob("*-*.json"):
             number, count = (int(part) for part in path.stem.split("-"))
             longest[number] = max(longest.get(number, 0), count)
         return [Chunk(n, seed * SEEDS + n, count) for n, count in sorted(longest.items())]
+
+
+def whole_part(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks up to the first missing or partial one, as a shorter campaign has them."""
+    whole: list[Chunk] = []
+    for number, chunk in enumerate(chunks):
+        if chunk.number != number or (whole and chunk.count > whole[0].count):
+            break
+        whole.append(chunk)
+        if chunk.count < whole[0].count:
+            break
+    return whole

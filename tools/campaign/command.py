@@ -9,7 +9,7 @@ import time
 from pathlib import Path
 from typing import Any
 
-from tools.campaign.chunks import Chunk, Store, chunks_of, identity_of
+from tools.campaign.chunks import Chunk, Store, chunks_of, identity_of, whole_part
 from tools.campaign.kinds import KINDS, Kind
 from tools.campaign.workers import run_here, run_on_dask
 from tools.cmake_build import build
@@ -61,7 +61,7 @@ def campaign(root: Path, options: argparse.Namespace) -> int:
     store = Store(root, kind.name, identity_of(root / file for file in kind.files), options.seed)
     if options.count or not options.publish:
         run(root, kind, store, options)
-    chunks = store.finished()
+    chunks = whole_part(store.finished())
     if not chunks:
         raise FailureError("no chunk of this program and this seed is finished")
     result = merged(root, kind, store, chunks)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import bisect
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -28,17 +28,16 @@ class Places:
         }
         self._objects: list[tuple[int, int, DIE, str]] = []  # address, end, type, source
         self._functions: list[tuple[int, int, str]] = []
+        self._defined: dict[str, DIE] = {}
         with elf.open("rb") as file:
             self._read(ELFFile(file))
-            self._file = file
-            self._cache: dict[int, str] = {}
             self._objects.sort(key=lambda item: item[:2])
             self._functions.sort()
             self._starts = [item[0] for item in self._objects]
             self._first = [item[0] for item in self._functions]
             # A type is read when it is asked for, as long as the file is open.
             self._members = {
-                address: dict(self._spread(address, die, source))
+                address: dict(self._bytes(die, 0, source))
                 for address, _, die, source in self._objects
             }
 
@@ -55,10 +54,14 @@ class Places:
         return NOWHERE
 
     def _read(self, elf: ELFFile) -> None:
-        for unit in elf.get_dwarf_info().iter_CUs():
-            top = unit.get_top_DIE()
+        tops = [unit.get_top_DIE() for unit in elf.get_dwarf_info().iter_CUs()]
+        for top in tops:
+            for die in _children(top, _CLASSES):
+                if "DW_AT_byte_size" in die.attributes:
+                    self._defined.setdefault(_path(die), die)
+        for top in tops:
             source = self._module_of_file(_text(top, "DW_AT_name"))
-            for die in _variables_and_functions(top):
+            for die in _children(top, ("DW_TAG_variable", "DW_TAG_subprogram")):
                 if die.tag == "DW_TAG_variable":
                     self._add_variable(die, source)
                 else:
@@ -72,7 +75,7 @@ class Places:
         if len(location.value) != 5 or location.value[0] != _ADDRESS:
             return
         address = int.from_bytes(bytes(location.value[1:]), "little")
-        size = _size_of(kind)
+        size = self._size_of(kind)
         if size:
             self._objects.append((address, address + size, kind, source))
 
@@ -104,23 +107,19 @@ class Places:
         stem = Path(name).stem
         return stem if stem in self._modules else NOWHERE
 
-    def _spread(self, start: int, die: DIE, source: str) -> Iterator[tuple[int, str]]:
-        """The module of each byte of an object."""
-        yield from self._bytes(die, 0, source, 0)
-
-    def _bytes(self, die: DIE, offset: int, module: str, depth: int) -> Iterator[tuple[int, str]]:
-        kind = _resolved(die)
+    def _bytes(self, die: DIE, offset: int, module: str) -> Iterator[tuple[int, str]]:
+        kind = self._resolved(die)
         if kind.tag == "DW_TAG_array_type":
             element = _type_of(kind)
-            size = _size_of(element) if element else 0
-            for index in range(_count_of(kind) if size else 0):
+            size = self._size_of(element) if element else 0
+            for index in range(self._count_of(kind) if size else 0):
                 assert element is not None
-                yield from self._bytes(element, offset + index * size, module, depth + 1)
+                yield from self._bytes(element, offset + index * size, module)
             return
         if kind.tag in _CLASSES:
             name = _plain(_text(kind, "DW_AT_name"))
             module = name if name in self._modules else module
-        size = _size_of(kind)
+        size = self._size_of(kind)
         yield from ((offset + byte, module) for byte in range(size))
         if kind.tag in _CLASSES:
             for child in kind.iter_children():
@@ -132,19 +131,54 @@ class Places:
                     at = place.value if place is not None else 0
                     if "DW_AT_bit_size" not in child.attributes and isinstance(at, int):
                         # A base class is a part of the derived class: it has no place of its own.
-                        inner = self._bytes(member, offset + at, module, depth + 1)
+                        inner = self._bytes(member, offset + at, module)
                         yield from inner
 
+    def _resolved(self, die: DIE) -> DIE:
+        """The type itself; of a class that is only declared the definition of another file."""
+        while die.tag in _WRAPPERS:
+            inner = _type_of(die)
+            if inner is None:
+                return die
+            die = inner
+        return self._defined.get(_path(die), die) if "DW_AT_declaration" in die.attributes else die
 
-def _variables_and_functions(die: DIE) -> Iterator[DIE]:
+    def _size_of(self, die: DIE) -> int:
+        kind = self._resolved(die)
+        if "DW_AT_byte_size" in kind.attributes:
+            return int(kind.attributes["DW_AT_byte_size"].value)
+        if kind.tag == "DW_TAG_array_type" and (element := _type_of(kind)) is not None:
+            return self._count_of(kind) * self._size_of(element)
+        return 4 if kind.tag in ("DW_TAG_pointer_type", "DW_TAG_reference_type") else 0
+
+    def _count_of(self, array: DIE) -> int:
+        count = 1
+        for child in array.iter_children():
+            if child.tag == "DW_TAG_subrange_type":
+                attributes = child.attributes
+                if "DW_AT_count" in attributes:
+                    count *= attributes["DW_AT_count"].value
+                elif "DW_AT_upper_bound" in attributes and isinstance(
+                    attributes["DW_AT_upper_bound"].value, int
+                ):
+                    count *= attributes["DW_AT_upper_bound"].value + 1
+        return count
+
+
+def _children(die: DIE, tags: Iterable[str]) -> Iterator[DIE]:
+    """The entries of some kinds in namespaces, classes and functions."""
     for child in die.iter_children():
-        if child.tag in ("DW_TAG_namespace", *_CLASSES):
-            yield from _variables_and_functions(child)
-        elif child.tag == "DW_TAG_variable":
+        if str(child.tag) in tags:
             yield child
-        elif child.tag == "DW_TAG_subprogram":
-            yield child
-            yield from (one for one in child.iter_children() if one.tag == "DW_TAG_variable")
+        if child.tag in ("DW_TAG_namespace", "DW_TAG_subprogram", *_CLASSES):
+            yield from _children(child, tags)
+
+
+def _path(die: DIE) -> str:
+    """The name of a class with its namespaces and classes."""
+    parent = die.get_parent()
+    outer = _path(parent) if parent is not None and parent.tag != "DW_TAG_compile_unit" else ""
+    return f"{outer}::{_text(die, 'DW_AT_name')}"
 
 
 def _text(die: DIE, name: str) -> str:
@@ -166,35 +200,3 @@ def _type_of(die: DIE) -> DIE | None:
         else:
             return None
     return die.get_DIE_from_attribute("DW_AT_type")
-
-
-def _resolved(die: DIE) -> DIE:
-    while die.tag in _WRAPPERS:
-        inner = _type_of(die)
-        if inner is None:
-            return die
-        die = inner
-    return die
-
-
-def _size_of(die: DIE) -> int:
-    kind = _resolved(die)
-    if "DW_AT_byte_size" in kind.attributes:
-        return int(kind.attributes["DW_AT_byte_size"].value)
-    if kind.tag == "DW_TAG_array_type" and (element := _type_of(kind)) is not None:
-        return _count_of(kind) * _size_of(element)
-    return 4 if kind.tag in ("DW_TAG_pointer_type", "DW_TAG_reference_type") else 0
-
-
-def _count_of(array: DIE) -> int:
-    count = 1
-    for child in array.iter_children():
-        if child.tag == "DW_TAG_subrange_type":
-            attributes = child.attributes
-            if "DW_AT_count" in attributes:
-                count *= attributes["DW_AT_count"].value
-            elif "DW_AT_upper_bound" in attributes and isinstance(
-                attributes["DW_AT_upper_bound"].value, int
-            ):
-                count *= attributes["DW_AT_upper_bound"].value + 1
-    return count

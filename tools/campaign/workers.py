@@ -90,7 +90,7 @@ def run_on_dask(
     """
     from distributed import Client, as_completed
 
-    with Client(scheduler, timeout="20s") as client:
+    with Client(scheduler, timeout="20s") as client:  # type: ignore[no-untyped-call]
         contents = client.scatter(
             [(root / file).read_bytes() for file in kind.files], broadcast=True
         )
@@ -106,6 +106,6 @@ def run_on_dask(
             ): chunk
             for chunk in chunks
         }
-        for future in as_completed(list(futures)):
+        for future in as_completed(list(futures)):  # type: ignore[no-untyped-call]
             yield futures[future], future.result()
             future.release()

@@ -406,7 +406,8 @@ _FIXED = [
         "time-bound",
         "Each loop of the image has a bound",
         "Each loop and each copy of unknown size that a handler of the image reaches has a bound: "
-        "the constant in its head, or one that is declared beside it. Each indirect call is known.",
+        "the constant in its head, or one that is declared next to it. Each indirect call is "
+        "known.",
         "whether a declared bound is right; loops that run only before the first interrupt.",
         "write the bound above the loop.",
     ),
@@ -415,7 +416,7 @@ _FIXED = [
         "No run needs more time than the bound",
         "The longest time to the report in the runs of the bench is at most the bound of the "
         "control cycle.",
-        "arrivals of interrupts that are more frequent than design/times.toml says.",
+        "interrupts that come more often than in design/times.toml.",
         "correct the bound that is too small.",
     ),
     Check(

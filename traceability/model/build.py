@@ -16,6 +16,7 @@ from traceability.model.execution import with_execution
 from traceability.model.likely_changes import changes_of
 from traceability.model.metrics import read_measured
 from traceability.model.orphan_methods import justify
+from traceability.model.pattern_price import prices
 from traceability.model.promela import proofs_of
 from traceability.model.reviews import with_reviews
 from traceability.model.safety_case import safety_of
@@ -34,6 +35,7 @@ from traceability.reading.coverage import Coverage, read_coverage
 from traceability.reading.declared import read_declared
 from traceability.reading.declared_safety import read_sources, words_of
 from traceability.reading.doxygen_run import doxygen_beside
+from traceability.reading.fault_record import read_campaigns
 from traceability.reading.mutation_record import last_mutation, read_mutation
 from traceability.reading.products import read_products
 from traceability.reading.results import read_sizes
@@ -120,6 +122,7 @@ def _assemble(
         faults=read_faults(root),
         outcomes=read_record(root),
         last=_last(root, model.sources_hash),
+        campaigns=read_campaigns(root),
         build=read_build(root),
         proofs=proofs_of(root, declared),
     )
@@ -139,6 +142,7 @@ def _assemble(
     )
     model = _with_measures(with_dictionary(model, facts), root, coverage)
     model = replace(model, times=prove_times(root, model, facts))
+    model = replace(model, prices=prices(root, model, facts))
     model = with_trees(model, facts, traces, build_folder / "cache")
     model = justify(with_verification(model, facts, coverage), declared.justified)
     model = replace(model, safety=safety_of(model, facts))

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from traceability.reading.published import Published
 from traceability.reading.seeded_fault_record import Outcome
 from traceability.reading.seeded_faults import Fault
 from traceability.schema import (
@@ -42,6 +43,7 @@ from traceability.schema import (
     PaperPlace,
     PaperStatement,
     PatternApplication,
+    PatternPrice,
     ProductImage,
     Proofs,
     Requirement,
@@ -75,6 +77,7 @@ class Model:
     mutation: Mutation | None = None  # of these sources
     machines: Mapping[str, StateMachine] = field(default_factory=dict)
     contexts: Mapping[str, ExecutionContext] = field(default_factory=dict)
+    prices: Mapping[str, PatternPrice] = field(default_factory=dict)  # by application
     times: TimeProof | None = None  # of the image, when it was built from the present sources
     stack: StackProof | None = None  # of the image, when it was built from the present sources
     pipes: Sequence[SharedPipe] = field(default_factory=list)
@@ -112,6 +115,7 @@ class Model:
     faults: Sequence[Fault] = field(default_factory=list)  # that are seeded to test the checks
     outcomes: Sequence[Outcome] | None = None  # their results
     last: Mapping[str, LastRecord] = field(default_factory=dict)  # "mutation", "drift"
+    campaigns: Mapping[str, Published] = field(default_factory=dict)  # the published records
     build: BuildEvidence | None = None
     measured: Mapping[str, Any] = field(default_factory=dict)  # metrics of other steps
     files: Sequence[str] = field(default_factory=list)  # sources that get a source page

@@ -11,6 +11,8 @@ from typing import Any
 from traceability.model.design_model import Model
 from traceability.model.report import Report
 from traceability.reading.bench_record import IMAGE, bench_metrics
+from traceability.reading.fault_record import METRICS as CAMPAIGNS
+from traceability.reading.fault_record import campaign_metrics
 from traceability.reading.image_record import read_image
 from traceability.reading.live_record import KEYS as LIVE
 from traceability.reading.live_record import live_metrics
@@ -30,6 +32,7 @@ OF_OTHER_STEPS = (  # metrics that are null until a step measures them
     *("site.pages", "site.dead_links", "build.first_page_s"),
     *("build.cold_s", "build.edit_s", "release.reproducible"),
     *(f"live.{key}" for key in LIVE),
+    *CAMPAIGNS,
 )
 
 
@@ -128,6 +131,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
         "tests.passed": sum(run.result == "passed" for run in runs) if fresh else None,
         "coverage.drivers_on_board": _executed(model.board_lines),
         "firmware.stack_bytes": model.stack.total if model.stack and model.stack.proven else None,
+        "patterns.price": {name: asdict(one) for name, one in model.prices.items()} or None,
         "bench.wcet_cycle_ms": (
             round(model.times.cycle_ms, 3) if model.times and model.times.proven else None
         ),
@@ -136,7 +140,10 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
         "mutation.found": model.mutation.found if model.mutation else None,
         "proofs.properties": len(model.proofs.properties),
         "proofs.proven": model.proofs.proven,
-        "last": {name: asdict(record) for name, record in model.last.items()},
+        "last": {
+            **{name: asdict(record) for name, record in model.last.items()},
+            **campaign_metrics(model.campaigns),
+        },
         **dict.fromkeys(OF_OTHER_STEPS),
         **model.measured,
     }

@@ -2,7 +2,7 @@
 
 The bound of a function is the greatest sum of cycles over its paths: a linear program over the
 edges between its blocks, as in the implicit path enumeration of Li and Malik. The bound of a loop
-is declared beside it (``// bound:``), or is the constant in its head.
+is declared next to it (``// bound:``), or is the constant in its head.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """The functions of an image with their frames and calls, as the compiler reports them.
 
-The compiler writes a graph for each unit, and for the units that are linked as a whole one beside
+The compiler writes a graph for each unit, and for the units that are linked as a whole one next to
 the image (``-fcallgraph-info=su``): frames, direct calls, and the places of indirect ones. A
 function of the toolchain's libraries has none; its frame and calls are read from its instructions.
 """
@@ -27,6 +27,7 @@ INDIRECT_CALL = re.compile(r"\tb(?:lx\t|x\t(?!lr))")
 PUSH = re.compile(r"\t(?:push|stmdb\tsp!,|v?push)\s*\{(?P<names>[^}]+)\}")
 BELOW = re.compile(r"\tsub(?:\.w|w)?\tsp, (?:sp, )?#(?P<bytes>\d+)")
 STORE = re.compile(r"\t(?:str|strd)(?:\.w)?\t.*\[sp, #-(?P<bytes>\d+)\]!")
+TABLE = re.compile(r"^[0-9a-f]+ ([0-9a-f]+) \w vtable for wr::(\w+)$", re.MULTILINE)
 # The name of a method without the parameters that distinguish overloads.
 SHORT = re.compile(r"(?:wr::)(?P<name>[\w:~]+(?:<[^()]*>[\w:~]*)*)\(")
 
@@ -141,6 +142,12 @@ def names_of_addresses(elf: Path) -> list[list[str]]:
         if kind in ("t", "T", "W"):
             found.setdefault(address, []).append(name)
     return [names for names in found.values() if len(names) > 1]
+
+
+def table_bytes(elf: Path) -> dict[str, int]:
+    """The bytes of the table of methods of each class."""
+    listed = _run("arm-none-eabi-nm", "--print-size", "--demangle", str(elf))
+    return {name: int(size, 16) for size, name in TABLE.findall(listed)}
 
 
 def _pushed(line: str) -> int:

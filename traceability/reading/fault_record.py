@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -11,25 +12,36 @@ OUTCOMES = ("harmless", "detected", "late", "silent", "hung", "stopped")
 FAULTS, FUZZ = "faults", "fuzz"  # names of the records
 
 
-def campaign_metrics(root: Path) -> dict[str, Any]:
-    """The metrics of the last campaigns: no build runs them, so all are under ``last``."""
-    return faults_of(read_published(root, FAULTS)) | fuzz_of(read_published(root, FUZZ))
+METRICS = (
+    "reliability.faults",
+    *(f"reliability.faults_{outcome}" for outcome in OUTCOMES),
+    "reliability.fuzz_inputs",
+    "reliability.fuzz_failures",
+)
 
 
-def faults_of(record: Published | None) -> dict[str, Any]:
-    if record is None:
-        return {}
-    counts = {f"reliability.faults_{key}": record.result["outcomes"][key] for key in OUTCOMES}
-    return _last(record, {"reliability.faults": record.result["cases"], **counts})
+def read_campaigns(root: Path) -> dict[str, Published]:
+    """Returns the published records by the kind of their campaign."""
+    records = {name: read_published(root, name) for name in (FAULTS, FUZZ)}
+    return {name: record for name, record in records.items() if record}
 
 
-def fuzz_of(record: Published | None) -> dict[str, Any]:
-    if record is None:
-        return {}
-    keys = {"reliability.fuzz_inputs": "cases", "reliability.fuzz_failures": "failures"}
-    return _last(record, {name: record.result[key] for name, key in keys.items()})
+def campaign_metrics(records: Mapping[str, Published]) -> dict[str, Any]:
+    """Returns the metrics of the last campaigns. No build runs them, so all are under ``last``."""
+    return {
+        metric: {
+            "command": record.command,
+            "commit": record.commit,
+            "date": record.date,
+            "value": value,
+        }
+        for name, record in records.items()
+        for metric, value in _values(name, record.result).items()
+    }
 
 
-def _last(record: Published, values: dict[str, Any]) -> dict[str, Any]:
-    origin = {"command": record.command, "commit": record.commit, "date": record.date}
-    return {name: {**origin, "value": value} for name, value in values.items()}
+def _values(name: str, result: Mapping[str, Any]) -> dict[str, Any]:
+    if name == FUZZ:
+        return dict(zip(METRICS[-2:], (result["cases"], result["failures"]), strict=True))
+    counts = {f"reliability.faults_{key}": result["outcomes"][key] for key in OUTCOMES}
+    return {"reliability.faults": result["cases"], **counts}

@@ -1,4 +1,4 @@
-"""The instructions of an image: blocks, jumps, calls, loops, and what each instruction costs.
+"""The instructions of an image with their cycles: blocks, jumps, calls and loops.
 
 The cycles are those of the virtual board (``sim/emulator/Timing.hpp``): the Cortex-M4 manual,
 tables 3-1 and 7-1, where it gives a range the upper end, and a slow flash without a cache.
@@ -27,7 +27,7 @@ VENEER = re.compile(r"^_+(?P<name>\w+)_veneer$")
 
 @dataclass
 class Instruction:
-    """``cycles``: without those of a jump that is taken, and of what is called."""
+    """``cycles``: without those of a jump that is taken, and of the function that is called."""
 
     address: int
     name: str

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from traceability.reading.published import last_score
 from traceability.reading.results import RESULTS, read_json
 from traceability.schema import LastRecord, Mutant, Mutation, Place
 
@@ -14,7 +15,7 @@ def last_mutation(root: Path, sources: str) -> LastRecord | None:
     """Returns the result of the last run, even with other sources."""
     data = read_json(root / RECORD)
     if not isinstance(data, dict):
-        return None
+        return last_score(root, "mutation")
     found = sum(bool(item["killed_by"]) for item in data["tried"])
     current = data.get("sources") == sources
     return LastRecord("mutate", data.get("commit", ""), found, len(data["tried"]), current)

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from traceability.reading.results import read_json
+from traceability.schema import LastRecord
 
 RECORDS = Path("tests/records")
 
@@ -37,3 +38,13 @@ def read_published(root: Path, name: str) -> Published | None:
     """Returns the last published record; None if the command was never published."""
     data = read_json(root / RECORDS / f"{name}.json")
     return Published(**data) if isinstance(data, dict) else None
+
+
+def last_score(root: Path, name: str) -> LastRecord | None:
+    """Returns the last published result of a mutation test; it is of earlier sources."""
+    record = read_published(root, name)
+    if record is None:
+        return None
+    found, tried = record.result["found"], record.result["tried"]
+    command = record.command.removeprefix("./wr ")
+    return LastRecord(command, record.commit, found, tried, current=False, date=record.date)

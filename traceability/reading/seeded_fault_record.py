@@ -6,6 +6,7 @@ import json
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from traceability.reading.published import last_score
 from traceability.reading.results import RESULTS, read_json
 from traceability.reading.task_record import SEEDED_FAULTS, is_fresh
 from traceability.schema import LastRecord
@@ -58,7 +59,7 @@ def last_seeded(root: Path) -> LastRecord | None:
     """Returns the result of the last run, even with other files."""
     record = read_json(root / RECORD)
     if not isinstance(record, dict):
-        return None
+        return last_score(root, "drift")
     caught = sum(outcome["caught"] for outcome in record["outcomes"])
     tried, current = len(record["outcomes"]), is_fresh(root, SEEDED_FAULTS)
     return LastRecord("check --drift", record.get("commit", ""), caught, tried, current)

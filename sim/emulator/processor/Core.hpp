@@ -211,7 +211,7 @@ class Core {
   std::uint32_t trapAddress_ = 0;
   Trap trap_ = Trap::None;
   bool slowFlash_;
-  bool codeIsSlow_ = false;  ///< what is executed is in flash
+  bool codeIsSlow_ = false;  ///< the executed memory is flash
   bool branched_ = false;
   Instruction none_{};  ///< outside of the memory that is executed
   ExecutedCode* executed_ = nullptr;

@@ -47,7 +47,7 @@ Memory::Direct Memory::directOf(const Area& area) const {
 
 void Memory::observe(std::function<void(std::uint32_t, std::uint32_t, bool)> call) {
   observer_ = std::move(call);
-  for (const Area& area : all_) {  // the direct stores begin anew, and so does what is decoded
+  for (const Area& area : all_) {  // the direct stores begin again, and so does the decoding
     forget(area, area.address, area.size);
   }
   for (std::size_t i = 0; i < kMegabytes; ++i) {

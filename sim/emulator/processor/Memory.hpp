@@ -37,8 +37,8 @@ class Memory {
     bool mayWrite = false;
     bool mayExecute = false;
     std::unique_ptr<std::uint8_t, Release> bytes{};        ///< none of a window
-    std::unique_ptr<Instruction, Release> instructions{};  ///< one for each half-word, as decoded; none where
-                                                           ///< nothing may be executed
+    std::unique_ptr<Instruction, Release> instructions{};  ///< one for each half-word, as decoded;
+                                                           ///< none where nothing may be executed
     Read read{};
     Write write{};
 
@@ -96,7 +96,7 @@ class Memory {
   }
 
   /// @brief An instruction was decoded: from there on a store into this memory is a call, which forgets
-  /// what was decoded. What lies below it, as a stack, is stored as fast as before.
+  /// decoded instructions. Stores below it, as those into a stack, are as fast as before.
   void decoded(std::uint32_t address);
 
   /// @brief Forgets the decoded instructions that a store has changed.

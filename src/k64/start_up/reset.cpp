@@ -39,8 +39,8 @@ namespace {
   }
 }
 
-// No function may help that is copied itself, as those of the library. The linker script refuses such a
-// call from its section.
+// No function may help that is copied itself, as those of the library. The linker script refuses
+// such a call from its section.
 [[gnu::section(".start_up"), gnu::noinline]] void initialiseMemory() {
   copy(codeInitial, codeBegin, codeEnd);
   copy(vectors, ramVectors, ramVectorsEnd);

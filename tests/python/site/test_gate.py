@@ -19,7 +19,7 @@ PAGES = [
     "patterns/index", "patterns/reading-modes", "machines", "changes", "changes/reading-modes",
     "secrets", "guide", "interfaces", "inheritances", "products", "datatypes", "uses",
     "concordance", "usual_design", "execution", "requirements/index", "requirements/FR-15",
-    "safety/index", "safety/SG-2", "safety/hazards", "safety/cost", "trees", "tests", "mutation",
+    "safety/index", "safety/SG-2", "safety/hazards", "safety/cost", "trees", "tests", "mutation", "robustness",
     "reverse", "closed_loop", "bench", "virtual_k64", "beliefs", "evidence", "checks/index",
     "checks/drift", "checks/uses-allowed", "docs/quick_start", "docs/protocol", "docs/bring_up",
     "docs/glossary", "source/index", "source/src/main_control/operation_modes/RC.cpp", "exports",

@@ -34,7 +34,7 @@ TEST(ExecutedCodeTest, EachHalfWordHasItsBit) {
   EXPECT_FALSE(code.noted(0x20000000));
 }
 
-/// @brief Each number of a half-word stands for one address.
+/// @brief Each number of a half-word has one address.
 TEST(ExecutedCodeTest, EachHalfWordHasItsAddress) {
   EXPECT_EQ(ExecutedCode::addressOf(0), 0x1FFF0000U);
   EXPECT_EQ(ExecutedCode::addressOf(0x8000), 0U);

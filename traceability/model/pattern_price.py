@@ -1,0 +1,58 @@
+"""The price of each application of a pattern: the virtual calls that the image still has."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from traceability.model.design_model import Model
+from traceability.model.stack import BUILD, PRODUCT, Prover, read_declared
+from traceability.model.time_bounds import Program, read_program
+from traceability.reading.bench_record import CYCLES, MANUAL
+from traceability.reading.call_graph import read_graph, short_name, table_bytes
+from traceability.reading.results import read_json
+from traceability.reading.source_facts import Facts
+from traceability.schema import PatternPrice, Place
+
+SCENARIO = "steps_and_steering"
+MEASURED = Path("build/bench") / f"{PRODUCT}-{SCENARIO}-{MANUAL}.json"
+OF_A_CALL = 3  # instructions: load the table, load its entry, branch
+BYTES_OF_A_CALL = 6  # of these instructions, in their short forms
+
+Site = tuple[int, set[str]]  # address of the call, and the classes that it can reach
+
+
+def prices(root: Path, model: Model, facts: Facts) -> dict[str, PatternPrice]:
+    """Application -> its price; empty when the bench has not run with the present sources."""
+    elf = root / BUILD / f"{PRODUCT}.elf"
+    measured = read_json(root / MEASURED)
+    if model.times is None or model.bench is None or not isinstance(measured, dict):
+        return {}
+    executed = {int(at): sum(times) for at, times in measured["profile"].items()}
+    prover = Prover(read_graph(root, elf), facts, model, read_declared(root))
+    found = list(sites(read_program(elf), prover))
+    tables = table_bytes(elf)
+    result = {}
+    for one in model.patterns.values():
+        modules = {binding.module for binding in one.roles}
+        own = [at for at, classes in found if classes and classes <= modules]
+        result[one.id] = PatternPrice(
+            instructions=round(OF_A_CALL * sum(executed.get(at, 0) for at in own) / CYCLES, 1),
+            flash=BYTES_OF_A_CALL * len(own) + sum(tables.get(name, 0) for name in modules),
+            virtual_calls=len(own),
+        )
+    return result
+
+
+def sites(program: Program, prover: Prover) -> Iterator[Site]:
+    """The calls through a table of methods, with the classes of the methods that they can reach."""
+    for symbol, code in program.codes.items():
+        function = prover.graph.get(symbol)
+        for block in code.blocks.values():
+            for one in block.instructions:
+                lines = program.places.get(one.address) if one.indirect else None
+                if function is None or not lines:
+                    continue
+                targets = prover.targets(function, Place(*lines[0]))
+                names = (short_name(prover.graph[target].name) for target in targets)
+                yield one.address, {name.rpartition("::")[0].split("::")[0] for name in names}
