@@ -93,7 +93,7 @@ def _python(root: Path) -> Iterable[Component]:
             version=version,
             type=ComponentType.LIBRARY,
             scope=ComponentScope.EXCLUDED,
-            bom_ref=f"pypi:{name}",
+            bom_ref=f"pypi:{name}@{version}",
             purl=PackageURL("pypi", None, name, version),
         )
 
