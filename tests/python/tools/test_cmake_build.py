@@ -137,7 +137,7 @@ def test_results_of_the_board_and_of_this_machine_are_kept_apart(root: Path) -> 
     assert not (root / "build/results/trace.json").exists()
 
 
-def test_tests_of_the_image_run_with_that_of_the_default_product_too(root: Path) -> None:
+def test_tests_of_the_image_run_with_two_more_images(root: Path) -> None:
     """The stub writes the same results for each image: the test compares its arguments."""
     tests = root / "build/host/tests/board_tests"
     tests.parent.mkdir(parents=True)
@@ -145,9 +145,11 @@ def test_tests_of_the_image_run_with_that_of_the_default_product_too(root: Path)
     both = {**PASSED, "image": "weeding_robot_paper"}
     alone = {**both, "name": "Alone", "only": "weeding_robot_paper"}
     (root / "results.json").write_text(gtest_json(PASSED, both, alone))
-    assert run_tests(root, cmake_build.BOARD) == Counts(12, 0, 0)
-    again = f"{root}/build/k64/weeding_robot.bin Wheel.Falls:Wheel.Falls"
-    assert (root / "asked").read_text().splitlines() == [" ", " ", again, again]
+    assert run_tests(root, cmake_build.BOARD) == Counts(18, 0, 0)
+    default = f"{root}/build/k64/weeding_robot.bin Wheel.Falls:Wheel.Falls"
+    recorded = f"{root}/build/k64_calls/weeding_robot_paper.bin Wheel.Falls:Wheel.Falls"
+    asked = [" ", " ", default, default, recorded, recorded]
+    assert (root / "asked").read_text().splitlines() == asked
 
 
 @pytest.mark.parametrize("changed", cmake_build.SETTINGS)
