@@ -201,7 +201,7 @@ class FaultRun::Robot {
 
  private:
   void connect() {
-    session.board.runUntil(milliseconds(10));
+    session.board.runUntil(milliseconds(20));
     hello();
     session.runThroughPulse();
     listen();

@@ -90,6 +90,7 @@ def robustness(portal: Portal) -> dict[str, Any]:
         "fuzz": portal.model.campaigns.get(FUZZ),
         "outcomes": OUTCOMES,
         "judged": Place("sim/faults/Verdict.hpp", 1),
+        "wide": True,
         "modules": by_silence(faults.result["modules"]) if faults else [],
     }
 

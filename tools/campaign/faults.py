@@ -28,7 +28,9 @@ def summarise(root: Path, cases: Sequence[Case]) -> dict[str, Any]:
     named = [(case, module_of(places, case)) for case in cases]
     kinds = {case["kind"] for case in cases}
     modules = {module for _, module in named if module}
-    silent = [(case, module) for case, module in named if case["outcome"] in ("silent", "hung")]
+    silent = [
+        (case, module) for case, module in named if module and case["outcome"] in ("silent", "hung")
+    ]
     return {
         "outcomes": counted(cases),
         "kinds": {kind: counted(c for c in cases if c["kind"] == kind) for kind in sorted(kinds)},
@@ -44,8 +46,10 @@ def summarise(root: Path, cases: Sequence[Case]) -> dict[str, Any]:
 
 def counted(cases: Iterable[Case]) -> dict[str, int]:
     """How many cases have each outcome."""
-    counts = Counter(case["outcome"] for case in cases)
-    return {outcome: counts[outcome] for outcome in OUTCOMES}
+    counts = dict.fromkeys(OUTCOMES, 0)
+    for case in cases:
+        counts[case["outcome"]] += 1
+    return counts
 
 
 def times(values: Sequence[int]) -> dict[str, float]:

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import json
+import os
+import shutil
 import subprocess
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from pathlib import Path
 from typing import Any
 
 from tools.campaign.chunks import Chunk
 from tools.campaign.kinds import Kind
-from tools.steps import FailureError, stoppable
+from tools.steps import FailureError, stop_programs, stoppable
 
 Result = tuple[Chunk, list[dict[str, Any]]]
 NICE = "15"  # a campaign leaves the processor to other work
+HERE = "{folder}"  # of the copies, in the words of a command for a worker
 RETRIES = 3  # of a chunk whose worker ended
 
 
@@ -51,34 +54,26 @@ def run_here(kind: Kind, root: Path, chunks: Sequence[Chunk], workers: int) -> I
                 for future in wait(running, return_when=FIRST_COMPLETED).done:
                     yield running.pop(future), future.result()
         finally:
-            _stop()
-
-
-def _stop() -> None:
-    from tools.steps import stop_programs
-
-    stop_programs()
+            stop_programs()
 
 
 def execute_copy(
-    kind: str, identity: str, contents: Sequence[bytes], chunk: Chunk
+    identity: str, contents: Mapping[str, bytes], words: Sequence[str]
 ) -> list[dict[str, Any]]:
-    """Runs a chunk on a worker, with a copy of the files that each worker writes once."""
-    from tools.campaign.kinds import KINDS
-
-    folder = Path(tempfile.gettempdir()) / f"campaign-{identity}"
-    files = [folder / file.name for file in KINDS[kind].files]
+    """Runs a command on a worker, with copies of its files that each machine writes once."""
+    folder = Path(tempfile.gettempdir()) / f"campaign-{os.getuid()}-{identity}"
     if not folder.is_dir():
         draft = Path(tempfile.mkdtemp(prefix="campaign-"))
-        for file, content in zip(files, contents, strict=True):
-            (draft / file.name).write_bytes(content)
-            (draft / file.name).chmod(0o700)
+        for name, content in contents.items():
+            (draft / name).write_bytes(content)
+            (draft / name).chmod(0o700)
         try:
             draft.rename(folder)
         except OSError:  # another worker of this machine was first
             if not folder.is_dir():
                 raise
-    return execute(KINDS[kind].words(files, chunk))
+            shutil.rmtree(draft)
+    return execute([word.replace(HERE, str(folder)) for word in words])
 
 
 def run_on_dask(
@@ -92,15 +87,15 @@ def run_on_dask(
 
     with Client(scheduler, timeout="20s") as client:  # type: ignore[no-untyped-call]
         contents = client.scatter(
-            [(root / file).read_bytes() for file in kind.files], broadcast=True
+            {file.name: (root / file).read_bytes() for file in kind.files}, broadcast=True
         )
+        copies = [Path(HERE) / file.name for file in kind.files]
         futures = {
             client.submit(
                 execute_copy,
-                kind.name,
                 identity,
                 contents,
-                chunk,
+                kind.words(copies, chunk),
                 key=f"{identity}-{chunk.number}-{chunk.count}-{chunk.seed}",
                 retries=RETRIES,
             ): chunk

@@ -483,5 +483,6 @@ def _seen(root: Path, model: Model) -> float | None:
     runs = [run for scenario in (model.bench or {}).values() for run in scenario.runs.values()]
     found = [run.report_ms.maximum for run in runs]
     if not model.stale_on(VIRTUAL_K64):
-        found += [cycles / CLOCK for cycles in numbers_told(root, VIRTUAL_K64, "longest_cycle")]
+        told = numbers_told(root, VIRTUAL_K64, "longest_cycle", PRODUCT)
+        found += [cycles / CLOCK for cycles in told]
     return round(max(found), 3) if found else None

@@ -52,11 +52,11 @@ def read_json(path: Path) -> Any:
         return None
 
 
-def numbers_told(root: Path, binding: str, name: str) -> list[int]:
-    """The numbers that tests of a target report as their property of a name."""
+def numbers_told(root: Path, binding: str, name: str, image: str) -> list[int]:
+    """The numbers that tests of a target report of an image, as their property of a name."""
     content = read_json(root / RESULTS / f"{RUNS[binding]}.json") or {}
     tests = (test for suite in content.get("testsuites", []) for test in suite["testsuite"])
-    return [int(test[name]) for test in tests if name in test]
+    return [int(test[name]) for test in tests if name in test and test.get("image") == image]
 
 
 def read_record(path: Path, kind: type[T]) -> T | None:

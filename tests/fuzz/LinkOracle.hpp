@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace wr::fuzz {
+
+/// @brief The behaviour of the PC link as docs/protocol.rst states it, without code of the firmware.
+///
+/// It receives the same bytes at the same times, and shows the state that the link must have.
+class LinkOracle {
+ public:
+  /// @brief Time since start [us].
+  using Time = std::int64_t;
+
+  /// @brief Counts of dropped frames, as in a report.
+  struct Counts {
+    unsigned damaged = 0;
+    unsigned tooLong = 0;
+    unsigned unknownVersion = 0;
+    unsigned unknownType = 0;
+    unsigned wrongLength = 0;
+    unsigned outOfRange = 0;
+    unsigned unexpected = 0;
+    unsigned sequenceGaps = 0;
+    unsigned staleOrders = 0;
+    friend bool operator==(const Counts&, const Counts&) = default;
+  };
+
+  /// @brief Receives a byte.
+  /// @param byte the byte
+  /// @param at when its stop bit ended [us]
+  void receive(std::uint8_t byte, Time at);
+
+  /// @brief Ends the work of a cycle on the received bytes.
+  /// @param pulse clock pulse of the cycle [us]
+  /// @return true when a Welcome is due
+  bool endService(Time pulse);
+
+  /// @brief Records that the firmware has answered the Hellos of this cycle, or could not.
+  void serviceEnded() { welcomeDue_ = false; }
+
+  /// @brief Records that the Welcome of this cycle was sent.
+  /// @param session the session that it offers
+  /// @param pulse clock pulse of the cycle [us]
+  void welcomeSent(std::uint8_t session, Time pulse);
+
+  /// @brief Records that the newest order was read.
+  void orderRead() { order_.reset(); }
+
+  /// @brief Returns the payload of the order that can be read at a clock pulse.
+  /// @param pulse the clock pulse [us]
+  /// @return 21 bytes, or nothing
+  [[nodiscard]] std::optional<std::vector<std::uint8_t>> order(Time pulse) const;
+
+  [[nodiscard]] bool connected() const { return state_ == State::Connected; }
+  [[nodiscard]] bool stop() const { return stop_; }
+  [[nodiscard]] const Counts& counts() const { return counts_; }
+
+ private:
+  enum class State { Disconnected, Handshaking, Connected };
+  using Bytes = std::vector<std::uint8_t>;
+
+  void endFrame(Time at);
+  void handle(const Bytes& body, Time at);
+  void checkTime(Time at);
+  bool answer(std::uint8_t type, std::uint8_t sequence, std::span<const std::uint8_t> payload,
+              Time at);
+  bool takeOrder(std::uint8_t sequence, std::span<const std::uint8_t> payload, Time at);
+  bool unexpected();
+  [[nodiscard]] bool isNewer(std::uint8_t sequence) const;
+
+  Counts counts_;
+  State state_ = State::Disconnected;
+  Bytes line_;  // since the last zero byte
+  std::optional<std::uint8_t> offered_;
+  bool welcomeDue_ = false;
+  Time welcomed_ = 0;
+  Time lastAccepted_ = 0;
+  std::uint8_t newest_ = 0;
+  std::optional<Bytes> order_;
+  Time orderAt_ = 0;
+  bool stop_ = false;
+};
+
+}  // namespace wr::fuzz

@@ -1,0 +1,231 @@
+// Fuzzes the connection to the PC with its codec. Time passes in steps that the input chooses. An
+// oracle that was written from docs/protocol.rst alone receives the same bytes.
+
+#include <fuzzer/FuzzedDataProvider.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "communication/pc_connection/Connected.hpp"
+#include "communication/pc_connection/Disconnected.hpp"
+#include "communication/pc_connection/Handshaking.hpp"
+#include "communication/pc_connection/PcConnection.hpp"
+#include "communication/serialization/OrderMessage.hpp"
+#include "communication/serialization/ReportMessage.hpp"
+#include "communication/serialization/SerialReader.hpp"
+#include "fuzz/LinkOracle.hpp"
+#include "fuzz/PcLine.hpp"
+#include "fuzz/expect.hpp"
+
+namespace wr::fuzz {
+namespace {
+
+constexpr std::int64_t kCycle = 100'000;  // [us]
+constexpr std::size_t kMostInCycle = 1280;
+constexpr std::size_t kRoomForWelcome = 64;
+
+// A serial port whose bytes have the time at which they were received.
+class Port final : public SerialPort {
+ public:
+  struct Received {
+    std::uint8_t byte;
+    std::int64_t at;
+  };
+
+  std::size_t read(std::span<std::uint8_t> bytes) override {
+    std::size_t count = 0;
+    bool ended = false;
+    while (!ended && count < bytes.size() && !received.empty()) {
+      bytes[count] = received.front().byte;
+      at_ = received.front().at;
+      ended = bytes[count] == 0;
+      received.pop_front();
+      ++count;
+    }
+    return count;
+  }
+  [[nodiscard]] Instant receivedAt() const override { return Instant() + Microseconds(at_); }
+  [[nodiscard]] std::size_t free() const override { return room; }
+  bool write(std::span<const std::uint8_t> bytes) override {
+    if (bytes.size() > room) {
+      return false;
+    }
+    room -= bytes.size();
+    sent.insert(sent.end(), bytes.begin(), bytes.end());
+    return true;
+  }
+  [[nodiscard]] std::uint16_t lostBytes() const override { return 0; }
+
+  std::deque<Received> received;
+  test::Bytes sent;
+  std::size_t room = std::numeric_limits<std::size_t>::max();
+
+ private:
+  std::int64_t at_ = 0;
+};
+
+// The states of the connection refer to each other.
+struct States {
+  States()
+      : disconnected(handshaking),
+        handshaking(connected, disconnected),
+        connected(handshaking, disconnected) {}
+  Disconnected disconnected;
+  Handshaking handshaking;
+  Connected connected;
+};
+
+class Link {
+ public:
+  void arrive(const test::Bytes& bytes) {
+    for (const std::uint8_t byte : bytes) {
+      port.received.push_back({byte, now_});
+    }
+  }
+
+  void pass(std::int64_t duration) { now_ += duration; }
+
+  // A control cycle, with the comparison of the link and the oracle.
+  void cycle(bool readOrder) {
+    const std::size_t taken = std::min(port.received.size(), kMostInCycle);
+    for (std::size_t i = 0; i < taken; ++i) {
+      oracle_.receive(port.received[i].byte, port.received[i].at);
+    }
+    const bool due = oracle_.endService(now_);
+    const std::size_t room = port.room;
+    connection_.beginCycle(Instant() + Microseconds(now_));
+    connection_.service();
+    const std::optional<std::uint8_t> session = takeSent(kWelcome);
+    expect(due || !session, "a Welcome is sent only as the answer to a Hello");
+    expect(!due || session || room < kRoomForWelcome, "a Hello is answered when there is room");
+    oracle_.serviceEnded();
+    if (session) {
+      oracle_.welcomeSent(*session, now_);
+      pc.session = *session;
+    }
+    report();
+    compare();
+    if (readOrder && reader_.available()) {
+      read();
+    }
+  }
+
+  [[nodiscard]] bool orderAvailable() const { return reader_.available(); }
+  [[nodiscard]] bool connected() const { return connection_.connected(); }
+
+  Port port;
+  PcLine pc;
+
+ private:
+  void report() {
+    const bool sent = connection_.sendReport(ReportMessage(ReportData{}));
+    expect(!sent || oracle_.connected(), "only a connected PC gets reports");
+    reportsLost_ += !sent && oracle_.connected() ? 1U : 0U;
+    expect(takeSent(kReport).has_value() == sent, "a report is sent whole or not at all");
+  }
+
+  // Checks that whole frames with consecutive numbers were sent, all of one type; returns the first
+  // byte of the payload.
+  std::optional<std::uint8_t> takeSent(std::uint8_t type) {
+    std::optional<std::uint8_t> first;
+    expect(port.sent.empty() || port.sent.back() == 0, "each frame ends with a zero byte");
+    for (const test::Bytes& body : test::bodies(port.sent)) {
+      expect(body.size() > 5 && body[0] == 2 && body[1] == type, "the frame has its type");
+      expect(test::withCrc({body.begin(), body.end() - 2}) == body, "the frame has its CRC");
+      expect(body[2] == sequence_, "the frames of the firmware are numbered");
+      ++sequence_;
+      expect(!first, "one frame of a type is sent in a cycle");
+      first = body[3];
+    }
+    port.sent.clear();
+    return first;
+  }
+
+  void compare() const {
+    const LinkCounts& counts = connection_.counts();
+    const LinkOracle::Counts found{counts.damaged,     counts.tooLong,      counts.unknownVersion,
+                                   counts.unknownType, counts.wrongLength,  counts.outOfRange,
+                                   counts.unexpected,  counts.sequenceGaps, counts.staleOrders};
+    expect(found == oracle_.counts(), "the counts of dropped frames are those of the protocol");
+    expect(counts.reportsNotSent == std::min(reportsLost_, 65535U), "lost reports are counted");
+    expect(connection_.connected() == oracle_.connected(), "the connection has its state");
+    expect(reader_.stopOrdered() == oracle_.stop(), "a stop is in force as the protocol demands");
+    expect(reader_.available() == oracle_.order(now_).has_value(),
+           "an order can be read exactly when the protocol accepts it");
+  }
+
+  void read() {
+    const test::Bytes wanted = oracle_.order(now_).value();
+    OrderMessage order;
+    expect(order.readFrom(reader_), "an accepted order is in range");
+    const SetPoints& found = order.setPoints();
+    expect(found.orderId == (wanted[0] | wanted[1] << 8U), "the order has its id");
+    for (std::size_t wheel = 0; wheel < found.wheels.size(); ++wheel) {
+      const std::size_t at = 8 + 3 * wheel;
+      const auto value = static_cast<std::int16_t>(wanted[at + 1] | wanted[at + 2] << 8U);
+      expect(static_cast<std::uint8_t>(found.wheels[wheel].quantity) == wanted[at] &&
+                 found.wheels[wheel].value == value,
+             "the wheel has its set-point");
+    }
+    oracle_.orderRead();
+    expect(!reader_.available(), "an order is read once");
+  }
+
+  States states_;
+  SerialReader reader_;
+  StartRecord start_;
+  PcConnection connection_{port, reader_, states_.disconnected, start_};
+  LinkOracle oracle_;
+  std::int64_t now_ = kCycle;
+  std::uint8_t sequence_ = 0;
+  unsigned reportsLost_ = 0;
+};
+
+void fuzz(FuzzedDataProvider& input) {
+  Link link;
+  while (input.remaining_bytes() > 0) {
+    switch (input.ConsumeIntegralInRange(0, 7)) {
+      case 0:
+        link.pass(input.ConsumeIntegralInRange<std::int64_t>(0, 1'200'000));
+        break;
+      case 1:
+        link.port.room = input.ConsumeIntegralInRange<std::size_t>(0, 512);
+        break;
+      case 2:
+      case 3:
+        link.pass(kCycle);
+        link.cycle(input.ConsumeBool());
+        break;
+      default:
+        link.arrive(link.pc.next(input));
+    }
+  }
+  // Whatever happened: Hello, Confirm and Order work again, each in one cycle.
+  constexpr int kMostCycles = 100;
+  for (int i = 0; i < kMostCycles && !link.port.received.empty(); ++i) {
+    link.cycle(false);
+  }
+  link.port.room = std::numeric_limits<std::size_t>::max();
+  link.arrive({0});
+  link.arrive(link.pc.good(kHello));
+  link.cycle(false);
+  link.arrive(link.pc.good(kConfirm, {link.pc.session}));
+  link.cycle(true);
+  expect(link.connected(), "good traffic connects");
+  link.arrive(link.pc.drive(100));
+  link.cycle(false);
+  expect(link.orderAvailable(), "a good order can be read");
+}
+
+}  // namespace
+}  // namespace wr::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  FuzzedDataProvider input(data, size);
+  wr::fuzz::fuzz(input);
+  return 0;
+}

@@ -1,0 +1,143 @@
+#include "sim/faults/FaultRun.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "k64/patch.hpp"
+#include "sim/emulator/Image.hpp"
+#include "sim/emulator/Symbols.hpp"
+#include "sim/faults/Fault.hpp"
+#include "support/image.hpp"
+
+namespace wr::test {
+
+namespace {
+
+using faults::Fault;
+using faults::FaultRun;
+using faults::Kind;
+using faults::Outcome;
+
+constexpr int kAt = 3000;           // ms
+constexpr std::uint64_t kSeed = 7;  // in this drive all wheels turn at kAt
+
+class FaultRunTest : public testing::Test {
+ protected:
+  static std::filesystem::path elf() { return imageOf("weeding_robot").replace_extension(".elf"); }
+  static std::vector<std::uint8_t> image() { return emulator::readImage(imageOf("weeding_robot")); }
+
+  /// The drive without a fault is the same for all tests.
+  static FaultRun& drive() {
+    static FaultRun run(image(), elf(), kSeed);
+    return run;
+  }
+
+  static std::uint32_t functionOf(const std::string& part) {
+    const emulator::Symbols symbols(elf());
+    const auto found = std::ranges::find_if(symbols.functions(), [&](const auto& function) {
+      return function.name.find(part) != std::string::npos;
+    });
+    if (found == symbols.functions().end()) {
+      throw std::runtime_error("the image has no function " + part);
+    }
+    return found->address;
+  }
+};
+
+std::vector<std::tuple<Kind, int, std::uint32_t, Outcome, int>> injected(FaultRun& drive,
+                                                                         std::uint64_t seed) {
+  std::vector<std::tuple<Kind, int, std::uint32_t, Outcome, int>> found;
+  faults::Random random(seed);
+  drive.injectAll(40, random, [&](const faults::Result& result) {
+    found.emplace_back(result.fault.kind, result.at, result.fault.place, result.verdict.outcome,
+                       result.verdict.safeAfter);
+  });
+  return found;
+}
+
+}  // namespace
+
+TEST_F(FaultRunTest, ABitOfErasedFlashIsHarmless) {
+  const std::uint32_t behind = drive().places().flashEnd;
+  EXPECT_EQ(drive().injectOne({Kind::Flash, behind, 0}, kAt).verdict.outcome, Outcome::Harmless);
+}
+
+TEST_F(FaultRunTest, AJumpToNowhereIsDetectedByAReset) {
+  const auto result = drive().injectOne({Kind::Register, 15, 29}, kAt);
+  EXPECT_EQ(result.verdict.outcome, Outcome::Detected);
+  EXPECT_GE(result.verdict.safeAfter, 0);
+  EXPECT_LE(result.verdict.safeAfter, 10);
+}
+
+TEST_F(FaultRunTest, ADriftOfTheAngleIsSilent) {
+  constexpr std::uint32_t kAngleDrift = 9;
+  const auto result = drive().injectOne({Kind::Sensor, kAngleDrift, 0, 130}, kAt);
+  EXPECT_EQ(result.verdict.outcome, Outcome::Silent);
+  EXPECT_GT(result.verdict.wrongFor, 0);
+}
+
+TEST_F(FaultRunTest, AnEncoderOfFramesThatFailsIsAHang) {
+  const std::uint32_t encoder = functionOf("PcConnection4send");
+  const auto hangs = [&](std::uint32_t offset) {
+    return drive().injectOne({Kind::Ram, encoder + offset, 2}, kAt).verdict.outcome ==
+           Outcome::Hung;
+  };
+  const std::vector<std::uint32_t> odd{41, 51, 61, 71, 81, 91, 101, 111, 119, 121, 123, 125};
+  EXPECT_TRUE(std::ranges::any_of(odd, hangs));
+}
+
+TEST_F(FaultRunTest, ALostClockIsDetectedAndSafe) {
+  constexpr std::uint32_t kNoClock = 1;
+  const auto result = drive().injectOne({Kind::Clock, kNoClock}, kAt);
+  EXPECT_EQ(result.verdict.outcome, Outcome::Detected);
+  EXPECT_LE(result.verdict.safeAfter, faults::kSafeWithin);
+}
+
+TEST_F(FaultRunTest, APowerCycleIsDetectedAtOnce) {
+  for (const std::uint32_t cause : {0U, 1U, 2U}) {
+    const auto result = drive().injectOne({Kind::Supply, cause}, kAt);
+    EXPECT_EQ(result.verdict.outcome, Outcome::Detected);
+    EXPECT_EQ(result.verdict.safeAfter, 0);
+  }
+}
+
+TEST_F(FaultRunTest, AFaultOfOneCopyIsNotInTheNext) {
+  const std::uint32_t behind = drive().places().flashEnd;
+  static_cast<void>(drive().injectOne({Kind::Supply, 1}, kAt));
+  EXPECT_EQ(drive().injectOne({Kind::Flash, behind, 0}, kAt).verdict.outcome, Outcome::Harmless);
+}
+
+TEST_F(FaultRunTest, TheSameSeedsGiveTheSameResults) {
+  FaultRun again(image(), elf(), kSeed);
+  const auto first = injected(drive(), 5);
+  EXPECT_EQ(first, injected(again, 5));
+  EXPECT_NE(first, injected(again, 6));
+}
+
+TEST_F(FaultRunTest, ARandomCampaignHasMoreThanOneClassAndKind) {
+  std::set<Kind> kinds;
+  std::set<Outcome> outcomes;
+  for (const auto& [kind, at, place, outcome, after] : injected(drive(), 5)) {
+    EXPECT_GE(at, FaultRun::kFirst);
+    EXPECT_LE(at, FaultRun::kLast + 102);  // to the next clock pulse, and into its cycle
+    kinds.insert(kind);
+    outcomes.insert(outcome);
+  }
+  EXPECT_GT(kinds.size(), 4U);
+  EXPECT_GT(outcomes.size(), 1U);
+}
+
+// The handler returns and leaves the flag of its timer: the interrupt comes again and again.
+TEST_F(FaultRunTest, AnInterruptThatForgetsItsFlagIsFoundWithoutAFault) {
+  const Code forgets{0x4770};  // bx lr
+  EXPECT_THROW(FaultRun(withHandler(image(), kPulseException, forgets), elf(), kSeed),
+               std::runtime_error);
+}
+
+}  // namespace wr::test
