@@ -67,7 +67,7 @@ def write_time(root: Path, name: str, seconds: float) -> None:
 
 
 def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
-    """Adds figures to the metrics that were measured after the documents were made."""
+    """Adds numbers to the metrics that were measured after the documents were made."""
     for path in (root / name for name in files or (METRICS,)):
         known = read_json(path)
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -50,7 +50,7 @@ def failed_tests(results: Path) -> list[str]:
 
 
 def told(results: Path) -> dict[str, float]:
-    """The figures that tests report as their properties."""
+    """The numbers that tests report as their properties."""
     found = ET.parse(results).iter("property")
     return {one.get("name", ""): float(one.get("value", "0")) for one in found}
 

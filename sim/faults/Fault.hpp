@@ -66,7 +66,7 @@ struct Fault {
 /// @brief Chooses a fault of a kind.
 /// @param kind the kind
 /// @param random chooses
-/// @param places what can be hit
+/// @param places the memory that can be hit
 /// @param stack stack pointer at the instant
 [[nodiscard]] Fault choose(Kind kind, Random& random, const Places& places, std::uint32_t stack);
 

@@ -78,7 +78,7 @@ class FuzzedRobot {
 
   void wait(milliseconds duration) { session_.runUntil(session_.now() + duration); }
 
-  // Lets the period end, runs the cycle, and checks what must hold after each cycle.
+  // Lets the period end, runs the cycle, and checks the invariants of each cycle.
   void cycle() {
     session_.runThroughPulse();
     for (const Received& one : unread_) {

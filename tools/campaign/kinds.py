@@ -1,4 +1,4 @@
-"""The kinds of campaigns: what a chunk executes, and the summary of all cases."""
+"""The kinds of campaigns: the work of a chunk, and the summary of all cases."""
 
 from __future__ import annotations
 
