@@ -27,7 +27,8 @@ Wrong countWrong(const Observation& faulty, const Outputs* reference, int detect
   Wrong wrong;
   int run = 0;
   const auto resetAt = static_cast<std::size_t>(std::max(faulty.resetAt, 0));
-  for (int ms = 0; ms < static_cast<int>(faulty.outputs.size()); ++ms) {
+  const auto end = static_cast<int>(faulty.outputs.size());
+  for (int ms = 0; ms != end; ++ms) {
     const Outputs& now = faulty.outputs[static_cast<std::size_t>(ms)];
     if (faulty.resetAt != Observation::kNever && ms > faulty.resetAt) {
       const float moved = now.steering - faulty.outputs.at(resetAt).steering;
@@ -35,7 +36,7 @@ Wrong countWrong(const Observation& faulty, const Outputs* reference, int detect
       continue;
     }
     run = differs(now, reference[ms]) && !now.wheelsOff() ? run + 1 : 0;
-    if (run == 0 || run <= kShort) {
+    if (run <= kShort) {
       continue;
     }
     const int added = run == kShort + 1 ? run : 1;

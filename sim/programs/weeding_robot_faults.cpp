@@ -24,9 +24,10 @@ void print(const faults::Result& result) {
       R"({"kind": "%s", "at": %d, "place": %u, "bit": %u, "value": %d, "pc": %u, "outcome": "%s", )"
       R"("safe_after": %d, "wrong_for": %d, "stop": "%s"})"
       "\n",
-      nameOf(result.fault.kind).data(), result.at, result.fault.place, result.fault.bit,
-      result.fault.value, result.pc, nameOf(result.verdict.outcome).data(),
-      result.verdict.safeAfter, result.verdict.wrongFor, result.stop.c_str());
+      std::string(nameOf(result.fault.kind)).c_str(), result.at, result.fault.place,
+      result.fault.bit, result.fault.value, result.pc,
+      std::string(nameOf(result.verdict.outcome)).c_str(), result.verdict.safeAfter,
+      result.verdict.wrongFor, result.stop.c_str());
   std::fflush(stdout);  // a copy of this process must not print it again
 }
 

@@ -83,6 +83,9 @@ def mutation(portal: Portal) -> dict[str, Any]:
     }
 
 
+MOST_SHOWN = 12  # modules of the first table
+
+
 def robustness(portal: Portal) -> dict[str, Any]:
     faults = portal.model.campaigns.get(FAULTS)
     return {
@@ -91,6 +94,7 @@ def robustness(portal: Portal) -> dict[str, Any]:
         "outcomes": OUTCOMES,
         "judged": Place("sim/faults/Verdict.hpp", 1),
         "wide": True,
+        "top": MOST_SHOWN,
         "modules": by_silence(faults.result["modules"]) if faults else [],
     }
 

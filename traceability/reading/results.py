@@ -25,7 +25,8 @@ PLAIN = "plain"  # the run without records
 COVERAGE = RESULTS / "coverage.json"
 COVERAGE_LINES = RESULTS / "coverage_lines.json"
 BOARD_ONLY = (
-    *("tests/sim/emulator/", "tests/sim/web/", "tests/torture/", "tests/k64/"),
+    *("tests/sim/emulator/", "tests/sim/faults/", "tests/sim/web/", "tests/torture/"),
+    "tests/k64/",
     "tests/system/board/",
 )
 HOST_ONLY = "tests/system/host/"
