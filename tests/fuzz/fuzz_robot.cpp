@@ -28,8 +28,6 @@ constexpr int kMostCycles = 120;     // of a run
 constexpr int kRecoveryCycles = 10;  // one second
 constexpr int kMostBetween = 4;      // events of a cycle
 constexpr int kMostStopped = 12;     // cycles until a stop has lowered every voltage to 0
-constexpr std::int64_t kMostRpm =
-    360'0;  // [0.1 rpm] that a report may show without a fault of Hall sensors
 constexpr std::size_t kMostUnread = 1500;  // bytes that the storage of the port has room for
 
 class FuzzedRobot {
