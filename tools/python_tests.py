@@ -49,7 +49,7 @@ def failed_tests(results: Path) -> list[str]:
     ]
 
 
-def told(results: Path) -> dict[str, float]:
+def reported_numbers(results: Path) -> dict[str, float]:
     """The numbers that tests report as their properties."""
     found = ET.parse(results).iter("property")
     return {one.get("name", ""): float(one.get("value", "0")) for one in found}

@@ -35,7 +35,7 @@ from tools.live_runs import PRESET as WEB
 from tools.live_runs import SCRIPT as LIVE_SCRIPT
 from tools.live_runs import build_module, measure_live
 from tools.proof_runs import missing_program, prove_all
-from tools.python_tests import run_pytest, told
+from tools.python_tests import reported_numbers, run_pytest
 from tools.sizes import write_products, write_sizes
 from tools.task_graph import Graph, Outcome, Task
 from traceability.model.build import commit
@@ -329,7 +329,7 @@ def documents(root: Path, out: TextIO) -> list[Task]:
             log.write("There is no browser: the tests that need one are left out.\n")
             return run_pytest(root, "site", log, "-m", "not browser")
         outcome = run_pytest(root, "site", log)
-        add_metrics(root, told(root / RESULTS / "pytest_site.xml"))
+        add_metrics(root, reported_numbers(root / RESULTS / "pytest_site.xml"))
         return outcome
 
     results = tuple(name for one in SHOWN_RESULTS if (root / (name := f"{RESULTS}/{one}")).exists())

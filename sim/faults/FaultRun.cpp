@@ -66,7 +66,7 @@ emulator::Options options() {
 }
 
 // The part of the report in which the robot shows a fault. Counters of the line are not among them.
-bool tells(const scenario::PcReport& report, const scenario::PcReport& reference) {
+bool reportsMore(const scenario::PcReport& report, const scenario::PcReport& reference) {
   constexpr std::uint8_t kSteeringFault = 3;
   return report.state != reference.state || report.inhibit != reference.inhibit ||
          report.stopCause != reference.stopCause || report.cutOffs != reference.cutOffs ||
@@ -90,13 +90,13 @@ struct Listener {
 
   [[nodiscard]] bool hears(const std::vector<scenario::PcReport>& reports,
                            const std::vector<scenario::PcReport>& reference) {
-    bool told = false;
+    bool reported = false;
     for (; read < reports.size(); ++read) {
       const scenario::PcReport& report = reports[read];
       const auto same = std::ranges::find(reference, report.cycle, &scenario::PcReport::cycle);
-      told = told || same == reference.end() || tells(report, *same);
+      reported = reported || same == reference.end() || reportsMore(report, *same);
     }
-    return told;
+    return reported;
   }
 };
 
@@ -300,10 +300,10 @@ Verdict FaultRun::runCopy(Robot& robot, const Fault& fault, int at, bool silentP
     if (seen.resetAt == Observation::kNever && robot.session.board.resets() != resets) {
       seen.resetAt = ms;
     }
-    const bool told = listener.hears(robot.reports, reports_) ||
-                      (!silentPc && robot.now() - robot.reportedAt > kMissing);
-    if (seen.toldAt == Observation::kNever && told) {
-      seen.toldAt = ms;
+    const bool reported = listener.hears(robot.reports, reports_) ||
+                          (!silentPc && robot.now() - robot.reportedAt > kMissing);
+    if (seen.reportedAt == Observation::kNever && reported) {
+      seen.reportedAt = ms;
     }
     if (passes(fault.kind) && robot.now() % kStateEach == 0) {
       const auto number = static_cast<std::size_t>(robot.now() / kStateEach - 1);
@@ -326,7 +326,7 @@ Verdict FaultRun::runCopy(Robot& robot, const Fault& fault, int at, bool silentP
       }
     }
     seen.answers = robot.welcome.has_value() || robot.session.board.resets() != resets;
-    seen.toldAt = seen.answers ? seen.toldAt : Observation::kNever;
+    seen.reportedAt = seen.answers ? seen.reportedAt : Observation::kNever;
   }
   return judge(seen, &reference_.at(static_cast<std::size_t>(at)));
 }

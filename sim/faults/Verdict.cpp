@@ -62,7 +62,7 @@ std::string_view nameOf(Outcome outcome) {
 }
 
 Verdict judge(const Observation& faulty, const Outputs* reference) {
-  const int detectedAt = firstOf(faulty.resetAt, faulty.toldAt);
+  const int detectedAt = firstOf(faulty.resetAt, faulty.reportedAt);
   const Wrong wrong = countWrong(faulty, reference, detectedAt);
   Verdict verdict{.safeAfter = detectedAt, .wrongFor = wrong.total + wrong.after};
   if (detectedAt != Observation::kNever) {

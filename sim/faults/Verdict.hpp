@@ -23,7 +23,7 @@ struct Observation {
 
   std::vector<Outputs> outputs;  ///< one for each ms
   int resetAt = kNever;          ///< ms after the injection of the first reset
-  int toldAt = kNever;           ///< ms after the injection of the first report of a fault
+  int reportedAt = kNever;       ///< ms after the injection of the first report of a fault
   bool answers = true;           ///< the robot reports, or it answers a Hello, at the end
 };
 

@@ -13,6 +13,7 @@ from traceability.model.design_model import Model
 from traceability.model.dictionary import with_dictionary
 from traceability.model.evidence import read_evidence
 from traceability.model.execution import with_execution
+from traceability.model.image_code import read_image_code
 from traceability.model.likely_changes import changes_of
 from traceability.model.metrics import read_measured
 from traceability.model.orphan_methods import justify
@@ -137,12 +138,13 @@ def _assemble(
     model = with_executed_modules(model, traces)
     model = replace(model, machines=machines_of(model, facts, traces, build_folder / "cache"))
     model = with_execution(model, facts)
+    image = read_image_code(root)
     model = replace(
-        model, stack=prove(root, model, facts), connections=connections_of(model, facts)
+        model, stack=prove(root, model, facts, image), connections=connections_of(model, facts)
     )
     model = _with_measures(with_dictionary(model, facts), root, coverage)
-    model = replace(model, times=prove_times(root, model, facts))
-    model = replace(model, prices=prices(root, model, facts))
+    model = replace(model, times=prove_times(root, model, facts, image))
+    model = replace(model, prices=prices(root, model, facts, image))
     model = with_trees(model, facts, traces, build_folder / "cache")
     model = justify(with_verification(model, facts, coverage), declared.justified)
     model = replace(model, safety=safety_of(model, facts))

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from traceability.model.design_model import Model
-from traceability.model.stack import BUILD, PRODUCT, Prover, read_declared
-from traceability.model.time_bounds import Program, read_program
+from traceability.model.image_code import PRODUCT, ImageCode, Program
+from traceability.model.stack import Prover, read_declared
 from traceability.reading.bench_record import CYCLES, MANUAL
-from traceability.reading.call_graph import read_graph, short_name, table_bytes
+from traceability.reading.call_graph import short_name, table_bytes
 from traceability.reading.results import read_json
 from traceability.reading.source_facts import Facts
 from traceability.schema import PatternPrice, Place
@@ -22,16 +22,17 @@ BYTES_OF_A_CALL = 6  # of these instructions, in their short forms
 Site = tuple[int, set[str]]  # address of the call, and the classes that it can reach
 
 
-def prices(root: Path, model: Model, facts: Facts) -> dict[str, PatternPrice]:
+def prices(
+    root: Path, model: Model, facts: Facts, image: ImageCode | None
+) -> dict[str, PatternPrice]:
     """Application -> its price; empty when the bench has not run with the present sources."""
-    elf = root / BUILD / f"{PRODUCT}.elf"
     measured = read_json(root / MEASURED)
-    if model.times is None or model.bench is None or not isinstance(measured, dict):
+    if image is None or model.bench is None or not isinstance(measured, dict):
         return {}
     executed = {int(at): sum(times) for at, times in measured["profile"].items()}
-    prover = Prover(read_graph(root, elf), facts, model, read_declared(root))
-    found = list(sites(read_program(elf), prover))
-    tables = table_bytes(elf)
+    prover = Prover(image.graph, facts, model, read_declared(root))
+    found = list(sites(image.program, prover))
+    tables = table_bytes(image.elf)
     result = {}
     for one in model.patterns.values():
         modules = {binding.module for binding in one.roles}

@@ -15,21 +15,18 @@ from pathlib import Path
 
 from traceability.model.design_model import Model
 from traceability.model.execution import DISPATCH
+from traceability.model.image_code import ImageCode
 from traceability.reading.ast_facts import CallFact
 from traceability.reading.call_graph import (
     Function,
-    read_graph,
     short_name,
     symbol_value,
     uses_floats,
 )
-from traceability.reading.image_record import read_image
 from traceability.reading.source_facts import Facts
 from traceability.schema import Place, StackCall, StackContext, StackProof
 
 DECLARED = Path("design/stack.toml")
-BUILD = Path("build/k64")
-PRODUCT = "weeding_robot"
 RUN_OF_THREAD = "ControlThread::run"
 # ARMv7-M ARM, B1.5.6: the frame that the hardware stores at an entry, and a word that aligns it.
 FRAME = 32 + 4
@@ -55,19 +52,15 @@ def read_declared(root: Path) -> Declared:
     )
 
 
-def prove(root: Path, model: Model, facts: Facts) -> StackProof | None:
+def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> StackProof | None:
     """The proof for the image of the robot; nothing when it was not built from these sources."""
-    elf = root / BUILD / f"{PRODUCT}.elf"
-    fresh = read_image(root) is not None
-    if not fresh or not elf.exists() or not model.contexts:
+    if image is None or not model.contexts:
         return None
-    built = elf.resolve()
-    graph = read_graph(built.parents[2], built)
-    frame = FRAME_WITH_FLOATS if uses_floats(elf) else FRAME
-    proof = Prover(graph, facts, model, read_declared(root)).prove(frame)
+    frame = FRAME_WITH_FLOATS if uses_floats(image.elf) else FRAME
+    proof = Prover(image.graph, facts, model, read_declared(root)).prove(frame)
     runs = [run for scenario in model.closed_loop or [] for run in scenario.runs.values()]
     seen = max((run.stack for run in runs if run.stack is not None), default=None)
-    return replace(proof, limit=symbol_value(elf, "stackSize"), seen=seen)
+    return replace(proof, limit=symbol_value(image.elf, "stackSize"), seen=seen)
 
 
 def most_entries(model: Model, declared: Declared) -> dict[str, int]:

@@ -1,179 +1,38 @@
 """Bounds of the times that the image needs: of each interrupt and thread, and of the control cycle.
 
-The bound of a function is the greatest sum of cycles over its paths: a linear program over the
-edges between its blocks, as in the implicit path enumeration of Li and Malik. The bound of a loop
-is declared next to it (``// bound:``), or is the constant in its head.
+The bound of a function is the longest path through its instructions, with the bounds of the
+functions that it calls. The time of the cycle adds each interrupt as often as it can come in it.
 """
 
 from __future__ import annotations
 
-import ast
-import operator
 import re
 import tomllib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-import highspy
-
 from traceability.model.design_model import Model
-from traceability.model.stack import BUILD, PRODUCT, Prover, read_declared
-from traceability.reading.call_graph import names_of_addresses, read_graph, short_name
-from traceability.reading.image_record import read_image
-from traceability.reading.machine_code import (
-    REFILL,
-    VENEER,
-    Block,
-    Code,
-    Instruction,
-    Loop,
-    places,
-    read_code,
-)
-from traceability.reading.results import numbers_told
+from traceability.model.image_code import PRODUCT, ImageCode, Program
+from traceability.model.longest_path import Problem
+from traceability.model.stack import Prover, read_declared
+from traceability.reading.call_graph import short_name
+from traceability.reading.loop_bounds import Bound, Bounds, Place
+from traceability.reading.machine_code import VENEER, Block, Code, Instruction, Loop
+from traceability.reading.results import numbers_reported
 from traceability.reading.source_facts import Facts
 from traceability.schema import VIRTUAL_K64, ExecutionContext, TimeBound, TimeProof
 from traceability.schema import Place as SourcePlace
 
-PASSES = re.compile(r"//\s*passes:\s*([^;]+?)\s*(?:;|$)")
-DECLARED = re.compile(r"//\s*bound:\s*([^;]+?)(\s+in all)?\s*(?:;|$)")
-HEAD = re.compile(r"for \(std::size_t (\w+) = \d+; \1 <=? ([\w:]+);")
-OPERATIONS: dict[type, Callable[[int, int], int]] = {
-    ast.Add: operator.add,
-    ast.Sub: operator.sub,
-    ast.Mult: operator.mul,
-    ast.Div: operator.floordiv,
-}
-
-Place = tuple[str, int]
-
-
-@dataclass(frozen=True)
-class Bound:
-    """At most so many rounds for each entry of the loop, or in all of a call of its function."""
-
-    rounds: int
-    in_all: bool
-
-
-class Bounds:
-    """The bounds that the sources declare."""
-
-    def __init__(self, root: Path, values: Mapping[str, int]) -> None:
-        self.root, self.values = root, values
-        self.lines: dict[str, list[str]] = {}
-
-    def at(self, place: Place) -> Bound | None:
-        """The bound of the loop, or of the call, in a line."""
-        lines = self._lines(place[0])
-        if not 0 < place[1] <= len(lines):
-            return None
-        text = lines[place[1] - 1]
-        before = lines[place[1] - 2].strip() if place[1] > 1 else ""
-        found = DECLARED.search(text) or (DECLARED.match(before) if before else None)
-        head = HEAD.search(text)
-        if not found and not head:
-            return None
-        try:
-            rounds = self.value(found[1] if found else head[2] if head else "")
-        except (KeyError, SyntaxError, ValueError):
-            return None  # a name that no constant has: the loop counts as one without a bound
-        return Bound(rounds, found is not None and found[2] is not None)
-
-    def passes(self, place: Place) -> int | None:
-        """How often a line is passed at most in all of a call of its function."""
-        lines = self._lines(place[0])
-        before = lines[place[1] - 2].strip() if 1 < place[1] <= len(lines) else ""
-        found = PASSES.match(before)
-        return self.value(found[1]) if found else None
-
-    def value(self, text: str) -> int:
-        """The number that an expression of constants gives."""
-        return self._of(ast.parse(text.replace("::", "__"), mode="eval").body)
-
-    def _lines(self, file: str) -> list[str]:
-        if file not in self.lines:
-            path = self.root / file
-            self.lines[file] = (
-                path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-            )
-        return self.lines[file]
-
-    def _of(self, node: ast.expr) -> int:
-        if isinstance(node, ast.Constant) and isinstance(node.value, int):
-            return node.value
-        if isinstance(node, ast.Name):
-            return self.values[node.id.replace("__", "::")]
-        if isinstance(node, ast.BinOp) and type(node.op) in OPERATIONS:
-            return OPERATIONS[type(node.op)](self._of(node.left), self._of(node.right))
-        raise ValueError(f"no bound of a loop: {ast.unparse(node)}")
-
-
-@dataclass
-class Problem:
-    """The paths of a function as a linear program: a variable for each edge between blocks."""
-
-    code: Code
-    cost: Mapping[int, int]  # of each block
-    rounds: Iterable[tuple[Loop, Bound]]
-    counted: Iterable[tuple[int, int]]  # block, and how often it is executed at most
-
-    def solve(self) -> int:
-        """The greatest cost of a path; -1 when there is none."""
-        solver = highspy.Highs()  # type: ignore[no-untyped-call]
-        solver.silent()
-        entry = next(iter(self.code.blocks))
-        ways = {(-1, entry): solver.addVariable(lb=1, ub=1)}
-        ends = {}
-        for block in self.code.blocks.values():
-            for after in block.exits():
-                ways.setdefault((block.start, after), solver.addVariable(lb=0))
-            if not block.exits() or (block.instructions[-1].ends and block.jump is None):
-                ends[block.start] = solver.addVariable(lb=0, ub=1)
-        into: dict[int, list[highspy.highs.highs_var]] = {start: [] for start in self.code.blocks}
-        out: dict[int, list[highspy.highs.highs_var]] = {start: [] for start in self.code.blocks}
-        for (begin, end), variable in ways.items():
-            into[end].append(variable)
-            if begin != -1:
-                out[begin].append(variable)
-        for start, variable in ends.items():
-            out[start].append(variable)
-        times = {start: solver.qsum(variables) for start, variables in into.items()}
-        for start in self.code.blocks:
-            solver.addConstr(times[start] == solver.qsum(out[start]))
-        for loop, bound in self.rounds:
-            inside = [ways[begin, loop.head] for begin in loop.back]
-            # A loop that leaves only behind its body jumps back once less than it has rounds.
-            exits = self.code.blocks[loop.head].exits()
-            leaves = loop.head not in loop.back and any(one not in loop.blocks for one in exits)
-            jumps = bound.rounds if leaves or bound.in_all else max(bound.rounds - 1, 0)
-            outside = [v for (b, e), v in ways.items() if e == loop.head and b not in loop.back]
-            most = jumps * (1 if bound.in_all else solver.qsum(outside))
-            solver.addConstr(solver.qsum(inside) <= most)
-        for start, most in self.counted:
-            solver.addConstr(times[start] <= most)
-        taken = [
-            REFILL * ways[block.start, block.jump]
-            for block in self.code.blocks.values()
-            if block.jump is not None
-        ]
-        spent = [self.cost[start] * times[start] for start in self.code.blocks]
-        solver.maximize(solver.qsum([*spent, *taken]))
-        if solver.getModelStatus() != highspy.HighsModelStatus.kOptimal:
-            return -1
-        return round(solver.getObjectiveValue() + 0.4999)
-
-
-# Functions that never return: a way that calls one ends the firmware, and takes no part in a bound.
 DECLARED_IN = Path("design/times.toml")
 ENTRY_AND_EXIT = 12 + 10 + 6  # cycles of the hardware around an interrupt, with one that follows
 RETRY = 12  # cycles of a loop with LDREX and STREX that an interrupt has made go round again
 CYCLE_TIMER = "cycle-timer"
 MOST_ROUNDS = 100
 CLOCK = 120_000  # cycles in a tick of 1 ms
+# Functions that never return: a path that calls one ends the firmware, and is in no bound.
 ENDS = ("assertionFailed", "endWithFault", "endWithoutClock", "endOfProgram", "__aeabi_idiv0")
 COPIES = ("memcpy", "memmove", "memset")
 UNALIGNED = 2  # cycles that an unaligned access needs besides
@@ -186,33 +45,6 @@ class Limit:
     method: str
     within: str
     most: int
-
-
-@dataclass(frozen=True)
-class Program:
-    """The instructions of an image, with their places in the sources."""
-
-    codes: Mapping[str, Code]
-    places: Mapping[int, list[Place]]
-    shared: Mapping[str, str]  # each of several names of one function -> that of its code
-
-
-def read_program(elf: Path) -> Program:
-    codes = read_code(elf)
-    addresses = [
-        one.address
-        for code in codes.values()
-        for block in code.blocks.values()
-        for one in block.instructions
-    ]
-    shared = {
-        name: home
-        for names in names_of_addresses(elf)
-        for home in names
-        if home in codes
-        for name in names
-    }
-    return Program(codes, places(elf, addresses), shared)
 
 
 class Times:
@@ -287,7 +119,8 @@ class Times:
                 most = above[-1] // step if above else count // step
             rounds.append((loop, Bound(most, False)))
         cost = {start: block.cycles for start, block in code.blocks.items()}
-        return Problem(code, cost, rounds, []).solve() + UNALIGNED * (count // 4 + 2)
+        longest = Problem(code, cost, rounds, []).solve() or 0
+        return longest + UNALIGNED * (count // 4 + 2)
 
     def _home(self, symbol: str) -> str:
         """The symbol with the code: a veneer leads to another, and equal functions share one."""
@@ -361,7 +194,10 @@ class Times:
             counted += [
                 (start, most) for one in lines if (most := self.bounds.passes(one)) is not None
             ]
-        return Problem(code, cost, rounds, counted).solve()
+        longest = Problem(code, cost, rounds, counted).solve()
+        if longest is None or code.hidden:
+            self.unbound.add((code.symbol, self._place(next(iter(code.blocks))) or ("?", 0)))
+        return longest or 0
 
     def _bound(self, code: Code, loop: Loop) -> Bound:
         """The bound of a loop: that of the innermost line that has one, or one for all rounds."""
@@ -411,13 +247,14 @@ def _stored(code: Code, loop: Loop) -> int:
 # ---- the control cycle --------------------------------------------------------
 
 
-def prove_times(root: Path, model: Model, facts: Facts) -> TimeProof | None:
+def prove_times(
+    root: Path, model: Model, facts: Facts, image: ImageCode | None
+) -> TimeProof | None:
     """The bounds of the image of the robot; nothing when it was not built from these sources."""
-    elf = root / BUILD / f"{PRODUCT}.elf"
-    if read_image(root) is None or not elf.exists() or not (root / DECLARED_IN).exists():
+    if image is None or not (root / DECLARED_IN).exists():
         return None
     declared = tomllib.loads((root / DECLARED_IN).read_text(encoding="utf-8"))
-    prover = Prover(read_graph(root, elf), facts, model, read_declared(root))
+    prover = Prover(image.graph, facts, model, read_declared(root))
     values = {name: one.number for name, one in model.constants.items()} | declared["values"]
     once = [name for entry in declared["once"] for name in entry["methods"]]
     bounds = Bounds(root, values)
@@ -425,12 +262,12 @@ def prove_times(root: Path, model: Model, facts: Facts) -> TimeProof | None:
         Limit(one["method"], one["within"], bounds.value(one["most"]))
         for one in declared["limited"]
     ]
-    times = Times(read_program(elf), bounds, prover, once, limits)
+    times = Times(image.program, bounds, prover, once, limits)
+    arrivals = {entry["context"]: entry for entry in declared["arrival"]}
     contexts = [
         one
         for context in model.contexts.values()
-        if context.kind != "start"
-        and (one := _of_context(context, times, {e["context"]: e for e in declared["arrival"]}))
+        if context.kind != "start" and (one := _of_context(context, times, arrivals))
     ]
     return TimeProof(
         contexts=contexts,
@@ -445,12 +282,16 @@ def _of_context(
     context: ExecutionContext, times: Times, arrivals: Mapping[str, Mapping[str, Any]]
 ) -> TimeBound | None:
     """The sum over the handlers of a thread, which all run in a cycle; else the longest handler."""
+    arrival = arrivals.get(context.id)
+    if arrival and not arrival["entries"]:
+        return None  # the handler ends the firmware
     times.use_body(context.body)
     held = [handler for handler in context.handlers if handler in times.codes]
     found = [times.of(handler) + ENTRY_AND_EXIT for handler in held]
-    if not found or (context.kind == "interrupt" and context.id not in (*arrivals, CYCLE_TIMER)):
+    if not found:
         return None
-    arrival = arrivals.get(context.id)
+    if context.kind == "interrupt" and context.id not in (*arrivals, CYCLE_TIMER):
+        times.unbound.add((context.name, (str(DECLARED_IN), 1)))
     return TimeBound(
         context=context.id,
         name=context.name,
@@ -483,6 +324,6 @@ def _seen(root: Path, model: Model) -> float | None:
     runs = [run for scenario in (model.bench or {}).values() for run in scenario.runs.values()]
     found = [run.report_ms.maximum for run in runs]
     if not model.stale_on(VIRTUAL_K64):
-        told = numbers_told(root, VIRTUAL_K64, "longest_cycle", PRODUCT)
-        found += [cycles / CLOCK for cycles in told]
+        reported = numbers_reported(root, VIRTUAL_K64, "longest_cycle", PRODUCT)
+        found += [cycles / CLOCK for cycles in reported]
     return round(max(found), 3) if found else None

@@ -19,6 +19,7 @@ LINE = re.compile(r"^\s*([0-9a-f]+):\t(\S+)(?:\t(.*))?$")
 TARGET = re.compile(r"([0-9a-f]+) <([^>+]+)(\+0x[0-9a-f]+)?>")
 CONDITION = r"(?:eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le|hs|lo)"
 JUMP = re.compile(rf"^(?:b(?P<condition>{CONDITION})?(?:\.[nw])?|(?P<compare>cbn?z))$")
+TABLE = re.compile(r"tb[bh] |(?:ldr\S*|add\S*|mov\S*) pc, (?!.*\[pc, #)")
 MANY = re.compile(r"^(?:push|pop|ldm|stm|vpush|vpop|vldm|vstm)")
 MEMORY = re.compile(r"^(?:v?ldr|v?str)")
 PLACE = re.compile(r"((?:src|extensions)/[^:]+):(\d+)")  # of the project
@@ -71,6 +72,7 @@ class Code:
 
     symbol: str
     blocks: dict[int, Block] = field(default_factory=dict)
+    hidden: bool = False  # it has jumps whose targets are in a table
     loops: list[Loop] = field(default_factory=list)
 
 
@@ -88,7 +90,8 @@ def read_code(elf: Path) -> dict[str, Code]:
     codes = {}
     for symbol, instructions in functions.items():
         if instructions:
-            code = codes[symbol] = Code(symbol, _blocks(instructions))
+            hidden = any(TABLE.match(f"{one.name} {one.operands}") for one in instructions)
+            code = codes[symbol] = Code(symbol, _blocks(instructions), hidden)
             code.loops = _loops(code)
     return codes
 

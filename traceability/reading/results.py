@@ -53,7 +53,7 @@ def read_json(path: Path) -> Any:
         return None
 
 
-def numbers_told(root: Path, binding: str, name: str, image: str) -> list[int]:
+def numbers_reported(root: Path, binding: str, name: str, image: str) -> list[int]:
     """The numbers that tests of a target report of an image, as their property of a name."""
     content = read_json(root / RESULTS / f"{RUNS[binding]}.json") or {}
     tests = (test for suite in content.get("testsuites", []) for test in suite["testsuite"])

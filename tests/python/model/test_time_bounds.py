@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from traceability.model.time_bounds import Bound, Bounds, Problem
+from traceability.model.longest_path import Problem
+from traceability.reading.loop_bounds import Bound, Bounds
 from traceability.reading.machine_code import REFILL, Code, read_code
 
 START = """
@@ -110,3 +111,16 @@ def test_the_constant_in_the_head_of_a_loop_is_its_bound(tmp_path: Path) -> None
     head = "for (std::size_t i = 0; i < kMost; ++i) {\n"
     (tmp_path / "a.cpp").write_text(head, encoding="utf-8")
     assert Bounds(tmp_path, {"kMost": 12}).at(("a.cpp", 1)) == Bound(12, in_all=False)
+
+
+def test_a_table_of_jumps_is_seen(tmp_path: Path) -> None:
+    """Its paths cannot be followed: the function counts as one without a bound."""
+    table = "    tbb [pc, r0]\n    .byte 1, 2\n    .align 1\n    bx lr\n"
+    assert code_of(tmp_path, table).hidden
+    assert not code_of(tmp_path, MEMORY).hidden
+
+
+def test_a_loop_that_nothing_bounds_has_no_longest_path(tmp_path: Path) -> None:
+    code = code_of(tmp_path, LOOP)
+    cost = {start: block.cycles for start, block in code.blocks.items()}
+    assert Problem(code, cost, [], []).solve() is None

@@ -62,15 +62,15 @@ TEST(VerdictTest, AShortOrSmallDifferenceIsHarmless) {
 
 TEST(VerdictTest, AReportInTimeIsADetection) {
   Observation seen = runWith(kWrong, 100, 500);
-  seen.toldAt = 100 + faults::kSafeWithin - 1;
+  seen.reportedAt = 100 + faults::kSafeWithin - 1;
   const auto verdict = judge(seen);
   EXPECT_EQ(verdict.outcome, Outcome::Detected);
-  EXPECT_EQ(verdict.safeAfter, seen.toldAt);
+  EXPECT_EQ(verdict.safeAfter, seen.reportedAt);
 }
 
 TEST(VerdictTest, AReportAfterTooLongIsLate) {
   Observation seen = runWith(kWrong, 100, 500);
-  seen.toldAt = 100 + faults::kSafeWithin;
+  seen.reportedAt = 100 + faults::kSafeWithin;
   EXPECT_EQ(judge(seen).outcome, Outcome::Late);
 }
 

@@ -1,0 +1,60 @@
+"""The code of the image of the robot, read once for the proofs about it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from traceability.reading.call_graph import Function, names_of_addresses, read_graph
+from traceability.reading.image_record import read_image
+from traceability.reading.loop_bounds import Place
+from traceability.reading.machine_code import Code, places, read_code
+
+BUILD = Path("build/k64")
+PRODUCT = "weeding_robot"
+
+
+@dataclass(frozen=True)
+class Program:
+    """The instructions of an image, with their places in the sources."""
+
+    codes: Mapping[str, Code]
+    places: Mapping[int, list[Place]]
+    shared: Mapping[str, str]  # each of several names of one function -> that of its code
+
+
+def read_program(elf: Path) -> Program:
+    codes = read_code(elf)
+    addresses = [
+        one.address
+        for code in codes.values()
+        for block in code.blocks.values()
+        for one in block.instructions
+    ]
+    shared = {
+        name: home
+        for names in names_of_addresses(elf)
+        for home in names
+        if home in codes
+        for name in names
+    }
+    return Program(codes, places(elf, addresses), shared)
+
+
+@dataclass(frozen=True)
+class ImageCode:
+    """The functions of an image: as the compiler reports them, and their instructions."""
+
+    elf: Path
+    graph: dict[str, Function]
+    program: Program
+
+
+def read_image_code(root: Path) -> ImageCode | None:
+    """The code; nothing when the image was not built from the present sources."""
+    elf = root / BUILD / f"{PRODUCT}.elf"
+    if read_image(root) is None or not elf.exists():
+        return None
+    built = elf.resolve()
+    return ImageCode(elf, read_graph(built.parents[2], built), read_program(elf))

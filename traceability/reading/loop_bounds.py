@@ -1,0 +1,83 @@
+"""The greatest number of rounds of loops: from comments in the source, or from their heads."""
+
+from __future__ import annotations
+
+import ast
+import operator
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+PASSES = re.compile(r"//\s*passes:\s*([^;]+?)\s*(?:;|$)")
+DECLARED = re.compile(r"//\s*bound:\s*([^;]+?)(\s+in all)?\s*(?:;|$)")
+HEAD = re.compile(r"for \(std::size_t (\w+) = \d+; \1 < ([\w:]+);")
+OPERATIONS: dict[type, Callable[[int, int], int]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.floordiv,
+}
+
+Place = tuple[str, int]
+
+
+@dataclass(frozen=True)
+class Bound:
+    """At most so many rounds for each entry of the loop, or in all of a call of its function."""
+
+    rounds: int
+    in_all: bool
+
+
+class Bounds:
+    """The bounds that the sources declare."""
+
+    def __init__(self, root: Path, values: Mapping[str, int]) -> None:
+        self.root, self.values = root, values
+        self.lines: dict[str, list[str]] = {}
+
+    def at(self, place: Place) -> Bound | None:
+        """The bound of the loop, or of the call, in a line."""
+        lines = self._lines(place[0])
+        if not 0 < place[1] <= len(lines):
+            return None
+        text = lines[place[1] - 1]
+        before = lines[place[1] - 2].strip() if place[1] > 1 else ""
+        found = DECLARED.search(text) or (DECLARED.match(before) if before else None)
+        head = HEAD.search(text)
+        if not found and not head:
+            return None
+        try:
+            rounds = self.value(found[1] if found else head[2] if head else "")
+        except (KeyError, SyntaxError, ValueError):
+            return None  # a name that no constant has: the loop counts as one without a bound
+        return Bound(rounds, found is not None and found[2] is not None)
+
+    def passes(self, place: Place) -> int | None:
+        """How often a line is passed at most in all of a call of its function."""
+        lines = self._lines(place[0])
+        before = lines[place[1] - 2].strip() if 1 < place[1] <= len(lines) else ""
+        found = PASSES.match(before)
+        return self.value(found[1]) if found else None
+
+    def value(self, text: str) -> int:
+        """The number that an expression of constants gives."""
+        return self._of(ast.parse(text.replace("::", "__"), mode="eval").body)
+
+    def _lines(self, file: str) -> list[str]:
+        if file not in self.lines:
+            path = self.root / file
+            self.lines[file] = (
+                path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+            )
+        return self.lines[file]
+
+    def _of(self, node: ast.expr) -> int:
+        if isinstance(node, ast.Constant) and isinstance(node.value, int):
+            return node.value
+        if isinstance(node, ast.Name):
+            return self.values[node.id.replace("__", "::")]
+        if isinstance(node, ast.BinOp) and type(node.op) in OPERATIONS:
+            return OPERATIONS[type(node.op)](self._of(node.left), self._of(node.right))
+        raise ValueError(f"no bound of a loop: {ast.unparse(node)}")
