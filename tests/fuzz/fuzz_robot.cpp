@@ -24,10 +24,10 @@ namespace {
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
-constexpr int kMostCycles = 120;     // of a run
-constexpr int kRecoveryCycles = 10;  // one second
-constexpr int kMostBetween = 4;      // events of a cycle
-constexpr int kMostStopped = 12;     // cycles until a stop has lowered every voltage to 0
+constexpr int kMostCycles = 120;           // of a run
+constexpr int kRecoveryCycles = 10;        // one second
+constexpr int kMostBetween = 4;            // events of a cycle
+constexpr int kMostStopped = 12;           // cycles until a stop has lowered every voltage to 0
 constexpr std::size_t kMostUnread = 1500;  // bytes that the storage of the port has room for
 
 class FuzzedRobot {
