@@ -206,6 +206,16 @@ _FIXED = [
         "correct the name.",
     ),
     Check(
+        "change-kit",
+        "Likely changes that are made",
+        "Each folder of changes/ makes the likely change of the application that it is named "
+        "after: the kit names a class that derives from a base class of the recipe, or edits a "
+        "module that the recipe alters; it has tests on the host and on the virtual K64, which "
+        "exist; it has a reason for the existing lines that it changes.",
+        "whether the change is a likely one, and whether its tests would notice a fault in it.",
+        "complete the kit as changes/README.md explains.",
+    ),
+    Check(
         "pattern-role-unknown",
         "Known roles",
         "Every @role names an application that is declared and a role of it, and is once above "
