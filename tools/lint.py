@@ -25,7 +25,7 @@ from traceability.sources import DESIGN, include_options
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 MAP = "build/clang/logic_modules.modulemap"  # which module may include which; CMake writes it
-CODE = (*DESIGN, "sim", "tests")
+CODE = (*DESIGN, "changes", "sim", "tests")
 CHECKED = (*DESIGN, "sim")
 WEB = "sim/web/module"  # needs the library of WebAssembly, which clang-tidy does not find
 WARNINGS = [

@@ -1,4 +1,4 @@
-"""change-kit: the class of a likely change that is made has the role that the recipe names."""
+"""change-kit: each likely change is made, by a class with the role that the recipe names."""
 
 from __future__ import annotations
 
@@ -22,7 +22,10 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         if name not in model.changes
     ]
     for name, change in model.changes.items():
-        if change.made is not None:
+        if change.made is None:
+            place = model.patterns[name].place
+            wrong.append((place, f"no folder of changes/ makes the likely change of {name}"))
+        else:
             found = _change(model, facts, change, change.made, kits[name])
             wrong += [(change.made.place, text) for text in found]
     return [Finding(place, "change-kit", text, FIX) for place, text in wrong]

@@ -207,9 +207,9 @@ _FIXED = [
     ),
     Check(
         "change-kit",
-        "Likely changes that are made",
-        "Each folder of changes/ makes the likely change of the application that it is named "
-        "after: the kit names a class that derives from a base class of the recipe, or edits a "
+        "Likely changes are made",
+        "For each application of a pattern a folder of changes/ with its name makes the likely "
+        "change: it names a class that derives from a base class of the recipe, or edits a "
         "module that the recipe alters; it has tests on the host and on the virtual K64, which "
         "exist; it has a reason for the existing lines that it changes.",
         "whether the change is a likely one, and whether its tests would notice a fault in it.",

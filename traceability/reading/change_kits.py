@@ -51,7 +51,7 @@ class Kit:
 
 @dataclass(frozen=True)
 class KitRecord:
-    """What the tests and the images of all kits gave."""
+    """The results of the tests, and the costs of the images, of all kits."""
 
     tests: Mapping[str, Result]
     images: Mapping[str, Mapping[str, float]]  # flash, ram [bytes]; instructions in a cycle
