@@ -40,8 +40,10 @@ constexpr std::uint8_t kMissingCycles = 3;  // the third one ends more than 0.2 
 
 constexpr std::uint8_t kEqualCycles = 7;  // in which a current is the same to the milliampere
 
-constexpr std::uint16_t kRejectedEdges = 5;
-constexpr std::uint8_t kRejectingCycles = 2;
+// Implausible edges, in halves: each cycle takes back half an edge.
+constexpr std::int32_t kRejectedEdges = 18;
+constexpr std::int32_t kRejectedOfCycle = 10;
+constexpr Velocity kTurning(100);  // a slower wheel can come to rest on an edge
 
 constexpr std::int32_t kThousand = 1000;
 constexpr std::int32_t kPercent = 100;
@@ -91,7 +93,7 @@ StopCause WheelSupervision::examine(const WheelMeasurements& measured,
   const bool opposing = lasts(opposes(measured), opposing_, kOpposingCycles);
   const bool tooFast = lasts(exceedsReference(velocity), tooFast_, kTooFastCycles);
   const bool deviating = lasts(deviates(measured), deviating_, kDeviatingCycles);
-  const bool rejecting = lasts(rejectsEdges(measured.rejectedEdges), rejecting_, kRejectingCycles);
+  const bool rejecting = rejectsEdges(measured);
   const bool swapped = leads_.swapped(measured, tension_);
   velocity_ = velocity;
   const bool constant = staysEqual(measured.current);
@@ -177,10 +179,17 @@ bool WheelSupervision::deviates(const WheelMeasurements& measured) const {
   return magnitude(residual(*tension_, *measured.velocity, *measured.current)) > bound;
 }
 
-bool WheelSupervision::rejectsEdges(std::uint16_t rejected) {
-  const std::uint16_t before = rejected_.value_or(rejected);
-  rejected_ = rejected;
-  return tension_.value_or(Tension()) != Tension() && rejected >= before + kRejectedEdges;
+bool WheelSupervision::rejectsEdges(const WheelMeasurements& measured) {
+  const std::uint16_t before = rejected_.value_or(measured.rejectedEdges);
+  rejected_ = measured.rejectedEdges;
+  const bool driven = tension_.value_or(Tension()) != Tension();
+  const bool turns = magnitude(measured.velocity.value_or(velocity_)) >= kTurning;
+  const std::int32_t edges =
+      std::min(kHalves * (measured.rejectedEdges - before), kRejectedOfCycle);
+  const bool counts = driven && (turns || edges == kRejectedOfCycle);
+  const std::int32_t counted = rejecting_ + (counts ? edges : 0) - 1;
+  rejecting_ = static_cast<std::uint8_t>(std::clamp<std::int32_t>(counted, 0, kRejectedEdges));
+  return counts && rejecting_ >= kRejectedEdges;
 }
 
 // A measured current always varies by some milliamperes.

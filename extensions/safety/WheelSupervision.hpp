@@ -54,7 +54,7 @@ class WheelSupervision final {
   [[nodiscard]] bool opposes(const WheelMeasurements& measured) const;
   [[nodiscard]] bool exceedsReference(Velocity velocity) const;
   [[nodiscard]] bool deviates(const WheelMeasurements& measured) const;
-  [[nodiscard]] bool rejectsEdges(std::uint16_t rejected);
+  [[nodiscard]] bool rejectsEdges(const WheelMeasurements& measured);
   [[nodiscard]] bool staysEqual(std::optional<Current> current);
   void record(std::optional<Tension> applied, const WheelSetPoint* followed);
 
@@ -69,7 +69,7 @@ class WheelSupervision final {
   std::uint8_t tooFast_ = 0;
   std::uint8_t deviating_ = 0;
   std::uint8_t missing_ = 0;
-  std::uint8_t rejecting_ = 0;
+  std::uint8_t rejecting_ = 0;  // halves of an implausible edge
   LeadsWatch leads_;
 };
 

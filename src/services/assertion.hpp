@@ -12,7 +12,9 @@ enum class AssertId : std::uint16_t {
   ThreadStartedTwice = 3,  ///< a control thread was given a second body
   FrameTooLarge = 4,       ///< a frame was to be encoded that does not fit in its storage
   PartBuiltTwice = 5,      ///< a builder was asked for a part that it has made
-  TimerFull = 6            ///< the second timer was given more commands than it can hold
+  TimerFull = 6,           ///< the second timer was given more commands than it can hold
+  InterruptLate = 7,       ///< an interrupt was not served in time
+  ProgramChanged = 8       ///< the program in RAM differs from its original
 };
 
 /// @brief Ends the program because a condition did not hold. Each platform defines it.

@@ -15,6 +15,7 @@
 #include "k64/start_up/handlers.hpp"
 #include "k64/start_up/platform.hpp"
 #include "safety/RetainedStop.hpp"
+#include "safety/k64/program_check.hpp"
 #include "safety/k64/stop_memory.hpp"
 
 namespace wr {
@@ -84,7 +85,7 @@ void runRobot() {
   K64Thread::enable(kSecondPortErrorLine, kInterruptPriority);
   platform::enableInterrupts();
   director.start();
-  platform::sleepForever();
+  platform::checkForever();
 }
 
 }  // namespace wr

@@ -7,6 +7,7 @@
 #include "k64/start_up/handlers.hpp"
 #include "k64/start_up/platform.hpp"
 #include "safety/SafetyDirector.hpp"
+#include "safety/k64/program_check.hpp"
 #include "safety/k64/stop_memory.hpp"
 #include "services/Pipe.hpp"
 
@@ -72,7 +73,7 @@ void runRobot() {
   director.construct();
   platform::enableInterrupts();
   director.start();
-  platform::sleepForever();
+  platform::checkForever();
 }
 
 }  // namespace wr

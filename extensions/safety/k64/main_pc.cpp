@@ -6,6 +6,7 @@
 #include "k64/start_up/handlers.hpp"
 #include "k64/start_up/platform.hpp"
 #include "safety/SafetyPcDirector.hpp"
+#include "safety/k64/program_check.hpp"
 #include "safety/k64/stop_memory.hpp"
 
 namespace wr {
@@ -40,7 +41,7 @@ void runRobot() {
   director.construct();
   platform::enableInterrupts();
   director.start();
-  platform::sleepForever();
+  platform::checkForever();
 }
 
 }  // namespace wr

@@ -6,6 +6,7 @@
 #include "k64/start_up/control_systems.hpp"
 #include "k64/start_up/handlers.hpp"
 #include "k64/start_up/platform.hpp"
+#include "safety/InterruptWatch.hpp"
 #include "safety/SafetyBuilder.hpp"
 #include "safety/k64/stop_memory.hpp"
 
@@ -18,6 +19,7 @@ SafetyBuilder safetyBuilder({.wheels = wheelBuilders,
                              .emergencyStop = emergencyStopContact,
                              .memory = protectionMemory});
 constexpr std::array<ControlSystemBuilder*, 1> kBuilders{&safetyBuilder};
+constinit InterruptWatch interruptWatch;
 
 }  // namespace
 
@@ -28,6 +30,7 @@ ControlSystemPoolBuilder poolBuilder(tickTimer, kBuilders);
 // The handler ends when its stores have ended: see those of the devices.
 
 void tickTimerInterrupt() {
+  wr::platform::interruptWatch.tick(wr::platform::timebase.now(), wr::platform::hallEdgeWaits());
   wr::platform::poolBuilder.timer().expired();
   wr::platform::allowEdges();
   wr::finishStores();

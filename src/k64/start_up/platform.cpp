@@ -1,5 +1,7 @@
 #include "k64/start_up/platform.hpp"
 
+#include <algorithm>
+
 #include "k64/K64Board.hpp"
 #include "k64/core.hpp"
 #include "k64/pins.hpp"
@@ -75,6 +77,11 @@ RcEdges enterRcInterrupt() {
           .enable = rcEnablePin.hasEdge()};
 }
 
+bool hallEdgeWaits() {
+  return std::ranges::any_of(wheels,
+                             [](const WheelDevices& wheel) { return wheel.hallA.hasEdge(); });
+}
+
 void allowEdges() {
   for (WheelDevices& wheel : wheels) {
     wheel.hallA.allowEdges();
@@ -111,9 +118,13 @@ void enableInterrupts() {
   K64Thread::enable(kMainThreadLine, kMainThreadPriority);
 }
 
-void sleepForever() {
+void showRunning() {
   redLight.set(false);
   greenLight.set(true);
+}
+
+void sleepForever() {
+  showRunning();
   for (;;) {
     timebase.sleep();
   }

@@ -75,6 +75,11 @@ struct RcEdges {
 /// @isr{yes}
 RcEdges enterRcInterrupt();
 
+/// @brief Returns whether a Hall edge waits for its interrupt. All Hall sensors have the same one.
+/// @return true if an edge is not acknowledged yet
+/// @isr{yes}
+[[nodiscard]] bool hallEdgeWaits();
+
 /// @brief Enables the interrupts of inputs that had too many edges. The handler of the tick calls it.
 /// @isr{yes}
 void allowEdges();
@@ -94,6 +99,10 @@ void startDevices();
 /// @pre All that their handlers call is made.
 /// @isr{no}
 void enableInterrupts();
+
+/// @brief Shows that control cycles run.
+/// @isr{no}
+void showRunning();
 
 /// @brief Shows that control cycles run, and sleeps between the interrupts.
 /// @isr{no}

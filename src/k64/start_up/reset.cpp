@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cstdint>
 
 #include "k64/K64Board.hpp"
@@ -7,22 +6,10 @@
 #include "k64/core.hpp"
 #include "k64/start_up/handlers.hpp"
 #include "k64/start_up/platform.hpp"
+#include "k64/start_up/program.hpp"
 
-// The linker script defines where things begin and end.
+// The linker script defines where they begin and end.
 extern "C" {
-// Four words: the core loads and stores them with two instructions.
-using Words = std::array<std::uint32_t, 4>;
-extern Words codeBegin[];
-extern Words codeEnd[];
-extern const Words codeInitial[];
-extern Words ramVectors[];
-extern Words ramVectorsEnd[];
-extern const Words vectors[];
-extern Words dataBegin[];
-extern Words dataEnd[];
-extern const Words dataInitial[];
-extern Words bssBegin[];
-extern Words bssEnd[];
 using Constructor = void (*)();
 extern const Constructor constructorsBegin[];
 extern const Constructor constructorsEnd[];

@@ -323,26 +323,63 @@ TEST_F(SupervisedWheel, FR278_AMissingMeasurementIsACause) {
   }
 }
 
-/// @brief Five implausible edges in each of two cycles under voltage are a cause; four are not, and without
-/// voltage none are.
-/// @verifies FR-279
-TEST_F(SupervisedWheel, FR279_ImplausibleHallEdgesAreACause) {
-  WheelMeasurements values = measured(150, 1);
-  const auto rejected = [&](std::uint16_t count, double volts) {
-    values.rejectedEdges = static_cast<std::uint16_t>(values.rejectedEdges + count);
-    values.current = Current(values.current == Current(1000) ? 1001 : 1000);
-    return cycle(values, volts, 150);
-  };
-  EXPECT_EQ(rejected(200, 9.354), StopCause::None);  // those before the first cycle
-  for (int number = 0; number < 5; ++number) {
-    EXPECT_EQ(rejected(4, 9.354), StopCause::None);
+/// @brief Implausible Hall edges of a wheel, cycle after cycle.
+class RejectedEdges : public SupervisedWheel {
+ protected:
+  // The last cause of some cycles with as many implausible edges each.
+  StopCause rejected(int cycles, std::uint16_t edges, double rpm = 150, double volts = 9.354) {
+    StopCause found = StopCause::None;
+    for (int number = 0; number < cycles; ++number) {
+      total_ = static_cast<std::uint16_t>(total_ + edges);
+      milliamperes_ = milliamperes_ == 0 ? 1 : 0;  // a current always varies
+      WheelMeasurements values = measured(rpm, 1 + milliamperes_ / 1000.0);
+      values.rejectedEdges = total_;
+      found = cycle(values, volts, rpm);
+    }
+    return found;
   }
-  EXPECT_EQ(rejected(5, 9.354), StopCause::None);
-  EXPECT_EQ(rejected(0, 9.354), StopCause::None);
-  EXPECT_EQ(rejected(5, 9.354), StopCause::None);
-  EXPECT_EQ(rejected(5, 9.354), StopCause::HallSignals);
+
+ private:
+  std::uint16_t total_ = 0;
+  int milliamperes_ = 0;
+};
+
+/// @brief Nine implausible edges under voltage are a cause; a cycle counts for at most five, and takes back a
+/// half. Those before the first cycle do not count.
+/// @verifies FR-279
+TEST_F(RejectedEdges, FR279_NineAreACause) {
+  EXPECT_EQ(rejected(1, 200), StopCause::None);
+  EXPECT_EQ(rejected(1, 5), StopCause::None);
+  EXPECT_EQ(rejected(1, 0), StopCause::None);
+  EXPECT_EQ(rejected(1, 200), StopCause::None);
+  EXPECT_EQ(rejected(1, 5), StopCause::HallSignals);
+}
+
+/// @brief A lost edge gives two implausible ones. Ten lost edges in a second are a cause within 0.7 s; two are
+/// none.
+/// @verifies FR-279
+TEST_F(RejectedEdges, FR279_SingleLostEdgesAddUp) {
+  EXPECT_EQ(rejected(6, 2), StopCause::None);
+  EXPECT_EQ(rejected(1, 2), StopCause::HallSignals);
   wheel.reset();
-  values = measured(0, 0);
+  for (int half = 0; half < 100; ++half) {
+    EXPECT_EQ(rejected(1, 2), StopCause::None);
+    EXPECT_EQ(rejected(4, 0), StopCause::None);
+  }
+}
+
+/// @brief A wheel that rests on an edge gives implausible edges: fewer than five in a cycle count nothing.
+/// @verifies FR-279
+TEST_F(RejectedEdges, FR279_AWheelAtRestMayGiveSome) {
+  EXPECT_EQ(rejected(100, 4, 9, 2), StopCause::None);
+  EXPECT_EQ(rejected(1, 5, 9, 2), StopCause::None);
+  EXPECT_EQ(rejected(1, 5, 9, 2), StopCause::HallSignals);
+}
+
+/// @brief Without voltage no implausible edge is a cause.
+/// @verifies FR-279
+TEST_F(RejectedEdges, FR279_WithoutVoltageNoneIsACause) {
+  WheelMeasurements values = measured(0, 0);
   for (int number = 0; number < 5; ++number) {
     values.rejectedEdges = static_cast<std::uint16_t>(values.rejectedEdges + 50);
     EXPECT_EQ(halted(values), StopCause::None);

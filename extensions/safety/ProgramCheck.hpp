@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace wr {
+
+/// @brief Finds a bit of the program that has changed.
+///
+/// @function Compares the sum of the program in RAM with the sum of its original, a few words at a time, while
+/// the processor has nothing else to do. It ends the program when they differ: the start copies the
+/// original again.
+///
+/// @secret How a change of the program is found, and how long that may last.
+class ProgramCheck final {
+ public:
+  /// @brief Words that are added together: the core loads four with one instruction.
+  using Words = std::array<std::uint32_t, 4>;
+
+  /// @brief A part of the program.
+  /// @datatype
+  struct Part {
+    std::span<const Words> original;  ///< in flash
+    std::span<const Words> copy;      ///< in RAM, as long as the original
+  };
+
+  /// @brief Binds the check to the parts of the program, and adds up their originals.
+  /// @param parts parts of the program, at least one; each is not empty and lives as long as the check
+  explicit ProgramCheck(std::span<const Part> parts);
+
+  ProgramCheck(const ProgramCheck&) = delete;
+  ProgramCheck& operator=(const ProgramCheck&) = delete;
+
+  /// @brief Adds up the next words of the copies. The loop that waits for interrupts calls it.
+  /// @errors Copies that differ from their originals end the program with the assertion
+  /// ProgramChanged.
+  /// @satisfies FR-309
+  /// @isr{no}
+  void step();
+
+ private:
+  std::span<const Part> parts_;
+  std::uint32_t original_ = 0;  // sum of the originals
+  std::uint32_t sum_ = 0;       // of the copies up to now
+  std::size_t part_ = 0;
+  std::size_t next_ = 0;  // words of the part
+};
+
+}  // namespace wr
