@@ -28,6 +28,9 @@ ProgramCheck::ProgramCheck(std::span<const Part> parts) : parts_(parts) {
 }
 
 void ProgramCheck::step() {
+  if (!due_.exchange(false, std::memory_order_relaxed)) {
+    return;
+  }
   const std::span<const Words> copy = parts_[part_].copy;
   const std::size_t count = std::min(kWordsOfStep, copy.size() - next_);
   sum_ += sumOf(copy.subspan(next_, count));

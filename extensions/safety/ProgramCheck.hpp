@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -33,7 +34,12 @@ class ProgramCheck final {
   ProgramCheck(const ProgramCheck&) = delete;
   ProgramCheck& operator=(const ProgramCheck&) = delete;
 
-  /// @brief Adds up the next words of the copies. The loop that waits for interrupts calls it.
+  /// @brief Permits one step. Each tick calls it.
+  /// @isr{yes}
+  void tick() { due_.store(true, std::memory_order_relaxed); }
+
+  /// @brief Adds up the next words of the copies, once in a tick. The loop that waits for interrupts calls it
+  /// after each of them.
   /// @errors Copies that differ from their originals end the program with the assertion
   /// ProgramChanged.
   /// @satisfies FR-309
@@ -41,7 +47,10 @@ class ProgramCheck final {
   void step();
 
  private:
+  static_assert(std::atomic<bool>::is_always_lock_free, "an interrupt cannot wait");
+
   std::span<const Part> parts_;
+  std::atomic<bool> due_{false};
   std::uint32_t original_ = 0;  // sum of the originals
   std::uint32_t sum_ = 0;       // of the copies up to now
   std::size_t part_ = 0;

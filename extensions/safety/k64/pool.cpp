@@ -8,6 +8,7 @@
 #include "k64/start_up/platform.hpp"
 #include "safety/InterruptWatch.hpp"
 #include "safety/SafetyBuilder.hpp"
+#include "safety/k64/program_check.hpp"
 #include "safety/k64/stop_memory.hpp"
 
 namespace wr::platform {
@@ -31,6 +32,7 @@ ControlSystemPoolBuilder poolBuilder(tickTimer, kBuilders);
 
 void tickTimerInterrupt() {
   wr::platform::interruptWatch.tick(wr::platform::timebase.now(), wr::platform::hallEdgeWaits());
+  wr::platform::programCheck.tick();
   wr::platform::poolBuilder.timer().expired();
   wr::platform::allowEdges();
   wr::finishStores();

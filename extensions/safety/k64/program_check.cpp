@@ -5,7 +5,6 @@
 
 #include "k64/start_up/platform.hpp"
 #include "k64/start_up/program.hpp"
-#include "safety/ProgramCheck.hpp"
 
 namespace wr::platform {
 
@@ -20,9 +19,9 @@ ProgramCheck::Part part(const Words* original, const Words* begin, const Words* 
 const std::array<ProgramCheck::Part, 3> kParts{part(codeInitial, codeBegin, codeEnd),
                                                part(vectors, ramVectors, ramVectorsEnd),
                                                part(dataInitial, dataBegin, constantsEnd)};
-ProgramCheck programCheck(kParts);
-
 }  // namespace
+
+ProgramCheck programCheck(kParts);
 
 void checkForever() {
   showRunning();

@@ -1,6 +1,11 @@
 #pragma once
 
+#include "safety/ProgramCheck.hpp"
+
 namespace wr::platform {
+
+/// @brief Compares the program in RAM with that in flash. The handler of the tick and checkForever() call it.
+extern ProgramCheck programCheck;
 
 /// @brief Shows that control cycles run, and checks the program between the interrupts.
 /// @satisfies FR-309
