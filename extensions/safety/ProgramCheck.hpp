@@ -35,6 +35,7 @@ class ProgramCheck final {
   ProgramCheck& operator=(const ProgramCheck&) = delete;
 
   /// @brief Permits one step. Each tick calls it.
+  /// @satisfies FR-309
   /// @isr{yes}
   void tick() { due_.store(true, std::memory_order_relaxed); }
 

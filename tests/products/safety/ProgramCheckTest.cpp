@@ -62,7 +62,8 @@ TEST_F(CheckedProgram, FR309_AChangedBitEndsTheProgram) {
 }
 
 /// @brief Between two ticks the program is not checked more than once, however often the processor wakes.
-TEST_F(CheckedProgram, WithoutATickNothingIsChecked) {
+/// @verifies FR-309
+TEST_F(CheckedProgram, FR309_WithoutATickNothingIsChecked) {
   copy_.front().front() ^= 1U;
   for (int number = 0; number < 10'000; ++number) {
     step();
