@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from tools.campaign import faults, fuzz
 from tools.campaign.chunks import Chunk
-from tools.campaign.faults import ELF, IMAGE, PROGRAM, summarise
 
 Cases = Sequence[dict[str, Any]]
 
@@ -40,10 +40,20 @@ KINDS = {
             "faults",
             200,
             10_000,
-            (("k64", (ELF.name,)), ("host", (PROGRAM.name,))),
-            (PROGRAM, IMAGE, ELF),
+            (("k64", (faults.ELF.name,)), ("host", (faults.PROGRAM.name,))),
+            (faults.PROGRAM, faults.IMAGE, faults.ELF),
             lambda files: ["--image", str(files[1]), "--elf", str(files[2])],
-            summarise,
+            faults.summarise,
+        ),
+        Kind(
+            "fuzz",
+            "runs of the fuzzers",
+            1,
+            20,
+            (("fuzz", ("fuzzers",)),),
+            (fuzz.PROGRAM, *fuzz.FUZZERS),
+            lambda files: ["--link", str(files[1]), "--robot", str(files[2])],
+            fuzz.summarise,
         ),
     )
 }

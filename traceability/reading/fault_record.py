@@ -42,6 +42,7 @@ def campaign_metrics(records: Mapping[str, Published]) -> dict[str, Any]:
 
 def _values(name: str, result: Mapping[str, Any]) -> dict[str, Any]:
     if name == FUZZ:
-        return dict(zip(METRICS[-2:], (result["cases"], result["failures"]), strict=True))
+        counts = result["outcomes"]
+        return {f"reliability.fuzz_{key}": counts[key] for key in ("inputs", "failures")}
     counts = {f"reliability.faults_{key}": result["outcomes"][key] for key in OUTCOMES}
     return {"reliability.faults": result["cases"], **counts}
