@@ -2,7 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <optional>
+#include <random>
 #include <span>
 #include <sstream>
 #include <stdexcept>
@@ -13,6 +17,8 @@
 #include "sim/host_robot/HostSession.hpp"
 #include "sim/scenario/Scenario.hpp"
 #include "sim/scenario/ScenarioPlayer.hpp"
+#include "support/scenarios.hpp"
+#include "support/seed.hpp"
 
 namespace wr::test {
 namespace {
@@ -86,6 +92,7 @@ TEST(ScenarioTest, ErrorsNameFileAndLine) {
       {"at 0 hello there\n", "text:1: 'there' is too much"},
       {"from 9 to 8 every 1 hello\n", "text:1: these times never come"},
       {"from 0 to 8 every 0 hello\n", "text:1: these times never come"},
+      {"from 0 to 100000 every 1 hello\n", "text:1: these times come more than 100000 times"},
       {"from 0 until 8 every 1 hello\n", "text:1: 'to' is expected here, not 'until'"},
       {"at 0 order speed 3\n", "text:1: an order has no 'speed'"},
       {"at 0 order velocity\n", "text:1: a number is missing"},
@@ -133,6 +140,35 @@ TEST(ScenarioTest, ErrorsNameFileAndLine) {
   for (const auto& [text, error] : wrong) {
     EXPECT_EQ(errorOf(text), error) << text;
   }
+}
+
+/// @brief A scenario with random edits is read, or gives an error with its line.
+TEST(ScenarioTest, ADamagedScenarioIsReadOrHasALineWithAnError) {
+  std::mt19937 random(seed());
+  const auto below = [&](std::size_t limit) { return random() % limit; };
+  const std::string odd("0123456789 .-+\n#\0abcxyz\xFF", 22);
+  int errors = 0;
+  for (const std::filesystem::path& path : allScenarios()) {
+    std::ifstream file(path);
+    const std::string sound(std::istreambuf_iterator<char>(file), {});
+    for (int i = 0; i < 15; ++i) {
+      std::string text = sound;
+      for (std::size_t edits = 1 + below(4); edits > 0; --edits) {
+        const std::size_t at = below(text.size());
+        if (below(2) == 0) {
+          text.erase(at, 1 + below(8));
+        } else {
+          text.insert(at, 1 + below(3), odd.at(below(odd.size())));
+        }
+      }
+      const std::string error = errorOf(text);
+      if (!error.starts_with("none")) {
+        ++errors;
+        EXPECT_THAT(error, testing::MatchesRegex("text:[0-9]+: .+")) << text;
+      }
+    }
+  }
+  EXPECT_GT(errors, 100);
 }
 
 /// @brief Sticks of the remote control have the units of orders, faults by name and wheel.
