@@ -21,19 +21,16 @@ std::uint32_t sumOf(std::span<const ProgramCheck::Words> words) {
 
 }  // namespace
 
-ProgramCheck::ProgramCheck(std::span<const Part> parts) : parts_(parts) {
-  for (const Part& part : parts) {
-    original_ += sumOf(part.original);
-  }
-}
-
 void ProgramCheck::step() {
   if (!due_.exchange(false, std::memory_order_relaxed)) {
     return;
   }
-  const std::span<const Words> copy = parts_[part_].copy;
+  const auto [original, copy] = parts_[part_];
   const std::size_t count = std::min(kWordsOfStep, copy.size() - next_);
   sum_ += sumOf(copy.subspan(next_, count));
+  if (!originalKnown_) {
+    original_ += sumOf(original.subspan(next_, count));
+  }
   next_ += count;
   if (next_ != copy.size()) {
     return;
@@ -41,6 +38,7 @@ void ProgramCheck::step() {
   next_ = 0;
   ++part_;
   if (part_ == parts_.size()) {
+    originalKnown_ = true;
     require(sum_ == original_, AssertId::ProgramChanged);
     part_ = 0;
     sum_ = 0;

@@ -27,9 +27,9 @@ class ProgramCheck final {
     std::span<const Words> copy;      ///< in RAM, as long as the original
   };
 
-  /// @brief Binds the check to the parts of the program, and adds up their originals.
+  /// @brief Binds the check to the parts of the program.
   /// @param parts parts of the program, at least one; each is not empty and lives as long as the check
-  explicit ProgramCheck(std::span<const Part> parts);
+  explicit ProgramCheck(std::span<const Part> parts) : parts_(parts) {}
 
   ProgramCheck(const ProgramCheck&) = delete;
   ProgramCheck& operator=(const ProgramCheck&) = delete;
@@ -39,7 +39,7 @@ class ProgramCheck final {
   /// @isr{yes}
   void tick() { due_.store(true, std::memory_order_relaxed); }
 
-  /// @brief Adds up the next words of the copies, once in a tick. The loop that waits for interrupts calls it
+  /// @brief Adds up the next words of the copies, and the first time of their originals, once in a tick. The loop that waits for interrupts calls it
   /// after each of them.
   /// @errors Copies that differ from their originals end the program with the assertion
   /// ProgramChanged.
@@ -52,6 +52,7 @@ class ProgramCheck final {
 
   std::span<const Part> parts_;
   std::atomic<bool> due_{false};
+  bool originalKnown_ = false;
   std::uint32_t original_ = 0;  // sum of the originals
   std::uint32_t sum_ = 0;       // of the copies up to now
   std::size_t part_ = 0;
