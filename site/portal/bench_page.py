@@ -11,6 +11,7 @@ from portal.plots import HEIGHT, WIDTH, Axis, Drawing, Line, axis
 from portal.portal import Portal
 from traceability.reading import bench_record
 from traceability.reading.bench_record import MANUAL, SCENARIOS, SHARE, SLOW, TIMINGS, Paper
+from traceability.reading.fault_record import LOADS
 from traceability.schema import BenchRun
 
 Runs = Mapping[str, BenchRun]  # by the model of time
@@ -27,6 +28,7 @@ def bench(portal: Portal) -> dict[str, Any]:
     runs = {name: scenario.runs for name, scenario in measured.items()}
     return {
         "proof": portal.model.times,
+        "loads": portal.model.campaigns.get(LOADS),
         "record": bench_record,
         "runs": runs,
         "profiles": {name: scenario.profile for name, scenario in measured.items()},

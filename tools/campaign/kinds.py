@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from tools.campaign import faults, fuzz
+from tools.campaign import faults, fuzz, loads
 from tools.campaign.chunks import Chunk
 
 Cases = Sequence[dict[str, Any]]
@@ -32,6 +32,11 @@ class Kind:
         return [str(files[0]), *self.options(files), *seeded]
 
 
+def image_options(files: Sequence[Path]) -> list[str]:
+    """The options of a program that runs an image."""
+    return ["--image", str(files[1]), "--elf", str(files[2])]
+
+
 KINDS = {
     kind.name: kind
     for kind in (
@@ -42,8 +47,18 @@ KINDS = {
             10_000,
             (("k64", (faults.ELF.name,)), ("host", (faults.PROGRAM.name,))),
             (faults.PROGRAM, faults.IMAGE, faults.ELF),
-            lambda files: ["--image", str(files[1]), "--elf", str(files[2])],
+            image_options,
             faults.summarise,
+        ),
+        Kind(
+            "loads",
+            "drives",
+            20,
+            1_000,
+            (("k64", (faults.ELF.name,)), ("host", (loads.PROGRAM.name,))),
+            (loads.PROGRAM, faults.IMAGE, faults.ELF),
+            image_options,
+            loads.summarise,
         ),
         Kind(
             "fuzz",

@@ -414,8 +414,9 @@ _FIXED = [
     Check(
         "time-seen",
         "No run needs more time than the bound",
-        "The longest time to the report in the runs of the bench is at most the bound of the "
-        "control cycle.",
+        "The longest time to the report in the runs of the bench, and to the end of the main "
+        "thread in the published record of random drives, is at most the bound of the control "
+        "cycle.",
         "interrupts that come more often than in design/times.toml.",
         "correct the bound that is too small.",
     ),
