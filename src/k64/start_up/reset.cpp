@@ -8,9 +8,9 @@
 #include "k64/start_up/handlers.hpp"
 #include "k64/start_up/platform.hpp"
 
-// The linker script defines where things begin and end.
+// The linker script defines the beginning and the end of each section.
 extern "C" {
-// Four words: the core loads and stores them with two instructions.
+// Four words, which the core loads and stores with two instructions.
 using Words = std::array<std::uint32_t, 4>;
 extern Words codeBegin[];
 extern Words codeEnd[];
@@ -39,8 +39,8 @@ namespace {
   }
 }
 
-// No function may help that is copied itself, as those of the library. The linker script refuses
-// such a call from its section.
+// No function that is copied here may be called, for example of the library. The linker script
+// rejects such a call from its section.
 [[gnu::section(".start_up"), gnu::noinline]] void initialiseMemory() {
   copy(codeInitial, codeBegin, codeEnd);
   copy(vectors, ramVectors, ramVectorsEnd);
@@ -62,7 +62,7 @@ void constructObjects() {
 }  // namespace wr
 
 void resetHandler() {
-  // No object of the program may be touched before memory is initialised.
+  // No object of the program may be accessed before memory is initialised.
   wr::K64Watchdog::configure();
   wr::K64Board::makeOutputsSafe();
   wr::K64Board::connectInputs();
