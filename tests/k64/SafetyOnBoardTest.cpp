@@ -61,7 +61,7 @@ Played played(const scenario::Scenario& scenario) {
 class ScenariosOnBoard : public testing::TestWithParam<std::filesystem::path> {};
 
 /// @brief The image with safety functions meets each scenario that is not of the paper's design alone.
-/// When it runs again, it sends the same reports, and the same events come at the same times.
+/// In a second run it sends the same reports, and the same events come at the same times.
 /// @verifies NFR-6
 TEST_P(ScenariosOnBoard, NFR6_ImageDoesWhatIsExpectedAndTheSameAgain) {
   const scenario::Scenario scenario = scenario::Scenario::load(GetParam());
@@ -155,7 +155,7 @@ class SafeBoard final : public SteppedRobot {
     return welcome.value().fault == kAssertion ? welcome.value().faultNumber : 0;
   }
 
-  // Lets time pass until no motor takes power.
+  // Lets time pass until no motor consumes power.
   bool brakesWithin(milliseconds limit) {
     for (milliseconds passed{0}; passed < limit && !physics().braking(); ++passed) {
       wait(milliseconds(1));
@@ -171,7 +171,7 @@ class SafeBoard final : public SteppedRobot {
   board_robot::BoardSession& line_;
 };
 
-/// Something that the robot does before the switch stops it.
+/// An action of the robot before the switch stops it.
 struct Situation {
   const char* name;
   int mode;
@@ -207,8 +207,8 @@ const auto kSituations = std::to_array<Situation>({
 
 class SwitchOfTheRemoteControl : public testing::TestWithParam<Situation> {};
 
-/// @brief Wherever in the cycle the enable switch is released, all wheels brake within 200 ms, in each mode and
-/// state in which the robot drives, and orders of the PC do not end it.
+/// @brief When the enable switch is released at any time of the cycle, all wheels brake within 200
+/// ms, in each mode and state in which the robot drives, and orders of the PC do not end it.
 /// @verifies FR-285
 TEST_P(SwitchOfTheRemoteControl, FR285_BrakesWithin200Milliseconds) {
   const Situation& situation = GetParam();
@@ -234,7 +234,8 @@ TEST_P(SwitchOfTheRemoteControl, FR285_BrakesWithin200Milliseconds) {
 INSTANTIATE_TEST_SUITE_P(Situations, SwitchOfTheRemoteControl, testing::ValuesIn(kSituations),
                          [](const auto& situation) { return std::string(situation.param.name); });
 
-/// @brief While nobody commands, the switch orders the stop too, and an order of the PC moves nothing.
+/// @brief Without a source of orders the switch also orders the stop, and an order of the PC moves
+/// nothing.
 /// @verifies FR-285
 TEST(SwitchWithoutCommand, FR285_StopsWhileReconnecting) {
   SafeBoard robot;

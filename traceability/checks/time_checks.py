@@ -1,4 +1,4 @@
-"""time-*: the time that the image needs at most is known, and no run needed more."""
+"""time-*: the greatest time of the image is known, and no run needed more."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def check(model: Model, _facts: Facts) -> list[Finding]:
 
 def _loops(proof: TimeProof) -> list[Finding]:
     bound = "write the bound above the loop or the copy (// bound: NUMBER)"
-    call = "call an object that a builder gives, or declare the call in design/stack.toml"
+    call = "call an object that a builder passes, or declare the call in design/stack.toml"
     return [
         *(
             Finding(place, "time-bound", f"nothing bounds a loop or a copy in {name}", bound)

@@ -27,7 +27,8 @@ def read_campaigns(root: Path) -> dict[str, Published]:
 
 
 def campaign_metrics(records: Mapping[str, Published]) -> dict[str, Any]:
-    """Returns the metrics of the last campaigns. No build runs them, so all are under ``last``."""
+    """Returns the metrics of the last campaigns. No build runs the campaigns, so all metrics are
+    under ``last``."""
     return {
         metric: {
             "command": record.command,

@@ -28,7 +28,7 @@ ControlSystemPoolBuilder poolBuilder(tickTimer, kBuilders);
 
 }  // namespace wr::platform
 
-// The handler ends when its stores have ended: see those of the devices.
+// The handler waits for its stores: see the handlers of the devices.
 
 void tickTimerInterrupt() {
   wr::platform::interruptWatch.tick(wr::platform::timebase.now(), wr::platform::hallEdgeWaits());

@@ -132,8 +132,8 @@ void sleepForever() {
 
 }  // namespace wr::platform
 
-// An interrupt may be entered again when the store that ends it is still under way (erratum 838869
-// of the core), so each handler ends when its stores have ended.
+// An interrupt may be entered again when the store that ends it has not completed (erratum 838869
+// of the core), so each handler waits for its stores before it returns.
 
 void pcPortInterrupt() {
   wr::platform::pcPort.serve();

@@ -8,7 +8,7 @@
 #include "k64/start_up/platform.hpp"
 #include "k64/start_up/program.hpp"
 
-// The linker script defines where they begin and end.
+// The linker script defines the beginning and the end of the constructors.
 extern "C" {
 using Constructor = void (*)();
 extern const Constructor constructorsBegin[];
@@ -26,8 +26,8 @@ namespace {
   }
 }
 
-// No function may help that is copied itself, as those of the library. The linker script refuses
-// such a call from its section.
+// No function that is copied here may be called, for example of the library. The linker script
+// rejects such a call from its section.
 [[gnu::section(".start_up"), gnu::noinline]] void initialiseMemory() {
   copy(codeInitial, codeBegin, codeEnd);
   copy(vectors, ramVectors, ramVectorsEnd);
@@ -49,7 +49,7 @@ void constructObjects() {
 }  // namespace wr
 
 void resetHandler() {
-  // No object of the program may be touched before memory is initialised.
+  // No object of the program may be accessed before memory is initialised.
   wr::K64Watchdog::configure();
   wr::K64Board::makeOutputsSafe();
   wr::K64Board::connectInputs();

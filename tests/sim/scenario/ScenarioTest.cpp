@@ -49,7 +49,8 @@ scenario::ScenarioPlayer::Outcome played(const std::string& text, std::ostream* 
   return scenario::ScenarioPlayer(scenario, robot, reports).play();
 }
 
-/// @brief Comments and empty lines are nothing; steps come in the order of time, then of their lines.
+/// @brief Comments and empty lines are ignored; steps come in the order of time, then of their
+/// lines.
 TEST(ScenarioTest, StepsAreInTheOrderOfTime) {
   const scenario::Scenario scenario = scenarioOf(
       "# a comment\n\n"
@@ -64,7 +65,7 @@ TEST(ScenarioTest, StepsAreInTheOrderOfTime) {
   EXPECT_EQ(scenario.end(), scenario::Scenario::Time(400));
 }
 
-/// @brief An order gives all wheels one value, or each its own.
+/// @brief An order gives all wheels one value, or a value for each.
 TEST(ScenarioTest, OrderNamesWheelsTogetherOrOneByOne) {
   const scenario::Scenario scenario =
       scenarioOf("at 0 order current 5\nat 1 order steering -3 tension 1 2 3 -4 stop\nat 2 end\n");
@@ -243,7 +244,8 @@ TEST(ScenarioTest, WorldActionOfALine) {
                scenario::Scenario::Error);
 }
 
-/// @brief An expectation with a limit holds when it comes true before, in time or in way.
+/// @brief An expectation with a limit is met when it becomes true before the limit, in time or in
+/// distance.
 TEST(ScenarioPlayerTest, ExpectationsThatMayComeTrue) {
   const std::string drive = "at 0 connect\nfrom 200 to 3900 every 100 order velocity 500\n";
   EXPECT_EQ(played(drive + "at 0 expect distance between 10 99 within 2000 ms\n"
@@ -262,7 +264,7 @@ TEST(ScenarioPlayerTest, ExpectationsThatMayComeTrue) {
                   "text:5: slope is 0.0, not 2 at the end, at 4000 ms"));
 }
 
-/// @brief A replay brings the bytes of the last order again.
+/// @brief A replay sends the bytes of the last order again.
 TEST(ScenarioPlayerTest, ReplayBringsTheSameBytes) {
   const auto outcome = played(
       "at 50 arm\nat 1550 order velocity 300\nat 1650 expect order_id 14\nat 1680 replay\n"
@@ -277,7 +279,7 @@ TEST(ScenarioPlayerTest, ReplayNeedsAnOrder) {
             std::vector<std::string>{"text:1: no order was sent that could be replayed, at 50 ms"});
 }
 
-/// @brief After a reset the firmware starts again, while the robot rolls on.
+/// @brief After a reset the firmware starts again, while the robot continues to roll.
 TEST(ScenarioPlayerTest, ResetStartsTheFirmwareAgain) {
   const auto outcome = played(
       "at 0 arm\nfrom 1500 to 4900 every 100 order velocity 1000\n"
@@ -327,7 +329,7 @@ TEST(ScenarioPlayerTest, ExpectationsLookAtTheLastReport) {
   EXPECT_EQ(outcome.reports, 2U);
 }
 
-/// @brief An expectation that does not hold is reported with its line, and the scenario goes on.
+/// @brief An expectation that is not met is reported with its line, and the scenario continues.
 TEST(ScenarioPlayerTest, FailedExpectationsAreTold) {
   const auto outcome = played(
       "at 50 expect state Working\nat 50 expect session 1\nat 50 confirm\nat 60 connect\n"
@@ -343,7 +345,7 @@ TEST(ScenarioPlayerTest, FailedExpectationsAreTold) {
                            "text:7: there was no finding clock-gate, at 360 ms"));
 }
 
-/// @brief Raw bytes come in as they are, and each report is a line of the table.
+/// @brief Raw bytes are sent unchanged, and each report is a line of the table.
 TEST(ScenarioPlayerTest, RawBytesAndTableOfReports) {
   std::ostringstream table;
   const auto outcome = played(
@@ -382,7 +384,8 @@ class BrokenRobot final : public scenario::RobotSession {
   plant::RemoteControl remoteControl_;
 };
 
-/// @brief A finding ends the scenario. It is an outcome unless a later line expects it.
+/// @brief A finding ends the scenario. The finding makes the scenario fail, unless a later line
+/// expects it.
 TEST(ScenarioPlayerTest, FindingEndsTheScenario) {
   const auto outcomeOf = [](const std::string& text) {
     BrokenRobot robot;
