@@ -17,6 +17,9 @@ from tools.baseline import compare, image_name
 from tools.bench_runs import measure_all
 from tools.browser import find_browser, works
 from tools.call_runs import record_all
+from tools.change_runs import IMAGES as CHANGE_IMAGES
+from tools.change_runs import TESTS as CHANGE_TESTS
+from tools.change_runs import test_changes
 from tools.closed_loop_runs import HOST_PROGRAM, play_all
 from tools.cmake_build import (
     BOARD,
@@ -46,6 +49,8 @@ from traceability.reading.bench_record import FOLDER as BENCH_SCENARIOS
 from traceability.reading.call_record import DECLARED as DECLARED_RECORDINGS
 from traceability.reading.call_record import RECORD as CALL_RECORD
 from traceability.reading.call_record import SCENARIOS as ALL_SCENARIOS
+from traceability.reading.change_kits import FOLDER as KITS
+from traceability.reading.change_kits import RESULT as KITS_RESULT
 from traceability.reading.closed_loop_record import DECLARED, EXAMPLES, OUTCOMES
 from traceability.reading.live_record import RECORD as LIVE_RECORD
 from traceability.reading.products import DEFAULT, PRODUCTS
@@ -60,6 +65,7 @@ from traceability.reading.task_record import is_fresh
 HOST_FIRMWARE, K64_FIRMWARE = "firmware (this machine)", "firmware (K64)"
 RECORDED_IMAGES = "build (K64, to record calls)"
 VIRTUAL_BOARD, BASELINE_BUILD = "virtual K64", "build (baseline design)"
+CHANGES_BUILD = "build (likely changes)"
 TESTS_SANITIZE = "tests (sanitize)"
 LIVE_MODULE = "live module"
 DOCUMENTS, PAGES = "documents", "tests (pages)"
@@ -74,6 +80,7 @@ RESULT_TASKS = (
     task_record.CLOSED_LOOP,
     task_record.BENCH,
     task_record.BASELINE,
+    task_record.CHANGES,
     LIVE_MODULE,
     task_record.LIVE,
     task_record.CALLS,
@@ -94,7 +101,7 @@ SCENARIOS = (str(EXAMPLES), "tests/system", "tests/usual_design")  # inputs of t
 TOOLS = ("traceability", "site/portal", "tools", "client", "pyproject.toml", "setup/python.lock")
 # The seeded faults: the sources, the checks, and the faults.
 SEEDED = (
-    *(*DESIGN, "sim", "tests", "requirements", "design", "docs", "README.md"),
+    *(*DESIGN, "changes", "sim", "tests", "requirements", "design", "docs", "README.md"),
     *(*BUILD_FILES, *TOOLS),
 )
 # The pages show all hand-written texts.
@@ -102,7 +109,7 @@ SHOWN = (*SEEDED, "site", "setup", "wr")
 SHOWN_RESULTS = (
     *("trace.json", "board.json", "coverage.json", "coverage_lines.json", "closed_loop.json"),
     *("bench.json", "bench_paper.json", "usual_design.json", "products.json", "size_k64.json"),
-    *("calls.json", "proofs.json"),
+    *("calls.json", "proofs.json", "changes.json"),
     *("image_k64.json", "driver_faults.json", "mutation.json", "drift.json"),
     *("trace.cost.json", "plain.cost.json", "live.json"),
 )
@@ -174,6 +181,7 @@ def builds(root: Path) -> list[Task]:
         made("build (virtual K64)", (BOARD_PRESET, (BOARD_TESTS,))),
         Task(LIVE_MODULE, module, always=True),
         made(BASELINE_BUILD, ("k64", baselines), (BOARD_PRESET, (BASELINE_TESTS,))),
+        made(CHANGES_BUILD, ("k64_calls", (CHANGE_IMAGES,)), (BOARD_PRESET, (CHANGE_TESTS,))),
     ]
 
 
@@ -256,6 +264,13 @@ def measurements(root: Path) -> list[Task]:
             (*DESIGN, str(FOLDER)),
             (str(RESULT),),
             inputs_from=(BASELINE_BUILD, VIRTUAL_BOARD),
+        ),
+        Task(
+            task_record.CHANGES,
+            partial(test_changes, root),
+            (*DESIGN, str(KITS)),
+            (str(KITS_RESULT),),
+            inputs_from=(CHANGES_BUILD, RECORDED_IMAGES),
         ),
         Task(
             task_record.LIVE,

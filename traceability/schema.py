@@ -1001,6 +1001,38 @@ class PaperElement:
 
 
 @dataclass(frozen=True)
+class KitTest:
+    """A test of a likely change that was made, and its result in this build, if it ran."""
+
+    id: str
+    target: str
+    result: str | None
+    place: Place
+
+
+@dataclass(frozen=True)
+class MadeChange:
+    """A likely change that a kit or an extension makes."""
+
+    application: str
+    event: str
+    hard: str  # its name in the list of hard changes
+    why: str  # reason for the lines of existing files
+    classes: Sequence[str]
+    extension: str  # folder of the extension that makes it; "" for a kit
+    files: Sequence[str]  # added
+    patched: Sequence[str]  # existing files
+    composition_lines: int  # existing lines removed or changed
+    outside_lines: int  # the same, outside the composition
+    added_lines: int  # in existing files
+    flash: float | None  # bytes more than without the change
+    ram: float | None
+    instructions: float | None  # more in a cycle, on average
+    tests: Sequence[KitTest]
+    place: Place
+
+
+@dataclass(frozen=True)
 class LikelyChange:
     """The effort of a change that an application of a pattern absorbs."""
 
@@ -1016,7 +1048,8 @@ class LikelyChange:
     requirements: Sequence[str]  # requirements to review
     tests: Sequence[str]
     steps: Sequence[str]
-    examples: Sequence[str]  # modules of extensions that are examples
+    examples: Sequence[str]  # modules of extensions that are such a change
+    made: MadeChange | None = None
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from typing import Any
 
 from portal import plots
 from portal.portal import Portal
+from traceability.model.made_changes import proven
 from traceability.reading import baseline_record
 from traceability.reading.fault_record import FAULTS, FUZZ, OUTCOMES
 from traceability.schema import Place
@@ -105,6 +106,28 @@ def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, 
     return sorted(
         modules.items(), key=lambda one: (-one[1]["silent"], -sum(one[1].values()), one[0])
     )
+
+
+def made_changes(portal: Portal) -> dict[str, Any]:
+    """The likely changes that are made, and the lines that some of them change in the baseline."""
+    done = [change.made for change in portal.model.changes.values() if change.made]
+    texts = {
+        change: (portal.root / baseline_record.patch_of(change, baseline_record.USUAL)).read_text(
+            "utf-8"
+        )
+        for change in baseline_record.changes_of(portal.root)
+    }
+    return {
+        "made": done,
+        "proven": proven,
+        "proven_count": sum(map(proven, done)),
+        "baseline": {
+            change: baseline_record.count_patch(text).lines_touched
+            for change, text in texts.items()
+        },
+        "titles": baseline_record.TITLES,
+        "wide": True,
+    }
 
 
 def usual_design(portal: Portal) -> dict[str, Any]:

@@ -18,7 +18,14 @@ from portal.diagrams import DIAGRAMS, role_family
 from portal.dossier import dossier, dossier_page
 from portal.links import logic_anchor
 from portal.live_view import run
-from portal.measured_pages import closed_loop, mutation, robustness, usual_design, virtual_k64
+from portal.measured_pages import (
+    closed_loop,
+    made_changes,
+    mutation,
+    robustness,
+    usual_design,
+    virtual_k64,
+)
 from portal.module_page import module_page
 from portal.paper_views import change_page, concordance, families, hidden_names
 from portal.portal import Page, Portal
@@ -28,6 +35,7 @@ from portal.search import entries
 from portal.sequences import sequences
 from portal.source_pages import folders, source_page
 from traceability.exports.tool_files import available
+from traceability.model.made_changes import proven
 from traceability.model.not_shown import by_method, not_shown
 from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.reading.bench_record import SCENARIOS
@@ -110,7 +118,9 @@ def home_page(portal: Portal) -> Page:
         method=method,
         tours=[tour.id for tour in portal.tours],
         paper_most=max(paper.maximum for paper in SCENARIOS),
-        shown_changes=sorted(portal.model.changes.values(), key=lambda one: not one.examples)[:6],
+        shown_changes=sorted(portal.model.changes.values(), key=lambda one: not proven(one.made))[
+            :6
+        ],
         rows=aligned(portal, example, first_run(example))[:14] if example else [],
     )
 
@@ -243,7 +253,6 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
             "patterns",
             "machines",
             "proofs",
-            "changes",
             "datatypes",
             "trees",
             "beliefs",
@@ -253,6 +262,7 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
         lambda _: {},
     ),
     "architecture": lambda _: {"wide": True},
+    "changes": made_changes,
     "structure": structure,
     "secrets": lambda portal: {**groups(portal), "hidden_names": hidden_names},
     "guide": groups,

@@ -209,6 +209,16 @@ _FIXED = [
         "correct the name.",
     ),
     Check(
+        "change-kit",
+        "Likely changes are made",
+        "For each application of a pattern a folder of changes/ with its name makes the likely "
+        "change: it names a class that derives from a base class of the recipe, or edits a "
+        "module that the recipe alters; it has tests on the host and on the virtual K64, which "
+        "exist; it has a reason for the existing lines that it changes.",
+        "whether the change is a likely one, and whether its tests would notice a fault in it.",
+        "complete the kit as changes/README.md explains.",
+    ),
+    Check(
         "pattern-role-unknown",
         "Known roles",
         "Every @role names an application that is declared and a role of it, and is once above "

@@ -15,6 +15,7 @@ from traceability.model.evidence import read_evidence
 from traceability.model.execution import with_execution
 from traceability.model.image_code import read_image_code
 from traceability.model.likely_changes import changes_of
+from traceability.model.made_changes import made
 from traceability.model.metrics import read_measured
 from traceability.model.orphan_methods import justify
 from traceability.model.pattern_price import prices
@@ -30,6 +31,7 @@ from traceability.model.verification import with_verification
 from traceability.reading.ast_facts import BodyFact, CallFact, ClassFact, MethodFact
 from traceability.reading.bench_record import PAPER_BENCH, read_bench
 from traceability.reading.build_evidence import read_build
+from traceability.reading.change_kits import read_record as read_kit_record
 from traceability.reading.closed_loop_record import read_closed_loop
 from traceability.reading.comments import NO_COMMENT, Comment
 from traceability.reading.coverage import Coverage, read_coverage
@@ -149,8 +151,10 @@ def _assemble(
     model = justify(with_verification(model, facts, coverage), declared.justified)
     model = replace(model, safety=safety_of(model, facts))
     model = with_reviews(model, facts)
-    changes, measured = changes_of(model, declared.changes), read_measured(root, model)
-    return replace(model, changes=changes, measured=measured)
+    examples = {name: one.examples for name, one in declared.changes.particulars.items()}
+    done = made(model, declared.kits, read_kit_record(root), examples)
+    model = replace(model, changes=changes_of(model, declared.changes, done))
+    return replace(model, measured=read_measured(root, model))
 
 
 def _last(root: Path, sources: str) -> dict[str, LastRecord]:
@@ -161,7 +165,8 @@ def _last(root: Path, sources: str) -> dict[str, LastRecord]:
 
 def source_files(root: Path) -> list[str]:
     suffixes = (".hpp", ".cpp", ".h", ".dox", ".toml", ".tree", ".pml", ".S", ".ld")
-    paths = files_below(root, (*DESIGN, "sim", "tests", "requirements", "design"), suffixes)
+    folders = (*DESIGN, "changes", "sim", "tests", "requirements", "design")
+    paths = files_below(root, folders, suffixes)
     return [str(path.relative_to(root)) for path in paths]
 
 

@@ -8,19 +8,25 @@ registered only where the present ones are named.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import replace
+
 from traceability.model.design_model import Model
 from traceability.reading.change_texts import ChangeTexts, Particular, Recipe
 from traceability.reading.traces import nodes_of
-from traceability.schema import LikelyChange, PatternApplication
+from traceability.schema import LikelyChange, MadeChange, PatternApplication
 
 
-def changes_of(model: Model, texts: ChangeTexts) -> dict[str, LikelyChange]:
+def changes_of(
+    model: Model, texts: ChangeTexts, made: Mapping[str, MadeChange]
+) -> dict[str, LikelyChange]:
     found: dict[str, LikelyChange] = {}
     for application in model.patterns.values():
         recipe = texts.recipes.get(application.pattern)
         if recipe:
             particular = texts.particulars.get(application.id, Particular())
-            found[application.id] = _change(model, application, recipe, particular)
+            change = _change(model, application, recipe, particular)
+            found[application.id] = replace(change, made=made.get(application.id))
     return found
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from traceability.model.design_model import Model
+from traceability.model.made_changes import proven
 from traceability.model.report import Report
 from traceability.reading.bench_record import IMAGE, MANUAL, bench_metrics
 from traceability.reading.fault_record import METRICS as CAMPAIGNS
@@ -31,6 +32,7 @@ OF_OTHER_STEPS = (  # metrics that are null until a step measures them
     *("bench.scenarios", "bench.image_sha256", "sim.real_time_factor"),
     *("drift.seeded", "drift.caught", "portal.axe_violations", "portal.search_first_hit"),
     *("site.pages", "site.dead_links", "build.first_page_s"),
+    "changes.proven",
     *("build.cold_s", "build.edit_s", "release.reproducible"),
     *(f"live.{key}" for key in LIVE),
     *CAMPAIGNS,
@@ -52,7 +54,15 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
     prose = {"prose.findings": read_prose(root)}
     live = live_metrics(root)
     release = release_metrics(root, model.commit)
-    return drift(model) | image(root) | times | forbidden(model) | tests | prose | live | release
+    found = drift(model) | image(root) | times | forbidden(model) | tests | prose | live | release
+    return found | changes(model)
+
+
+def changes(model: Model) -> dict[str, Any]:
+    """The likely changes that were made, once their tests ran with the present sources."""
+    found = [change.made for change in model.changes.values()]
+    ran = all(test.result for one in found if one for test in one.tests)
+    return {"changes.proven": sum(map(proven, found))} if ran else {}
 
 
 def coverage(root: Path) -> dict[str, Any]:
@@ -123,6 +133,10 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
             sum(all(clause.holds for clause in clauses[one.id]) for one in applications)
             if decided
             else None
+        ),
+        "changes.total": len(model.changes),
+        "changes.existing_lines_touched": sum(
+            one.made.outside_lines for one in model.changes.values() if one.made
         ),
         "patterns.by_pattern": dict(Counter(item.pattern for item in applications)),
         "requirements.total": len(requirements),

@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from traceability.reading.change_kits import Kit, read_kits
 from traceability.reading.change_texts import ChangeTexts, read_change_texts
 from traceability.reading.concordance import Concordance, read_concordance
 from traceability.reading.declared_safety import read_safety_case
@@ -136,6 +137,7 @@ class Declared:
     concordance: Concordance = field(default_factory=Concordance)
     tuned: list[Tuned] = field(default_factory=list)
     changes: ChangeTexts = field(default_factory=ChangeTexts)
+    kits: dict[str, Kit] = field(default_factory=dict)  # application -> the kit that changes it
     safety: SafetyCase = field(default_factory=SafetyCase)
     proofs: dict[str, ProofProperty] = field(default_factory=dict)
     proof_events: dict[str, ProofEvent] = field(default_factory=dict)
@@ -189,6 +191,7 @@ def read_declared(root: Path) -> Declared:
     _numbers(design / "requirement_numbers.toml", entries, declared)
     declared.concordance = read_concordance(root, entries)
     declared.changes = read_change_texts(root, entries)
+    declared.kits = read_kits(root, entries)
     declared.safety = read_safety_case(root, entries)
     declared.proofs = read_properties(root, entries)
     declared.proof_events = read_events(root, entries)

@@ -121,9 +121,13 @@ def read_results_hash(root: Path, binding: str) -> str | None:
 
 def read_results(root: Path, binding: str) -> dict[str, Result]:
     """``Suite.Name`` -> result. The instances of a parameterised test count as one."""
-    data = read_json(root / RESULTS / f"{RUNS[binding]}.json")
+    return results_in(read_json(root / RESULTS / f"{RUNS[binding]}.json") or {})
+
+
+def results_in(data: dict[str, Any]) -> dict[str, Result]:
+    """The same, of the content of a file of results."""
     found: dict[str, Result] = {}
-    for suite in (data or {}).get("testsuites", []):
+    for suite in data.get("testsuites", []):
         for test in suite.get("testsuite", []):
             name = plain_name(suite["name"], test["name"])
             result = _result(test)

@@ -16,6 +16,7 @@ SOURCES = (
     *(
         "src",
         "extensions",
+        "changes",
         "sim",
         "tests",
         "requirements",

@@ -20,6 +20,7 @@ LIVE = "live view"
 CALLS = "recorded calls"
 PROOFS = "proofs"
 BASELINE = "bench of the baseline design"
+CHANGES = "likely changes"
 SEEDED_FAULTS = "seeded faults"
 FIRMWARE_FAULTS = "tests (tools, firmware)"
 

@@ -1,0 +1,22 @@
+# Copies the files NAMES of ROOT to COPIES, and applies PATCH to the copies.
+string(REPLACE "," ";" names ${NAMES})
+foreach(name IN LISTS names)
+  get_filename_component(folder ${COPIES}/${name} DIRECTORY)
+  file(MAKE_DIRECTORY ${folder})
+  file(REMOVE ${COPIES}/${name})
+  file(COPY ${ROOT}/${name} DESTINATION ${folder})
+endforeach()
+# The copies are no repository of their own, and not a part of the one around them.
+get_filename_component(above ${COPIES} DIRECTORY)
+execute_process(
+  COMMAND ${CMAKE_COMMAND} -E env GIT_CEILING_DIRECTORIES=${above} git apply --whitespace=nowarn ${PATCH}
+  WORKING_DIRECTORY ${COPIES} RESULT_VARIABLE failed)
+if(failed)
+  foreach(name IN LISTS names)
+    file(REMOVE ${COPIES}/${name})
+  endforeach()
+  message(FATAL_ERROR "${PATCH} does not fit the sources any more: write it again from the changed file")
+endif()
+foreach(name IN LISTS names)
+  file(TOUCH ${COPIES}/${name})
+endforeach()

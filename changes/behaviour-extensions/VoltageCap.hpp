@@ -1,0 +1,28 @@
+#pragma once
+
+#include "wheel_control/behaviours/BehaviourDecorator.hpp"
+
+namespace wr {
+
+/// @brief Limits the voltage of a wheel to 12 V: its motor is one for 12 V.
+class VoltageCap final : public BehaviourDecorator {
+ public:
+  /// @brief Greatest magnitude of the voltage.
+  static constexpr Tension kMost{12000};
+
+  /// @brief Extends a behaviour.
+  /// @param wrapped behaviour that applies the limited voltage
+  explicit VoltageCap(WheelBehaviour& wrapped) : BehaviourDecorator(wrapped) {}
+
+  /// @brief Applies the demand, or the greatest voltage of its sign.
+  /// @param demand voltage that is demanded [mV], -24000 to 24000, positive forwards
+  /// @param velocity measured velocity [0.1 rpm]
+  /// @return voltage that was applied [mV], positive forwards
+  /// @isr{no}
+  Tension apply(Tension demand, Velocity velocity) override {
+    const Tension limited = demand > kMost ? kMost : demand < -kMost ? -kMost : demand;
+    return BehaviourDecorator::apply(limited, velocity);
+  }
+};
+
+}  // namespace wr

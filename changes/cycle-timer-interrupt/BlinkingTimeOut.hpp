@@ -1,0 +1,32 @@
+#pragma once
+
+#include "devices/DigitalOutput.hpp"
+#include "main_control/MainController.hpp"
+#include "services/Command.hpp"
+
+namespace wr {
+
+/// @brief Begins a cycle, and switches a light on or off: it blinks as long as the cycles begin.
+class BlinkingTimeOut final : public Command {
+ public:
+  /// @brief Binds the command to the controller and the light.
+  /// @param controller begins the cycle
+  /// @param light changes in each cycle
+  BlinkingTimeOut(MainController& controller, DigitalOutput& light)
+      : controller_(controller), light_(light) {}
+
+  /// @brief Changes the light, and begins a cycle.
+  /// @isr{yes}
+  void execute() override {
+    on_ = !on_;
+    light_.set(on_);
+    controller_.clockPulse();
+  }
+
+ private:
+  MainController& controller_;
+  DigitalOutput& light_;
+  bool on_ = false;
+};
+
+}  // namespace wr

@@ -1,0 +1,73 @@
+// The composition of a robot whose red light blinks with its cycles.
+
+#include <optional>
+
+#include "construction/MainControllerBuilder.hpp"
+#include "construction/RobotDirector.hpp"
+#include "cycle-timer-interrupt/BlinkingTimeOut.hpp"
+#include "devices/FirstTimer.hpp"
+#include "k64/core.hpp"
+#include "k64/start_up/control_systems.hpp"
+#include "k64/start_up/handlers.hpp"
+#include "k64/start_up/platform.hpp"
+#include "services/Pipe.hpp"
+
+namespace wr {
+
+namespace {
+
+Pipe<Velocity> rcVelocity;
+Pipe<Angle> rcDirection;
+
+MainControllerBuilder controllerBuilder(
+    {.thread = platform::mainThread,
+     .cycleTimer = platform::cycleTimer,
+     .timebase = platform::timebase,
+     .pcPort = platform::pcPort,
+     .watchdog = platform::watchdog,
+     .start = platform::startRecord,
+     .remoteControl = MainControllerBuilder::RemoteControlDevices{
+         .velocityPin = platform::rcVelocityPin,
+         .directionPin = platform::rcDirectionPin,
+         .velocity = rcVelocity,
+         .direction = rcDirection,
+         .edgeTime = &platform::rcEdgeTime}});
+RobotDirector director(platform::poolBuilder, controllerBuilder);
+std::optional<BlinkingTimeOut> timeOut;
+std::optional<FirstTimer> clock;
+
+}  // namespace
+
+}  // namespace wr
+
+// Each handler ends when its stores have ended: see those of the devices.
+
+void cycleTimerInterrupt() {
+  wr::clock->expired();
+  wr::finishStores();
+}
+
+void remoteControlInterrupt() {
+  const wr::platform::RcEdges edges = wr::platform::enterRcInterrupt();
+  if (edges.velocity) {
+    wr::controllerBuilder.velocityPin().serve();
+  }
+  if (edges.direction) {
+    wr::controllerBuilder.directionPin().serve();
+  }
+  wr::finishStores();
+}
+
+namespace wr {
+
+void runRobot() {
+  platform::startDevices();
+  director.construct();
+  timeOut.emplace(controllerBuilder.controller(), platform::redLight);
+  clock.emplace(platform::cycleTimer, *timeOut);
+  platform::enableInterrupts();
+  director.start();
+  platform::sleepForever();
+}
+
+}  // namespace wr

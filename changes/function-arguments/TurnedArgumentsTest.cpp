@@ -1,0 +1,37 @@
+#include "function-arguments/TurnedArguments.hpp"
+
+#include <gtest/gtest.h>
+
+#include "functions/arguments/BaseArguments.hpp"
+#include "functions/arguments/ScaleArguments.hpp"
+#include "support/ChangedRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+/// @brief Zero moves, and no other argument; an unknown argument stays unknown.
+TEST(TurnedArguments, MovesZeroOnly) {
+  const BaseArguments base(17, Microseconds(8000));
+  const TurnedArguments without(base, 100);
+  EXPECT_EQ(without.value(ArgumentId::Offset), std::nullopt);
+  const ScaleArguments scaled(base, 3, 4, 50);
+  const TurnedArguments arguments(scaled, 100);
+  EXPECT_EQ(arguments.value(ArgumentId::Offset), 150);
+  EXPECT_EQ(arguments.value(ArgumentId::Raw), 17);
+  EXPECT_EQ(arguments.value(ArgumentId::Scale), 3);
+}
+
+int steeringAtRest(const char* image) {
+  ChangedRobot robot(image);
+  robot.connect();
+  robot.silentCycles(5);
+  return robot.report().steering;
+}
+
+/// @brief With the same sensor the image of the kit reports an angle of 5 degrees less.
+TEST(TurnedArgumentsOnBoard, ReportedAngleIsFiveDegreesLess) {
+  EXPECT_NEAR(steeringAtRest(kUnchanged) - steeringAtRest("change_function-arguments"), 500, 10);
+}
+
+}  // namespace
+}  // namespace wr::test

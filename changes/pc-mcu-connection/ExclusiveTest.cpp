@@ -1,0 +1,55 @@
+#include "pc-mcu-connection/Exclusive.hpp"
+
+#include <gtest/gtest.h>
+
+#include "communication/pc_connection/Disconnected.hpp"
+#include "communication/pc_connection/Handshaking.hpp"
+#include "communication/serialization/SerialReader.hpp"
+#include "support/ChangedRobot.hpp"
+#include "support/FakeSerialPort.hpp"
+
+namespace wr::test {
+namespace {
+
+/// @brief A Hello leaves the state and counts as unexpected; the session lasts.
+TEST(Exclusive, IgnoresAHello) {
+  FakeSerialPort port;
+  SerialReader reader;
+  StartRecord start{};
+  struct States {
+    Handshaking handshaking{exclusive, disconnected};
+    Disconnected disconnected{handshaking};
+    Exclusive exclusive{disconnected};
+  } states;
+  PcConnection connection(port, reader, states.exclusive, start);
+  states.exclusive.hello(connection);
+  EXPECT_EQ(connection.counts().unexpected, 1);
+  EXPECT_TRUE(connection.connected());
+  EXPECT_TRUE(states.exclusive.keepAlive(connection));
+  connection.beginCycle(Instant() + milliseconds(1500));
+  connection.service();
+  EXPECT_FALSE(connection.connected());
+}
+
+bool answersASecondHello(ChangedRobot& robot) {
+  robot.connect();
+  robot.welcome.reset();
+  robot.hello();
+  robot.cycle();
+  return robot.welcome.has_value();
+}
+
+/// @brief The unchanged image welcomes a second PC, which ends the session of the first; that of the kit goes on
+/// reporting to the first.
+TEST(ExclusiveOnBoard, SecondPcIsNotWelcome) {
+  ChangedRobot before(kUnchanged);
+  EXPECT_TRUE(answersASecondHello(before));
+  EXPECT_FALSE(before.reported());
+  ChangedRobot after("change_pc-mcu-connection");
+  EXPECT_FALSE(answersASecondHello(after));
+  EXPECT_TRUE(after.reported());
+  EXPECT_EQ(after.report().unexpected, 1);
+}
+
+}  // namespace
+}  // namespace wr::test

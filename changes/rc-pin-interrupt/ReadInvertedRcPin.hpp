@@ -1,0 +1,30 @@
+#pragma once
+
+#include "devices/Timebase.hpp"
+#include "remote_control/RcBuffer.hpp"
+#include "remote_control/RcPin.hpp"
+#include "services/Command.hpp"
+
+namespace wr {
+
+/// @brief Reads a receiver of the remote control whose pulses are low.
+class ReadInvertedRcPin final : public Command {
+ public:
+  /// @brief Binds the command to pin and buffer.
+  /// @param buffer takes the edges
+  /// @param pin gives the level
+  /// @param timebase gives the time of an edge
+  ReadInvertedRcPin(RcBuffer& buffer, const RcPin& pin, const Timebase& timebase)
+      : buffer_(buffer), pin_(pin), timebase_(timebase) {}
+
+  /// @brief Passes the opposite of the present level, and the time, to the buffer.
+  /// @isr{yes}
+  void execute() override { buffer_.signal(!pin_.level(), timebase_.now()); }
+
+ private:
+  RcBuffer& buffer_;
+  const RcPin& pin_;
+  const Timebase& timebase_;
+};
+
+}  // namespace wr

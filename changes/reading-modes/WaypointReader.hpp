@@ -1,0 +1,159 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include "communication/serialization/Reader.hpp"
+#include "devices/SerialPort.hpp"
+#include "devices/Timebase.hpp"
+#include "services/SystemConstants.hpp"
+#include "units/SetPoints.hpp"
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief A point on the field, from a corner of it.
+struct FieldPoint {
+  std::int16_t x = 0;  ///< along the rows [cm]
+  std::int16_t y = 0;  ///< to the left of it [cm]
+};
+
+/// @brief Reads orders that lead along the rows from way-point to way-point, by the positions of a GPS receiver.
+///
+/// The receiver sends each position as 6 bytes: 165, x, y, and the exclusive or of these 5 bytes.
+class WaypointReader final : public Reader {
+ public:
+  /// @brief Distance along the row at which a way-point is reached [cm].
+  static constexpr std::int32_t kReached = 20;
+
+  /// @brief Velocity on the way.
+  static constexpr Velocity kVelocity{500};
+
+  /// @brief Binds the reader to the receiver and the way.
+  /// @param port line of the receiver
+  /// @param timebase gives the time
+  /// @param way way-points, each one further along the rows; they live as long as the reader
+  WaypointReader(SerialPort& port, const Timebase& timebase, std::span<const FieldPoint> way)
+      : port_(port), timebase_(timebase), way_(way) {}
+
+  /// @brief Reads the bytes that the receiver has sent.
+  /// @isr{no}
+  void serve() {
+    std::size_t left = kMostBytes;
+    std::uint8_t byte = 0;
+    // bound: kMostBytes
+    while (left != 0 && port_.read({&byte, 1}) == 1) {
+      --left;
+      take(byte);
+    }
+  }
+
+  /// @brief Returns whether there is a new position, and a way-point ahead of it.
+  /// @return true when there are both
+  /// @isr{no}
+  [[nodiscard]] bool available() const override {
+    return at_ && next_ < way_.size() &&
+           timebase_.now() - *at_ <= SystemConstants::instance().orderLifetime();
+  }
+
+  /// @brief Returns false: the receiver orders no stop.
+  /// @return false
+  /// @isr{no}
+  [[nodiscard]] bool stopOrdered() const override { return false; }
+
+  /// @brief Reads the kind of the set-points, which is a velocity, and the commands, which are none.
+  /// @isr{no}
+  std::uint8_t readU8(Field field) override {
+    return field.name == FieldName::WheelQuantity
+               ? static_cast<std::uint8_t>(WheelQuantity::Velocity)
+               : std::uint8_t{0};
+  }
+
+  /// @brief Reads the number of the order: that of the next way-point.
+  /// @return number, 0 to the number of way-points less 1
+  /// @isr{no}
+  std::uint16_t readU16(Field /*field*/) override { return static_cast<std::uint16_t>(next_); }
+
+  /// @brief Reads the velocity, or the angle towards the next way-point.
+  /// @isr{no}
+  std::int16_t readI16(Field field) override {
+    return field.name == FieldName::WheelValue ? static_cast<std::int16_t>(kVelocity.count())
+                                               : towards(way_[next_]);
+  }
+
+  /// @brief Reads the time of the order, which the receiver does not give.
+  /// @return 0
+  /// @isr{no}
+  std::uint32_t readU32(Field /*field*/) override { return 0; }
+
+  /// @brief Reads nothing: no order has such a field.
+  /// @return 0
+  /// @isr{no}
+  std::int32_t readI32(Field /*field*/) override { return 0; }
+
+  /// @brief Ends an order: each position gives one.
+  /// @return true
+  /// @isr{no}
+  bool finish() override {
+    at_.reset();
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t kMostBytes = 64;  // in a cycle
+  static constexpr std::uint8_t kBegin = 165;
+  static constexpr std::size_t kLength = 6;
+  static constexpr std::int32_t kRadian = 5730;  // [0.01 degree]
+  static constexpr std::int32_t kMostAngle = 2500;
+
+  void take(std::uint8_t byte) {
+    if (count_ == 0 && byte != kBegin) {
+      return;
+    }
+    bytes_[count_] = byte;
+    ++count_;
+    if (count_ == kLength) {
+      count_ = 0;
+      finishPosition();
+    }
+  }
+
+  void finishPosition() {
+    std::uint8_t sum = 0;
+    // bound: kLength
+    for (const std::uint8_t byte : bytes_) {
+      sum ^= byte;
+    }
+    if (sum != 0) {
+      return;
+    }
+    position_ = {.x = number(1), .y = number(3)};
+    at_ = timebase_.now();
+    while (next_ < way_.size() && way_[next_].x - position_.x <= kReached) {  // bound: way-points
+      ++next_;
+    }
+  }
+
+  [[nodiscard]] std::int16_t number(std::size_t place) const {
+    return static_cast<std::int16_t>(bytes_[place] | bytes_[place + 1] << 8U);
+  }
+
+  [[nodiscard]] std::int16_t towards(const FieldPoint& point) const {
+    const std::int32_t angle = kRadian * (point.y - position_.y) / (point.x - position_.x);
+    return static_cast<std::int16_t>(angle > kMostAngle    ? kMostAngle
+                                     : angle < -kMostAngle ? -kMostAngle
+                                                           : angle);
+  }
+
+  SerialPort& port_;
+  const Timebase& timebase_;
+  std::span<const FieldPoint> way_;
+  std::size_t next_ = 0;  // way-point that is ahead
+  FieldPoint position_{};
+  std::optional<Instant> at_;  // time of a position that was not read
+  std::uint8_t bytes_[kLength]{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace wr

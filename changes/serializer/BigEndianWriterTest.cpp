@@ -1,0 +1,42 @@
+#include "serializer/BigEndianWriter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "communication/serialization/SerialWriter.hpp"
+#include "support/ChangedRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+/// @brief The greatest byte of a number comes first.
+TEST(BigEndianWriter, GreatestByteComesFirst) {
+  SerialWriter bytes;
+  BigEndianWriter writer(bytes);
+  writer.writeU8({}, 0x01);
+  writer.writeU16({}, 0x0203);
+  writer.writeI16({}, -2);
+  writer.writeU32({}, 0x04050607);
+  writer.writeI32({}, -3);
+  EXPECT_TRUE(writer.finish());
+  const std::vector<int> expected{0x01, 0x02, 0x03, 0xFF, 0xFE, 0x04, 0x05,
+                                  0x06, 0x07, 0xFF, 0xFF, 0xFF, 0xFD};
+  EXPECT_EQ(std::vector<int>(bytes.bytes().begin(), bytes.bytes().end()), expected);
+}
+
+/// @brief In the reports of the kit the number of the cycle has its greatest byte first.
+TEST(BigEndianWriterOnBoard, ReportsHaveTheOtherFormat) {
+  ChangedRobot before(kUnchanged);
+  before.connect();
+  EXPECT_LT(before.report().cycle, 100U);
+  ChangedRobot after("change_serializer");
+  after.connect();
+  const std::uint32_t first = __builtin_bswap32(after.report().cycle);
+  EXPECT_LT(first, 100U);
+  after.silentCycle();
+  EXPECT_EQ(__builtin_bswap32(after.report().cycle), first + 1);
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "steering_control/SteeringDevice.hpp"
+#include "steering_control/commands/SteeringCommand.hpp"
+
+namespace wr {
+
+/// @brief Turns a steering whose motor loses steps above 150 steps/s.
+class SetLimitedTurn final : public SteeringCommand {
+ public:
+  /// @brief Greatest rate of the motor.
+  static constexpr StepRate kMost{150};
+
+  /// @brief Binds the command to the device.
+  /// @param device steering device that it acts on
+  explicit SetLimitedTurn(SteeringDevice& device) : device_(device) {}
+
+  /// @brief Sets the rate, or the greatest one of its sign.
+  /// @param rate rate that is ordered [steps/s], -500 to 500, positive to the left
+  /// @isr{yes}
+  void execute(StepRate rate) override {
+    device_.turn(rate > kMost ? kMost : rate < -kMost ? -kMost : rate);
+  }
+
+ private:
+  SteeringDevice& device_;
+};
+
+}  // namespace wr

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "devices/DigitalOutput.hpp"
+
+namespace wr {
+
+/// @brief An output whose device works with the opposite level.
+class InvertedOutput final : public DigitalOutput {
+ public:
+  /// @brief Binds the output to the pin.
+  /// @param pin takes the opposite level
+  explicit InvertedOutput(DigitalOutput& pin) : pin_(pin) {}
+
+  /// @brief Sets the opposite level.
+  /// @param on true: the pin is low
+  /// @isr{yes}
+  void set(bool on) override { pin_.set(!on); }
+
+ private:
+  DigitalOutput& pin_;
+};
+
+}  // namespace wr

@@ -1,0 +1,37 @@
+#include "steering-system-construction/InvertedOutput.hpp"
+
+#include <gtest/gtest.h>
+
+#include "steering_control/SteeringFakes.hpp"
+#include "support/ChangedRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+/// @brief The pin has the opposite level.
+TEST(InvertedOutput, SetsTheOppositeLevel) {
+  FakeOutput pin;
+  InvertedOutput output(pin);
+  output.set(false);
+  EXPECT_TRUE(pin.on);
+  output.set(true);
+  EXPECT_FALSE(pin.on);
+}
+
+// The level of the direction pin while the robot turns to the left.
+bool levelToTheLeft(const char* image) {
+  ChangedRobot robot(image);
+  robot.commandByPc();
+  robot.orderSteering(2000);
+  robot.orderSteering(2000);
+  return robot.board().pin('C', 9);
+}
+
+/// @brief While the steering turns to the left the direction pin of the unchanged image is high, that of the kit low.
+TEST(InvertedOutputOnBoard, DirectionHasTheOtherLevel) {
+  EXPECT_TRUE(levelToTheLeft(kUnchanged));
+  EXPECT_FALSE(levelToTheLeft("change_steering-system-construction"));
+}
+
+}  // namespace
+}  // namespace wr::test

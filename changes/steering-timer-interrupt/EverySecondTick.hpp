@@ -1,0 +1,28 @@
+#pragma once
+
+#include "services/Command.hpp"
+
+namespace wr {
+
+/// @brief Runs the work of the steering at every second tick: its driver needs pulses of 2 ms.
+class EverySecondTick final : public Command {
+ public:
+  /// @brief Binds the command to the work of a tick.
+  /// @param work is executed at every second tick
+  explicit EverySecondTick(Command& work) : work_(work) {}
+
+  /// @brief Executes the work, unless the tick before did.
+  /// @isr{yes}
+  void execute() override {
+    due_ = !due_;
+    if (due_) {
+      work_.execute();
+    }
+  }
+
+ private:
+  Command& work_;
+  bool due_ = false;  // this tick executes the work
+};
+
+}  // namespace wr

@@ -1,0 +1,48 @@
+#include "steering-timer-interrupt/EverySecondTick.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/ChangedRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+class Counted final : public Command {
+ public:
+  void execute() override { ++count; }
+  int count = 0;
+};
+
+/// @brief The work is done at the first tick and at every second one after it.
+TEST(EverySecondTick, HalvesTheTicks) {
+  Counted work;
+  EverySecondTick command(work);
+  command.execute();
+  EXPECT_EQ(work.count, 1);
+  for (int tick = 0; tick < 9; ++tick) {
+    command.execute();
+  }
+  EXPECT_EQ(work.count, 5);
+}
+
+// Steps of the motor in a second of the turn to 25 degrees.
+int stepsInASecond(const char* image) {
+  ChangedRobot robot(image);
+  robot.commandByPc();
+  int steps = 0;
+  for (int cycle = 0; cycle < 10; ++cycle) {
+    robot.orderSteering(2500);
+    steps = robot.report().steering / 5;
+  }
+  return steps;
+}
+
+/// @brief In the same second the motor of the kit makes at most 60 % of the steps.
+TEST(EverySecondTickOnBoard, MotorStepsHalfAsOften) {
+  const int before = stepsInASecond(kUnchanged);
+  EXPECT_GT(before, 200);
+  EXPECT_LT(stepsInASecond("change_steering-timer-interrupt"), before * 6 / 10);
+}
+
+}  // namespace
+}  // namespace wr::test

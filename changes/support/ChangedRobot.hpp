@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "sim/emulator/Image.hpp"
+#include "support/image.hpp"
+#include "system/SteppedRobot.hpp"
+
+namespace wr::test {
+
+/// The paper's design alone, with the compiler's options of the kits.
+inline constexpr const char* kUnchanged = "weeding_robot_paper";
+
+/// An image on a board of its own: that of a kit, or the unchanged one. A finding ends the test.
+class ChangedRobot : public SteppedRobot {
+ public:
+  explicit ChangedRobot(const std::string& image)
+      : ChangedRobot(switchProductOn(image, emulator::readImage(imageOf(image)))) {}
+
+  /// Share of the period in which a wheel has the voltage of the supply.
+  [[nodiscard]] double duty(int wheel) const { return session_.board.pwmDuty(0, wheel); }
+
+  /// The red light of the board shines while its pin is low.
+  [[nodiscard]] bool redLight() const { return !session_.board.pin('B', 22); }
+
+  /// Orders a voltage [mV] for all wheels, and runs the cycle.
+  void orderVoltage(std::int16_t millivolts) {
+    scenario::PcOrder next{.id = 3};
+    next.wheels.fill({.quantity = 1, .value = millivolts});
+    order(next);
+    cycle();
+  }
+
+  /// Orders a steering angle [0.01 degree], and runs the cycle.
+  void orderSteering(std::int16_t angle) {
+    order({.id = 3, .steering = angle});
+    cycle();
+  }
+
+  [[nodiscard]] emulator::VirtualBoard& board() { return session_.board; }
+
+ private:
+  explicit ChangedRobot(std::unique_ptr<board_robot::BoardSession> session)
+      : ChangedRobot(*session, session) {}
+  ChangedRobot(board_robot::BoardSession& session,
+               std::unique_ptr<board_robot::BoardSession>& owner)
+      : SteppedRobot(std::move(owner)), session_(session) {}
+
+  board_robot::BoardSession& session_;
+};
+
+}  // namespace wr::test

@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "support/ChangedRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+constexpr std::uint64_t kCycles = 20;
+
+// The images of all kits, and those that they are compared with.
+std::vector<std::string> images() {
+  std::vector<std::string> found;
+  for (const auto& file : std::filesystem::directory_iterator(imageFile().parent_path())) {
+    if (file.path().extension() == ".bin" && file.path().stem() != "weeding_robot_pc_bluetooth") {
+      found.push_back(file.path().stem());
+    }
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+class EachImage : public testing::TestWithParam<std::string> {};
+
+/// @brief Each image welcomes the PC, reports in every cycle, follows the orders of the PC in time, and reports no
+/// overrun. The mean of the instructions in a cycle is recorded.
+TEST_P(EachImage, DrivesAsThePcOrders) {
+  if (GetParam() == "change_serializer") {
+    GTEST_SKIP() << "its reports have another format, which this PC does not read";
+  }
+  ChangedRobot robot(GetParam());
+  robot.commandByPc();
+  const std::uint32_t first = robot.report().cycle;
+  const std::uint64_t begin = robot.board().instructions();
+  for (std::uint32_t cycle = 1; cycle <= kCycles; ++cycle) {
+    scenario::PcOrder order{.id = 5, .steering = 500};
+    order.wheels.fill({.quantity = 0, .value = 1000});
+    robot.order(order);
+    robot.cycle();
+    EXPECT_EQ(robot.report().cycle, first + cycle);
+    EXPECT_EQ(robot.report().orderId, 5);
+    EXPECT_EQ(robot.report().overruns, 0);
+  }
+  const std::uint64_t instructions = (robot.board().instructions() - begin) / kCycles;
+  RecordProperty("instructions", std::to_string(instructions));
+}
+
+INSTANTIATE_TEST_SUITE_P(Images, EachImage, testing::ValuesIn(images()), [](const auto& image) {
+  std::string name = image.param;
+  std::ranges::replace(name, '-', '_');
+  return name;
+});
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "wheel_control/behaviours/WheelBehaviour.hpp"
+#include "wheel_control/commands/WheelCommand.hpp"
+
+namespace wr {
+
+/// @brief Stops a wheel of a robot with a high load: its voltage falls by at most 0.6 V in a cycle.
+class GentleStop final : public WheelBehaviour {
+ public:
+  /// @brief Greatest fall of the magnitude in a cycle.
+  static constexpr Tension kFall{600};
+
+  /// @brief Binds the behaviour to its commands.
+  /// @param setTension sets the voltage of the wheel
+  /// @param stopWheel stops the wheel
+  GentleStop(WheelCommand& setTension, WheelCommand& stopWheel)
+      : setTension_(setTension), stopWheel_(stopWheel) {}
+
+  /// @brief Lowers the voltage, and stops the wheel when nothing is left.
+  /// @param applied voltage that is at the wheel [mV], positive forwards
+  /// @return voltage that is at the wheel now [mV]
+  /// @isr{no}
+  Tension apply(Tension applied, Velocity /*velocity*/) override {
+    const Tension fall = applied < -kFall ? -kFall : applied > kFall ? kFall : applied;
+    const Tension left = applied - fall;
+    (left == Tension() ? stopWheel_ : setTension_).execute(left);
+    return left;
+  }
+
+  /// @brief Stores nothing: each call gets the present voltage.
+  /// @isr{no}
+  void resume(Tension /*applied*/) override {}
+
+ private:
+  WheelCommand& setTension_;
+  WheelCommand& stopWheel_;
+};
+
+}  // namespace wr

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "wheel_control/Wheel.hpp"
+#include "wheel_control/commands/WheelCommand.hpp"
+
+namespace wr {
+
+/// @brief Sets the voltage of a wheel whose driver loses a twelfth of it: a twelfth more is set.
+class SetTrimmedTension final : public WheelCommand {
+ public:
+  /// @brief Binds the command to the wheel.
+  /// @param wheel wheel whose voltage is set
+  explicit SetTrimmedTension(Wheel& wheel) : wheel_(wheel) {}
+
+  /// @brief Sets the magnitude of the voltage and a twelfth more, at most 24 V.
+  /// @param tension voltage that the motor shall have [mV], -24000 to 24000
+  /// @isr{no}
+  void execute(Tension tension) override {
+    const Tension size = tension < Tension() ? -tension : tension;
+    const Tension more = size + size / kShare;
+    wheel_.setTension(more > kMost ? kMost : more);
+  }
+
+ private:
+  static constexpr std::int32_t kShare = 12;
+  static constexpr Tension kMost{24000};
+
+  Wheel& wheel_;
+};
+
+}  // namespace wr

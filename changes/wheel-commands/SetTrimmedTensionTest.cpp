@@ -1,0 +1,40 @@
+#include "wheel-commands/SetTrimmedTension.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/ChangedRobot.hpp"
+#include "wheel_control/ControlledWheel.hpp"
+
+namespace wr::test {
+namespace {
+
+class SetTrimmedTensionTest : public testing::Test, protected ControlledWheel {
+ protected:
+  SetTrimmedTension trimmed{wheel};
+};
+
+/// @brief A twelfth is added to the magnitude; the voltage of the supply is the end.
+TEST_F(SetTrimmedTensionTest, AddsATwelfth) {
+  trimmed.execute(Tension(12000));
+  EXPECT_EQ(pwm.dutyCycle(), DutyCycle(5417));
+  trimmed.execute(Tension(-12000));
+  EXPECT_EQ(pwm.dutyCycle(), DutyCycle(5417));
+  trimmed.execute(Tension(24000));
+  EXPECT_EQ(pwm.dutyCycle(), DutyCycle(10000));
+}
+
+double dutyAt12Volts(const char* image) {
+  ChangedRobot robot(image);
+  robot.commandByPc();
+  robot.orderVoltage(12000);
+  return robot.duty(0);
+}
+
+/// @brief At an order of 12 V the unchanged image gives 12 V of 24 V, that of the kit 13 V.
+TEST(SetTrimmedTensionOnBoard, PulsesAreLonger) {
+  EXPECT_NEAR(dutyAt12Volts(kUnchanged), 0.5, 0.001);
+  EXPECT_NEAR(dutyAt12Volts("change_wheel-commands"), 13.0 / 24.0, 0.001);
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,49 @@
+#include "wheel-orders/ApplyAboveThreshold.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/ChangedRobot.hpp"
+
+namespace wr::test {
+namespace {
+
+class Recorded final : public WheelOrder {
+ public:
+  void execute(WheelWork& work) override { value = work.setPoint.value; }
+  std::int16_t value = -1;
+};
+
+std::int16_t followed(WheelQuantity quantity, std::int16_t value) {
+  Recorded apply;
+  ApplyAboveThreshold order(apply);
+  WheelWork work;
+  work.setPoint = {.quantity = quantity, .value = value};
+  order.execute(work);
+  return apply.value;
+}
+
+/// @brief A voltage below half a volt counts as none; others, and other quantities, are followed.
+TEST(ApplyAboveThreshold, ReplacesLowVoltages) {
+  EXPECT_EQ(followed(WheelQuantity::Tension, 499), 0);
+  EXPECT_EQ(followed(WheelQuantity::Tension, -499), 0);
+  EXPECT_EQ(followed(WheelQuantity::Tension, -500), -500);
+  EXPECT_EQ(followed(WheelQuantity::Tension, 500), 500);
+  EXPECT_EQ(followed(WheelQuantity::Velocity, 499), 499);
+}
+
+double dutyAt(const char* image, std::int16_t millivolts) {
+  ChangedRobot robot(image);
+  robot.commandByPc();
+  robot.orderVoltage(millivolts);
+  return robot.duty(0);
+}
+
+/// @brief At an order of 0.48 V the unchanged image gives pulses, that of the kit none; both follow 2.4 V.
+TEST(ApplyAboveThresholdOnBoard, LowVoltageGivesNoPulses) {
+  EXPECT_NEAR(dutyAt(kUnchanged, 480), 0.02, 0.001);
+  EXPECT_NEAR(dutyAt("change_wheel-orders", 480), 0, 0.0001);
+  EXPECT_NEAR(dutyAt("change_wheel-orders", 2400), 0.1, 0.001);
+}
+
+}  // namespace
+}  // namespace wr::test

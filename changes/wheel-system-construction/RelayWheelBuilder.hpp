@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include "construction/ControlSystemBuilder.hpp"
+#include "services/assertion.hpp"
+#include "wheel-system-construction/RelayWheelSystem.hpp"
+
+namespace wr {
+
+/// @brief Builds the control system of a wheel whose motor a relay switches. It has no other part.
+class RelayWheelBuilder final : public ControlSystemBuilder {
+ public:
+  /// @brief Binds the builder to the relay.
+  /// @param relay on: the motor runs
+  explicit RelayWheelBuilder(DigitalOutput& relay) : relay_(relay) {}
+
+  /// @brief Does nothing: the relay is a device of the board.
+  /// @isr{no}
+  void buildActuator() override {}
+
+  /// @brief Does nothing: there is no sensor.
+  /// @isr{no}
+  void buildSensors() override {}
+
+  /// @brief Does nothing: there is no controller.
+  /// @isr{no}
+  void buildController() override {}
+
+  /// @brief Builds the system.
+  /// @errors A second system ends the program with the assertion PartBuiltTwice.
+  /// @isr{no}
+  void buildSystem() override {
+    require(!system_, AssertId::PartBuiltTwice);
+    system_.emplace(relay_);
+  }
+
+  /// @brief Switches the relay off.
+  /// @isr{no}
+  void start() override { relay_.set(false); }
+
+  /// @brief Returns the system.
+  /// @return the system; it lives as long as the builder
+  /// @errors Without a system the program ends with the assertion PartMissing.
+  /// @isr{no}
+  [[nodiscard]] ControlSystem& system() override {
+    require(system_.has_value(), AssertId::PartMissing);
+    return *system_;
+  }
+
+  /// @brief Returns the work at a tick, which is none.
+  /// @return the command; it lives as long as the builder
+  /// @isr{no}
+  [[nodiscard]] Command& tickCommand() override { return none_; }
+
+ private:
+  class NoWork final : public Command {
+   public:
+    void execute() override {}
+  };
+
+  DigitalOutput& relay_;
+  NoWork none_;
+  std::optional<RelayWheelSystem> system_;
+};
+
+}  // namespace wr

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "devices/DigitalOutput.hpp"
+#include "main_control/control_systems/ControlSystem.hpp"
+
+namespace wr {
+
+/// @brief The control system of a fifth wheel, whose motor a relay switches: it helps when the robot drives forwards.
+class RelayWheelSystem final : public ControlSystem {
+ public:
+  /// @brief Binds the system to its relay.
+  /// @param relay on: the motor runs
+  explicit RelayWheelSystem(DigitalOutput& relay) : relay_(relay) {}
+
+  /// @brief Returns whether the work of a cycle is done.
+  /// @param cycle number of the cycle
+  /// @return true when it is
+  /// @isr{no}
+  [[nodiscard]] bool completed(std::uint32_t cycle) const override { return cycle_ == cycle; }
+
+  /// @brief Adds nothing: the relay has no measurement.
+  /// @isr{no}
+  void collect(Measurements& /*measurements*/, Outputs& /*outputs*/) const override {}
+
+ private:
+  void measure() override {}
+  void apply(const SetPoints& setPoints) override { relay_.set(setPoints.wheels[0].value > 0); }
+  void halt() override { relay_.set(false); }
+  void release() override {}
+  void activate(std::uint32_t cycle) override { cycle_ = cycle; }
+
+  DigitalOutput& relay_;
+  std::uint32_t cycle_ = 0;  // the last one whose work is done
+};
+
+}  // namespace wr

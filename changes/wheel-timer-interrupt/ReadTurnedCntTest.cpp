@@ -1,0 +1,58 @@
+#include "wheel-timer-interrupt/ReadTurnedCnt.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/ChangedRobot.hpp"
+#include "support/FakeTimebase.hpp"
+
+namespace wr::test {
+namespace {
+
+class SetInput final : public AnalogInput {
+ public:
+  std::optional<std::uint16_t> sample() override { return value; }
+  std::uint16_t value = 2048;
+};
+
+class NoTrip final : public Command {
+ public:
+  void execute() override {}
+};
+
+// The sum that is collected from equal samples, after the zero of the sensor was learned.
+std::int32_t collected(std::uint16_t sample) {
+  FakeTimebase clock;
+  NoTrip trip;
+  ValueCollector values(trip, clock);
+  SetInput input;
+  ReadTurnedCnt command(input, values);
+  for (int tick = 0; tick < 80; ++tick) {
+    input.value = tick < 64 ? std::uint16_t{2048} : sample;
+    command.execute();
+  }
+  return static_cast<std::int32_t>(values.record().sum);
+}
+
+/// @brief Samples on both sides of the middle change places.
+TEST(ReadTurnedCnt, TurnsTheRange) {
+  EXPECT_EQ(collected(2148), -1600);
+  EXPECT_EQ(collected(1948), 1600);
+}
+
+int currentAt12Volts(const char* image) {
+  ChangedRobot robot(image);
+  robot.commandByPc();
+  robot.orderVoltage(6000);
+  robot.orderVoltage(6000);
+  return robot.report().current.at(0);
+}
+
+/// @brief The unchanged image reports the current of a wheel that speeds up as positive, that of the kit as negative.
+TEST(ReadTurnedCntOnBoard, ReportedCurrentHasTheOtherSign) {
+  const int before = currentAt12Volts(kUnchanged);
+  EXPECT_GT(before, 100);
+  EXPECT_NEAR(currentAt12Volts("change_wheel-timer-interrupt"), -before, 60);
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,105 @@
+"""The kits of likely changes: lines, classes and tests, and when a change counts as proven."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from traceability.model.made_changes import proven
+from traceability.reading.change_kits import Kit, images_of, read_kits
+from traceability.reading.toml_reader import Entries
+from traceability.schema import HOST, VIRTUAL_K64, KitTest, MadeChange, Place
+
+PLACE = Place("changes/one/change.toml", 1)
+PATCH = """\
+--- a/src/construction/Builder.hpp
++++ b/src/construction/Builder.hpp
+@@ -1,2 +1,3 @@
+-  Old part;
++  New part;
++  Other other;
+--- a/src/sensing/Sensor.cpp
++++ b/src/sensing/Sensor.cpp
+@@ -7,2 +7,2 @@
+-  measure(1);
+-  measure(2);
++  measure(3);
+"""
+TESTS = "TEST(New, Works) {}\nTEST_F(NewOnBoard, WorksThere) {}\n"
+
+
+def made_kit(root: Path, text: str = 'event = "It changes."\nclasses = ["New"]\n') -> Kit | None:
+    folder = root / "changes/one"
+    folder.mkdir(parents=True)
+    (folder / "change.toml").write_text(text)
+    (folder / "New.hpp").write_text("class New final : public Base {\n};\n")
+    (folder / "NewTest.cpp").write_text(TESTS)
+    (folder / "composition.patch").write_text(PATCH)
+    return read_kits(root, Entries(root)).get("one")
+
+
+def test_lines_of_the_composition_and_others_are_counted_apart(tmp_path: Path) -> None:
+    kit = made_kit(tmp_path)
+    assert kit is not None
+    assert (kit.composition_lines, kit.outside_lines, kit.added_lines) == (1, 2, 3)
+    assert kit.patched == ["src/construction/Builder.hpp", "src/sensing/Sensor.cpp"]
+
+
+def test_files_classes_and_tests_are_those_of_the_folder(tmp_path: Path) -> None:
+    kit = made_kit(tmp_path)
+    assert kit is not None
+    assert kit.files == ["changes/one/New.hpp"]
+    assert kit.bases == {"New": "Base"}
+    assert kit.tests == {
+        "New.Works": Place("changes/one/NewTest.cpp", 1),
+        "NewOnBoard.WorksThere": Place("changes/one/NewTest.cpp", 2),
+    }
+    assert images_of([kit]) == ["change_one", "weeding_robot_paper"]
+
+
+def test_a_kit_without_its_event_is_no_kit(tmp_path: Path) -> None:
+    assert made_kit(tmp_path, 'classes = ["New"]\n') is None
+
+
+@pytest.mark.parametrize(
+    ("host", "board", "expected"),
+    [
+        ("passed", "passed", True),
+        ("passed", None, False),
+        ("failed", "passed", False),
+        (None, None, False),
+    ],
+)
+def test_a_change_is_proven_by_tests_that_passed_on_both_targets(
+    host: str | None, board: str | None, expected: bool
+) -> None:
+    tests = [KitTest("A.B", HOST, host, PLACE), KitTest("AOnBoard.B", VIRTUAL_K64, board, PLACE)]
+    assert proven(a_change(tests)) is expected
+
+
+def test_tests_on_one_target_prove_nothing() -> None:
+    assert not proven(a_change([KitTest("A.B", HOST, "passed", PLACE)]))
+    assert not proven(a_change([]))
+    assert not proven(None)
+
+
+def a_change(tests: list[KitTest]) -> MadeChange:
+    return MadeChange(
+        application="one",
+        event="It changes.",
+        hard="",
+        why="",
+        classes=[],
+        extension="",
+        files=[],
+        patched=[],
+        composition_lines=0,
+        outside_lines=0,
+        added_lines=0,
+        flash=None,
+        ram=None,
+        instructions=None,
+        tests=tests,
+        place=PLACE,
+    )

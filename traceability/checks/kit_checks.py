@@ -1,0 +1,85 @@
+"""change-kit: each likely change is made, by a class with the role that the recipe names."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from traceability.model.design_model import Model
+from traceability.reading.change_kits import Kit
+from traceability.reading.source_facts import Facts
+from traceability.schema import HOST, VIRTUAL_K64, Finding, LikelyChange, MadeChange
+
+FIX = "complete the kit as changes/README.md explains"
+
+
+def check(model: Model, facts: Facts) -> list[Finding]:
+    if not facts.declared.patterns:
+        return []
+    kits = facts.declared.kits
+    wrong = [
+        (kit.place, f"there is no application {name}")
+        for name, kit in kits.items()
+        if name not in model.changes
+    ]
+    for name, change in model.changes.items():
+        if change.made is None:
+            place = model.patterns[name].place
+            wrong.append((place, f"no folder of changes/ makes the likely change of {name}"))
+        else:
+            found = _change(model, facts, change, change.made, kits[name])
+            wrong += [(change.made.place, text) for text in found]
+    return [Finding(place, "change-kit", text, FIX) for place, text in wrong]
+
+
+def _change(
+    model: Model, facts: Facts, change: LikelyChange, made: MadeChange, kit: Kit
+) -> Iterator[str]:
+    if not made.classes and not made.patched:
+        yield "the kit names no class and changes no file"
+    for name in made.classes:
+        if name not in kit.bases and name not in model.modules:
+            yield f"there is no class {name}"
+        elif not _plays(model, facts, change, kit, name):
+            wanted = " or ".join(change.derives or change.altered)
+            yield f"{name} has no part of {change.application}: it has nothing of {wanted}"
+    if not made.classes and not _touches(model, change, made):
+        yield f"the kit edits none of {', '.join(change.altered)}"
+    targets = {test.target for test in made.tests}
+    for target in sorted({HOST, VIRTUAL_K64} - targets):
+        yield f"the change has no test on {target}"
+    for name in set(kit.named_tests) - set(model.tests):
+        yield f"there is no test {name}"
+    if made.patched and not made.why:
+        yield "the kit changes existing files without a reason"
+
+
+def _plays(model: Model, facts: Facts, change: LikelyChange, kit: Kit, name: str) -> bool:
+    """Derives from a base class of the recipe, or, without one, from or with an altered module."""
+    above = set(_above(facts, kit, name))
+    if change.derives:
+        return not above.isdisjoint(change.derives)
+    kin = {
+        base
+        for one in change.altered
+        for base in (*model.modules[one].bases, *model.modules[one].uses)
+    }
+    uses = set(model.modules[name].uses) if name in model.modules else set()
+    altered = set(change.altered)
+    return bool(above & kin or uses & altered or _touches(model, change, change.made))
+
+
+def _touches(model: Model, change: LikelyChange, made: MadeChange | None) -> bool:
+    """Whether the kit changes the file of an altered module."""
+    headers = [model.modules[name].place.file for name in change.altered]
+    files = {*headers, *(name.replace(".hpp", ".cpp") for name in headers)}
+    return made is not None and not files.isdisjoint(made.patched)
+
+
+def _above(facts: Facts, kit: Kit, name: str) -> Iterator[str]:
+    """All base classes of a class of a kit, or of the design."""
+    bases = [kit.bases[name]] if kit.bases.get(name) else []
+    if name in facts.classes:
+        bases = list(facts.classes[name].bases)
+    for base in bases:
+        yield base
+        yield from _above(facts, kit, base)

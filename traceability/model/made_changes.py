@@ -1,0 +1,80 @@
+"""The likely changes that a kit or an extension makes, with the results of their tests."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from traceability.model.design_model import Model
+from traceability.reading.change_kits import Kit, KitRecord, target_of
+from traceability.schema import HOST, VIRTUAL_K64, KitTest, MadeChange
+
+
+def made(
+    model: Model,
+    kits: Mapping[str, Kit],
+    record: KitRecord | None,
+    examples: Mapping[str, list[str]],
+) -> dict[str, MadeChange]:
+    """Application -> the change that was made."""
+    return {
+        name: _made(model, kit, record, kit.classes or examples.get(name, []))
+        for name, kit in kits.items()
+    }
+
+
+def _made(model: Model, kit: Kit, record: KitRecord | None, classes: list[str]) -> MadeChange:
+    images = record.images if record else {}
+    changed, unchanged = images.get(kit.image, {}), images.get(kit.base, {})
+
+    def added(key: str) -> float | None:
+        both = key in changed and key in unchanged
+        return changed[key] - unchanged[key] if both else None
+
+    return MadeChange(
+        application=kit.application,
+        event=kit.event,
+        hard=kit.hard,
+        why=kit.why,
+        classes=classes,
+        extension=kit.extension,
+        files=kit.files or _files_of(model, kit, classes),
+        patched=kit.patched,
+        composition_lines=kit.composition_lines,
+        outside_lines=kit.outside_lines,
+        added_lines=kit.added_lines,
+        flash=added("flash"),
+        ram=added("ram"),
+        instructions=added("instructions"),
+        tests=[*_own_tests(kit, record), *_named_tests(model, kit)],
+        place=kit.place,
+    )
+
+
+def _files_of(model: Model, kit: Kit, classes: list[str]) -> list[str]:
+    """The headers of the classes of an extension, and their sources."""
+    headers = [model.modules[name].place.file for name in classes if name in model.modules]
+    sources = [name.replace(".hpp", ".cpp") for name in headers]
+    composition = [one for one in model.files if one.startswith(f"{kit.extension}/k64/main")]
+    return [*headers, *(one for one in sources if one in model.files), *composition[:1]]
+
+
+def _own_tests(kit: Kit, record: KitRecord | None) -> Iterator[KitTest]:
+    for name, place in kit.tests.items():
+        result = record.tests.get(name) if record else None
+        yield KitTest(name, target_of(name), result.result if result else None, place)
+
+
+def _named_tests(model: Model, kit: Kit) -> Iterator[KitTest]:
+    for name in kit.named_tests:
+        if test := model.tests.get(name):
+            for binding, one in test.results.items():
+                result = None if model.stale_on(binding) else one.result
+                yield KitTest(name, binding, result, test.place)
+
+
+def proven(change: MadeChange | None) -> bool:
+    """Whether all tests passed in this build, and one of them on each target."""
+    if change is None:
+        return False
+    passed = {test.target for test in change.tests if test.result == "passed"}
+    return passed == {HOST, VIRTUAL_K64} and all(one.result == "passed" for one in change.tests)

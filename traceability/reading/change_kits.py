@@ -1,0 +1,133 @@
+"""Reads the kits of ``changes/``, each of which makes one likely change, and their results."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from traceability.reading.baseline_record import count_patch
+from traceability.reading.results import RESULTS, Result, read_json, results_in
+from traceability.reading.task_record import CHANGES, is_fresh
+from traceability.reading.toml_reader import Entries
+from traceability.schema import HOST, VIRTUAL_K64, Place
+
+FOLDER = Path("changes")
+RESULT = RESULTS / "changes.json"
+DECLARED, PATCH, IMAGE = "change.toml", "composition.patch", "change_"
+UNCHANGED = "weeding_robot_paper"  # the image that a kit without an extension is compared with
+# The composition: the files that make the parts and bind them to each other.
+COMPOSITION = ("src/construction/", "src/k64/start_up/")
+ON_BOARD = "OnBoard"  # end of the name of a suite that runs the image of a kit
+TEST = re.compile(r"^TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\)")
+CLASS = re.compile(r"^class (\w+)(?: final)?(?: : public (\w+))?", re.MULTILINE)
+PART_OF_PATCH = re.compile(r"^--- .*?(?=^--- |\Z)", re.MULTILINE | re.DOTALL)
+
+
+@dataclass
+class Kit:
+    """One likely change, as it is declared and as its files are."""
+
+    application: str
+    event: str
+    place: Place
+    hard: str = ""  # the name of the event in the list of hard changes
+    why: str = ""  # reason for the lines of existing files
+    classes: list[str] = field(default_factory=list)  # play the role of the recipe
+    extension: str = ""  # folder of the extension that makes the change
+    image: str = ""
+    base: str = UNCHANGED  # image without the change
+    tests: dict[str, Place] = field(default_factory=dict)  # Suite.Name -> its place
+    named_tests: list[str] = field(default_factory=list)  # of an extension
+    files: list[str] = field(default_factory=list)  # added, without tests
+    bases: dict[str, str] = field(default_factory=dict)  # class of a file -> base class
+    patched: list[str] = field(default_factory=list)  # existing files
+    composition_lines: int = 0  # existing lines of the composition, removed or changed
+    outside_lines: int = 0  # the same of other files
+    added_lines: int = 0  # new lines in existing files
+
+
+@dataclass(frozen=True)
+class KitRecord:
+    """The results of the tests, and the costs of the images, of all kits."""
+
+    tests: Mapping[str, Result]
+    images: Mapping[str, Mapping[str, float]]  # flash, ram [bytes]; instructions in a cycle
+
+
+def read_kits(root: Path, entries: Entries) -> dict[str, Kit]:
+    """Application -> its kit. The folders are the list."""
+    found = {}
+    for path in sorted((root / FOLDER).glob(f"*/{DECLARED}")):
+        kit = _kit(root, path, entries)
+        if kit:
+            found[kit.application] = kit
+    return found
+
+
+def _kit(root: Path, path: Path, entries: Entries) -> Kit | None:
+    item: dict[str, Any] = dict(entries.whole(path))
+    place = Place(str(path.relative_to(root)), 1)
+    may = {
+        **{"hard": str, "why": str, "extension": str, "image": str, "base": str},
+        **{"classes": list, "tests": list, "files": list},
+    }
+    if not entries.fits(item, place, {"event": str}, may):
+        return None
+    folder = path.parent
+    item["named_tests"] = item.pop("tests", [])
+    kit = Kit(application=folder.name, place=place, **item)
+    kit.image = kit.image or IMAGE + folder.name
+    own = sorted(one for one in folder.iterdir() if one.suffix in (".hpp", ".cpp"))
+    for source in own:
+        if source.stem.endswith("Test"):
+            kit.tests |= tests_in(root, source)
+        else:
+            kit.files.append(str(source.relative_to(root)))
+            text = source.read_text(encoding="utf-8")
+            kit.bases |= {match[1]: match[2] or "" for match in CLASS.finditer(text)}
+    if (folder / PATCH).exists():
+        _count(kit, (folder / PATCH).read_text(encoding="utf-8"))
+    return kit
+
+
+def _count(kit: Kit, patch: str) -> None:
+    for part in PART_OF_PATCH.findall(patch):
+        touched = count_patch(part)
+        name = touched.files_changed[0]
+        kit.patched.append(name)
+        kit.added_lines += touched.lines_added
+        if name.startswith(COMPOSITION):
+            kit.composition_lines += touched.lines_touched
+        else:
+            kit.outside_lines += touched.lines_touched
+
+
+def tests_in(root: Path, source: Path) -> dict[str, Place]:
+    """``Suite.Name`` -> its place, of each test in a file."""
+    lines = source.read_text(encoding="utf-8").splitlines()
+    file = str(source.relative_to(root))
+    return {
+        f"{match[1]}.{match[2]}": Place(file, number)
+        for number, line in enumerate(lines, 1)
+        if (match := TEST.match(line))
+    }
+
+
+def target_of(test: str) -> str:
+    return VIRTUAL_K64 if test.partition(".")[0].endswith(ON_BOARD) else HOST
+
+
+def read_record(root: Path) -> KitRecord | None:
+    """The record, when it is of the present sources."""
+    data = read_json(root / RESULT)
+    if not isinstance(data, dict) or not is_fresh(root, CHANGES):
+        return None
+    return KitRecord(results_in(data), data["images"])
+
+
+def images_of(kits: Iterable[Kit]) -> list[str]:
+    """The images of the kits, and those that they are compared with."""
+    return sorted({image for kit in kits for image in (kit.image, kit.base)})
