@@ -10,7 +10,7 @@ namespace wr {
 /// @brief A calculation.
 /// @function Calculates one value from its arguments, in integers: the host and the microcontroller
 /// calculate equal numbers.
-/// @secret The formula.
+/// @secret Which formula is used.
 /// @role{functions, Strategy}
 ///
 /// @patternapp{functions, Strategy, Functions}

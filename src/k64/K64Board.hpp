@@ -77,7 +77,8 @@ class K64Board {
   static void openGates();
 
   /// @brief Reads a word from the random number generator. Reads its status at most 2,000 times.
-  /// @return a word of 32 random bits; nothing when the generator delivers none in time
+  /// @return a word of 32 random bits, without meaning as a number; nothing when the generator delivers
+  /// none in time
   /// @pre The clocks of the peripherals run.
   /// @isr{no}
   /// @satisfies FR-264
@@ -93,7 +94,7 @@ class K64Board {
   /// @brief Ends the firmware: outputs safe, fault recorded, reset. Never returns.
   /// @param kind kind of the fault
   /// @param number number with a meaning that depends on the kind, 0 if it has none
-  /// @param address address of the instruction at which it happened, 0 when it is unknown
+  /// @param address number of the byte of the instruction at which it happened, 0 when it is unknown
   /// @isr{yes}
   /// @satisfies FR-75
   [[noreturn]] static void endWithFault(FaultKind kind, std::uint16_t number,
