@@ -13,8 +13,7 @@
 
 namespace wr {
 
-/// Main Control and one wheel from the modules of the robot: a composition, like that of each
-/// product.
+/// Main Control and one wheel of the modules of the robot: a composition, as that of each product.
 class PatternDesign {
  public:
   explicit PatternDesign(const Devices& devices);
@@ -29,7 +28,7 @@ class PatternDesign {
   void hallEdge();
   void remoteControlEdge();
 
-  // Called by the main loop after each interrupt: it is empty here because the threads do the work.
+  // Called by the main loop after each interrupt: here the threads do the work.
   void run() {}
 
  private:

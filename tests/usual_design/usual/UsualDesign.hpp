@@ -20,8 +20,7 @@
 namespace wr {
 
 /// Main Control and one wheel in the baseline design: one class, variables for the state, and
-/// conditions on them. Interrupts collect data; the main loop runs a control cycle at each clock
-/// pulse.
+/// conditions on them. Interrupts collect; the main loop runs a control cycle at each clock pulse.
 class UsualDesign {
  public:
   explicit UsualDesign(const Devices& devices);
@@ -179,7 +178,7 @@ class UsualDesign {
   CurrentRecord current_;
   Pipe<CurrentRecord> currentRecord_;
 
-  // Measured velocity and current, with their times.
+  // Measured velocity and current, and when.
   bool standing_ = true;
   Instant measuredAt_{};
   std::optional<Instant> seenEdge_;
